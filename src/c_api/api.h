@@ -1,0 +1,116 @@
+// What every entry point shares: checks, sized descs, strided arrays, and the wall that no
+// exception passes. No algorithm lives in this folder.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <new>
+
+#include "../math.h"
+#include "../shapes.h"
+#include "../status.h"
+
+namespace gphys {
+
+inline gphys_status invalid(const char* message) noexcept { return fail(GPHYS_ERROR_INVALID_ARGUMENT, message); }
+
+/// Run the body of an entry point; whatever it throws becomes a status.
+template <class Body>
+gphys_status guarded(Body&& body) noexcept {
+    try {
+        return body();
+    } catch (const std::bad_alloc&) {
+        return fail(GPHYS_ERROR_OUT_OF_MEMORY, "out of memory");
+    } catch (...) {
+        return fail(GPHYS_ERROR_INTERNAL, "unexpected exception");
+    }
+}
+
+#define GPHYS_REQUIRE(condition, message)                 \
+    do {                                                  \
+        if (!(condition)) return gphys::invalid(message); \
+    } while (0)
+
+/// Return from the entry point if the value has a defect (shapes.h).
+#define GPHYS_REQUIRE_VALID(value)                                                    \
+    do {                                                                              \
+        if (const char* wrong_ = gphys::defect(value)) return gphys::invalid(wrong_); \
+    } while (0)
+
+/// Return from the entry point with any status but GPHYS_OK.
+#define GPHYS_TRY(expression)                      \
+    do {                                           \
+        const gphys_status status_ = (expression); \
+        if (status_ != GPHYS_OK) return status_;   \
+    } while (0)
+
+inline bool is_bool(int32_t value) { return value == 0 || value == 1; }
+
+/// Elements of the caller's array; a stride of 0 repeats the first.
+template <class T>
+class Strided {
+public:
+    Strided(const T* first, uint32_t stride) : first_(reinterpret_cast<const char*>(first)), stride_(stride) {}
+    const T& operator[](uint32_t i) const {
+        return *reinterpret_cast<const T*>(first_ + static_cast<size_t>(i) * stride_);
+    }
+
+private:
+    const char* first_;
+    size_t stride_;
+};
+
+template <class T>
+class StridedOut {
+public:
+    StridedOut(T* first, uint32_t stride) : first_(reinterpret_cast<char*>(first)), stride_(stride) {}
+    T& operator[](uint32_t i) const { return *reinterpret_cast<T*>(first_ + static_cast<size_t>(i) * stride_); }
+
+private:
+    char* first_;
+    size_t stride_;
+};
+
+inline bool valid_stride(uint32_t stride, size_t element) {
+    return stride % 4 == 0 && (stride == 0 || stride >= element);
+}
+inline bool valid_out_stride(uint32_t stride, size_t element) { return stride % 4 == 0 && stride >= element; }
+
+/// Copy the caller's desc over the defaults of this release. `first_size` is sizeof the desc in
+/// release 1.0. Larger descs of newer clients are taken if their unknown tail is zero.
+template <class Desc>
+gphys_status read_desc(const Desc* from, Desc& to, size_t first_size) noexcept {
+    if (!from) return GPHYS_OK;
+    uint32_t size = 0;
+    std::memcpy(&size, from, sizeof size);
+    if (size < first_size || size > (1u << 16)) {
+        return fail(GPHYS_ERROR_STRUCT_SIZE, "desc.struct_size: call the desc's init function first");
+    }
+    const unsigned char* bytes = reinterpret_cast<const unsigned char*>(from);
+    for (size_t i = sizeof(Desc); i < size; ++i) {
+        if (bytes[i] != 0) return fail(GPHYS_ERROR_STRUCT_SIZE, "desc: a field that this library does not know is set");
+    }
+    std::memcpy(&to, from, size < sizeof(Desc) ? size : sizeof(Desc));
+    to.struct_size = sizeof(Desc);
+    return GPHYS_OK;
+}
+
+/// Give the caller, whose desc has `size` bytes, the defaults. Never writes past `size`.
+template <class Desc>
+gphys_status write_desc(Desc* to, uint32_t size, Desc defaults, size_t first_size) noexcept {
+    if (!to) return invalid("desc is null");
+    if (size < first_size || size > (1u << 16)) return fail(GPHYS_ERROR_STRUCT_SIZE, "size: pass sizeof of the desc");
+    std::memset(to, 0, size);
+    defaults.struct_size = size;
+    std::memcpy(to, &defaults, size < sizeof(Desc) ? size : sizeof(Desc));
+    return GPHYS_OK;
+}
+
+/// The hooks must come as a pair.
+inline const char* defect(const gphys_allocator* allocator) {
+    return allocator && (!allocator->allocate || !allocator->release)
+               ? "allocator: allocate and release must both be set"
+               : nullptr;
+}
+
+}  // namespace gphys

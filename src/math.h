@@ -1,0 +1,128 @@
+// Vectors, rotations and placements in double precision. Every answer is computed with these and
+// rounded to float32 once, at the C boundary.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "gamephys_c.h"
+
+namespace gphys {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double pi = 3.14159265358979323846;
+
+struct Vec3 {
+    double x = 0, y = 0, z = 0;
+
+    // A switch, not (&x)[axis]: that is undefined and was seen miscompiled.
+    constexpr double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+    constexpr double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+
+constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
+constexpr Vec3 operator*(Vec3 a, double s) { return {a.x * s, a.y * s, a.z * s}; }
+constexpr Vec3 operator*(double s, Vec3 a) { return a * s; }
+constexpr Vec3 operator/(Vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
+constexpr Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
+constexpr Vec3& operator-=(Vec3& a, Vec3 b) { return a = a - b; }
+constexpr Vec3& operator*=(Vec3& a, double s) { return a = a * s; }
+constexpr bool operator==(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+constexpr bool operator!=(Vec3 a, Vec3 b) { return !(a == b); }
+
+constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+constexpr double length_squared(Vec3 a) { return dot(a, a); }
+inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
+inline double distance(Vec3 a, Vec3 b) { return length(a - b); }
+inline Vec3 abs(Vec3 a) { return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}; }
+inline Vec3 min(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
+inline Vec3 max(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+inline double max_component(Vec3 a) { return std::max(a.x, std::max(a.y, a.z)); }
+
+/// a / |a|; a must not be zero. Scaled first, so that lengths from 1e-300 to 1e300 survive.
+inline Vec3 normalized(Vec3 a) {
+    const Vec3 scaled = a / max_component(abs(a));
+    return scaled / length(scaled);
+}
+
+/// A unit vector perpendicular to the unit vector n (Duff et al. 2017).
+inline Vec3 perpendicular(Vec3 n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
+
+struct Quat {
+    double x = 0, y = 0, z = 0, w = 1;
+};
+
+constexpr Quat operator*(Quat a, Quat b) {
+    return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+constexpr Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
+inline Quat normalized(Quat q) {
+    const double s = 1.0 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+    return {q.x * s, q.y * s, q.z * s, q.w * s};
+}
+
+/// Columns are the images of the x, y and z axes.
+struct Mat3 {
+    Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+};
+
+constexpr Vec3 operator*(const Mat3& m, Vec3 v) { return m.x * v.x + m.y * v.y + m.z * v.z; }
+/// Transpose of m times v: the inverse rotation.
+constexpr Vec3 transpose_times(const Mat3& m, Vec3 v) { return {dot(m.x, v), dot(m.y, v), dot(m.z, v)}; }
+
+/// The exact rotation that q stands for, whatever its length.
+constexpr Mat3 rotation_matrix(Quat q) {
+    const double s = 2.0 / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+    const double xx = s * q.x * q.x, yy = s * q.y * q.y, zz = s * q.z * q.z;
+    const double xy = s * q.x * q.y, xz = s * q.x * q.z, yz = s * q.y * q.z;
+    const double wx = s * q.w * q.x, wy = s * q.w * q.y, wz = s * q.w * q.z;
+    return {{1 - yy - zz, xy + wz, xz - wy}, {xy - wz, 1 - xx - zz, yz + wx}, {xz + wy, yz - wx, 1 - xx - yy}};
+}
+/// The rotation of an orthonormal right-handed matrix (Shepperd 1978).
+Quat quaternion(const Mat3& rotation);
+
+/// x -> position + rotation (scale x).
+struct Transform {
+    Vec3 position;
+    Mat3 rotation;
+    double scale = 1;
+
+    Vec3 apply(Vec3 p) const { return position + rotation * (p * scale); }
+    Vec3 apply_to_vector(Vec3 v) const { return rotation * (v * scale); }
+    Vec3 inverse_apply(Vec3 p) const { return transpose_times(rotation, p - position) / scale; }
+    Vec3 inverse_apply_to_vector(Vec3 v) const { return transpose_times(rotation, v) / scale; }
+};
+
+constexpr Vec3 widen(gphys_vec3 v) { return {v.x, v.y, v.z}; }
+constexpr Quat widen(gphys_quat q) { return {q.x, q.y, q.z, q.w}; }
+inline Transform widen(const gphys_transform& t) {
+    return {widen(t.position), rotation_matrix(widen(t.rotation)), t.scale};
+}
+constexpr gphys_vec3 narrow(Vec3 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+constexpr gphys_quat narrow(Quat q) {
+    return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
+}
+
+/// Largest float <= v and smallest float >= v. |v| must be below the largest float.
+inline float round_down(double v) {
+    const float f = static_cast<float>(v);
+    return f <= v ? f : std::nextafterf(f, -std::numeric_limits<float>::infinity());
+}
+inline float round_up(double v) {
+    const float f = static_cast<float>(v);
+    return f >= v ? f : std::nextafterf(f, std::numeric_limits<float>::infinity());
+}
+
+}  // namespace gphys

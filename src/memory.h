@@ -1,0 +1,57 @@
+// The caller's memory functions as a std::pmr resource, which all containers of an object share.
+#pragma once
+
+#include <cstddef>
+#include <memory_resource>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "gamephys_c.h"
+
+namespace gphys {
+
+template <class T>
+using Vector = std::pmr::vector<T>;
+
+class Memory final : public std::pmr::memory_resource {
+public:
+    explicit Memory(const gphys_allocator* hooks) {
+        if (hooks) hooks_ = *hooks;
+    }
+    const gphys_allocator* hooks() const { return hooks_.allocate ? &hooks_ : nullptr; }
+
+private:
+    void* do_allocate(std::size_t size, std::size_t alignment) override;
+    void do_deallocate(void* memory, std::size_t size, std::size_t alignment) override;
+    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
+
+    gphys_allocator hooks_{};
+};
+
+/// Create an object whose constructor takes (const gphys_allocator*, args...) in memory from the
+/// same hooks. Throws std::bad_alloc.
+template <class T, class... Args>
+T* create(const gphys_allocator* hooks, Args&&... args) {
+    Memory memory(hooks);
+    void* place = memory.allocate(sizeof(T), alignof(T));
+    try {
+        return new (place) T(hooks, std::forward<Args>(args)...);
+    } catch (...) {
+        memory.deallocate(place, sizeof(T), alignof(T));
+        throw;
+    }
+}
+
+/// Destroy an object made by create; T has a member `memory` of type Memory.
+template <class T>
+void destroy(T* object) noexcept {
+    if (!object) return;
+    gphys_allocator hooks{};
+    const bool hooked = object->memory.hooks() != nullptr;
+    if (hooked) hooks = *object->memory.hooks();
+    object->~T();
+    Memory(hooked ? &hooks : nullptr).deallocate(object, sizeof(T), alignof(T));
+}
+
+}  // namespace gphys
