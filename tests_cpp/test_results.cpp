@@ -1,0 +1,35 @@
+#include "results.h"
+
+#include <vector>
+
+#include "test.h"
+
+using gphys::Smallest;
+
+TEST_CASE("Smallest keeps the smallest values in ascending order, whatever the order of arrival") {
+    test::Random random(1);
+    for (uint32_t count = 0; count < 40; ++count) {
+        for (uint32_t capacity = 0; capacity < 45; ++capacity) {
+            std::vector<uint32_t> values(count);
+            for (uint32_t& value : values) value = random.index(30);
+            std::vector<uint32_t> out(capacity + 1, 12345);
+            Smallest<uint32_t> smallest(capacity ? out.data() : nullptr, capacity);
+            for (uint32_t value : values) smallest.add(value);
+            REQUIRE(smallest.full() == (capacity > 0 && count >= capacity));
+            std::sort(values.begin(), values.end());
+            const uint32_t kept = std::min(count, capacity);
+            if (smallest.full()) REQUIRE(smallest.largest() == values[kept - 1]);
+            REQUIRE(smallest.finish() == count);
+            REQUIRE(std::equal(out.begin(), out.begin() + kept, values.begin()));
+            REQUIRE(out[kept] == 12345);
+        }
+    }
+}
+
+TEST_CASE("Smallest takes any order") {
+    int out[3];
+    Smallest<int, std::greater<int>> largest(out, 3);
+    for (int value : {4, 9, -2, 7, 1, 9}) largest.add(value);
+    REQUIRE(largest.finish() == 6);
+    REQUIRE((out[0] == 9 && out[1] == 9 && out[2] == 7));
+}
