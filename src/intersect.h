@@ -21,6 +21,18 @@ struct Hit {
     uint32_t flags = 0;   // GPHYS_HIT_...
 };
 
+/// The public form, rounded; model 0 when the question was not of a scene. A t beyond all floats
+/// (a direction of almost no length) stays at the largest: the cast would trap.
+inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
+    const float t = static_cast<float>(std::min<double>(hit.t, std::numeric_limits<float>::max()));
+    const float u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
+    return {model, tag, t, narrow(hit.point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
+}
+inline gphys_nearest to_nearest(Vec3 point, double distance, uint32_t triangle = GPHYS_NO_TRIANGLE, uint32_t model = 0,
+                                uint32_t tag = 0) {
+    return {model, tag, narrow(point), static_cast<float>(distance), triangle};
+}
+
 enum class Side { outside = GPHYS_SIDE_OUTSIDE, crossing = GPHYS_SIDE_CROSSING, inside = GPHYS_SIDE_INSIDE };
 
 bool contains(const Segment& segment, Vec3 point, double tolerance);

@@ -1,6 +1,7 @@
 // The caller's memory functions as a std::pmr resource, which all containers of an object share.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory_resource>
 #include <new>
@@ -28,6 +29,14 @@ private:
 
     gphys_allocator hooks_{};
 };
+
+/// Make room for `count` more elements, so that adding them cannot throw. Grows by half at least:
+/// vector::reserve alone takes exactly what it is told, and growing one by one would be quadratic.
+template <class T>
+void reserve_more(Vector<T>& vector, std::size_t count) {
+    const std::size_t needed = vector.size() + count;
+    if (needed > vector.capacity()) vector.reserve(std::max(needed, vector.capacity() + vector.capacity() / 2));
+}
 
 /// Create an object whose constructor takes (const gphys_allocator*, args...) in memory from the
 /// same hooks. Throws std::bad_alloc.
