@@ -1,0 +1,145 @@
+// Bullet: collision world with a dynamic box tree, mesh shape with its own tree.
+#include <btBulletCollisionCommon.h>
+
+#include <limits>
+
+#include "implementation.h"
+
+namespace bench {
+
+namespace {
+
+btVector3 vector(gphys_vec3 v) { return {v.x, v.y, v.z}; }
+btTransform placement(gphys_vec3 position, gphys_quat q) {
+    return btTransform(btQuaternion(q.x, q.y, q.z, q.w), vector(position));
+}
+
+/// Closest hit that also keeps which triangle of a mesh it was.
+struct Closest final : btCollisionWorld::ClosestRayResultCallback {
+    using ClosestRayResultCallback::ClosestRayResultCallback;
+    int triangle = -1;
+    btScalar addSingleResult(btCollisionWorld::LocalRayResult& result, bool in_world) override {
+        triangle = result.m_localShapeInfo ? result.m_localShapeInfo->m_triangleIndex : -1;
+        return ClosestRayResultCallback::addSingleResult(result, in_world);
+    }
+};
+
+struct Count final : btCollisionWorld::ContactResultCallback {
+    uint64_t objects = 0;
+    const btCollisionObject* last = nullptr;
+    const btCollisionObject* query = nullptr;
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* a, int, int,
+                             const btCollisionObjectWrapper* b, int, int) override {
+        const btCollisionObject* other =
+            a->getCollisionObject() == query ? b->getCollisionObject() : a->getCollisionObject();
+        if (point.getDistance() <= 0 && other != last) {
+            ++objects;
+            last = other;
+        }
+        return 0;
+    }
+};
+
+class Bullet final : public Implementation {
+public:
+    ~Bullet() override { clear(); }
+
+    bool load(const std::vector<gphys_obb>& boxes) override {
+        clear();
+        for (const gphys_obb& b : boxes) {
+            add(std::make_unique<btBoxShape>(vector(b.half_extents)), placement(b.center, b.rotation));
+        }
+        return true;
+    }
+
+    bool load(const std::vector<gphys_sphere>& spheres) override {
+        clear();
+        for (const gphys_sphere& s : spheres) {
+            add(std::make_unique<btSphereShape>(s.radius), placement(s.center, {0, 0, 0, 1}));
+        }
+        return true;
+    }
+
+    bool load(const Triangles& mesh) override {
+        clear();
+        mesh_ = mesh;
+        arrays_ = std::make_unique<btTriangleIndexVertexArray>(
+            static_cast<int>(mesh_.count()), reinterpret_cast<int*>(mesh_.indices.data()), 12,
+            static_cast<int>(mesh_.vertices.size()), &mesh_.vertices[0].x, static_cast<int>(sizeof(gphys_vec3)));
+        add(std::make_unique<btBvhTriangleMeshShape>(arrays_.get(), true), btTransform::getIdentity());
+        return true;
+    }
+
+    bool closest(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) override {
+        answers.resize(rays.size());
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const btVector3 from = vector(rays[i].origin), to = from + vector(rays[i].direction) * rays[i].t_max;
+            Closest hit(from, to);
+            world_->rayTest(from, to, hit);
+            answers[i] = hit.hasHit() ? Answer{hit.m_closestHitFraction * rays[i].t_max,
+                                               arrays_ ? static_cast<uint32_t>(hit.triangle)
+                                                       : static_cast<uint32_t>(hit.m_collisionObject->getUserIndex())}
+                                      : Answer{std::numeric_limits<float>::infinity(), no_object};
+        }
+        return true;
+    }
+
+    bool overlap(const std::vector<gphys_sphere>& queries, uint64_t& total) override {
+        if (arrays_) return false;
+        total = 0;
+        for (const gphys_sphere& q : queries) {
+            btSphereShape shape(q.radius);
+            btCollisionObject object;
+            object.setCollisionShape(&shape);
+            object.setWorldTransform(placement(q.center, {0, 0, 0, 1}));
+            Count count;
+            count.query = &object;
+            world_->contactTest(&object, count);
+            total += count.objects;
+        }
+        return true;
+    }
+
+    bool move_all(const std::vector<gphys_obb>& boxes) override {
+        for (size_t i = 0; i < boxes.size(); ++i) {
+            objects_[i]->setWorldTransform(placement(boxes[i].center, boxes[i].rotation));
+        }
+        world_->updateAabbs();
+        return true;
+    }
+
+private:
+    void clear() {
+        for (auto& object : objects_) world_->removeCollisionObject(object.get());
+        objects_.clear();
+        shapes_.clear();
+        arrays_.reset();
+        world_ = std::make_unique<btCollisionWorld>(&dispatcher_, &broadphase_, &configuration_);
+    }
+
+    void add(std::unique_ptr<btCollisionShape> shape, const btTransform& where) {
+        auto object = std::make_unique<btCollisionObject>();
+        object->setCollisionShape(shape.get());
+        object->setWorldTransform(where);
+        object->setUserIndex(static_cast<int>(objects_.size()));
+        world_->addCollisionObject(object.get());
+        shapes_.push_back(std::move(shape));
+        objects_.push_back(std::move(object));
+    }
+
+    btDefaultCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_{&configuration_};
+    btDbvtBroadphase broadphase_;
+    std::unique_ptr<btCollisionWorld> world_ =
+        std::make_unique<btCollisionWorld>(&dispatcher_, &broadphase_, &configuration_);
+    Triangles mesh_;
+    std::unique_ptr<btTriangleIndexVertexArray> arrays_;
+    std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+    std::vector<std::unique_ptr<btCollisionObject>> objects_;
+};
+
+}  // namespace
+
+std::unique_ptr<Implementation> make_bullet() { return std::make_unique<Bullet>(); }
+
+}  // namespace bench

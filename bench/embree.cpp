@@ -1,0 +1,292 @@
+// Embree: oriented boxes as user geometry, its own sphere type, triangle meshes, instances.
+#include <embree3/rtcore.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "implementation.h"
+
+namespace bench {
+
+namespace {
+
+struct V {
+    float x, y, z;
+};
+V operator-(V a, V b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+float dot(V a, V b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// An oriented box as a user of Embree would keep it: centre, half extents, axes.
+struct Box {
+    V center, half, axis[3];
+};
+
+Box prepare(const gphys_obb& b) {
+    const gphys_quat q = b.rotation;
+    return {{b.center.x, b.center.y, b.center.z},
+            {b.half_extents.x, b.half_extents.y, b.half_extents.z},
+            {{1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)},
+             {2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)},
+             {2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)}}};
+}
+
+bool ray_box(const Box& box, V origin, V direction, float t_far, float& t) {
+    const V o = origin - box.center;
+    const float half[3] = {box.half.x, box.half.y, box.half.z};
+    float t0 = 0, t1 = t_far;
+    for (int k = 0; k < 3; ++k) {
+        const float position = dot(o, box.axis[k]), inverse = 1 / dot(direction, box.axis[k]);
+        const float middle = -position * inverse, reach = std::fabs(half[k] * inverse);
+        t0 = std::fmax(t0, middle - reach);
+        t1 = std::fmin(t1, middle + reach);
+    }
+    t = t0;
+    return t0 <= t1;
+}
+
+void box_bounds(const RTCBoundsFunctionArguments* args) {
+    const Box& b = static_cast<const std::vector<Box>*>(args->geometryUserPtr)->at(args->primID);
+    const auto reach = [&](float V::*axis) {
+        return std::fabs(b.axis[0].*axis) * b.half.x + std::fabs(b.axis[1].*axis) * b.half.y +
+               std::fabs(b.axis[2].*axis) * b.half.z;
+    };
+    RTCBounds& o = *args->bounds_o;
+    o.lower_x = b.center.x - reach(&V::x);
+    o.lower_y = b.center.y - reach(&V::y);
+    o.lower_z = b.center.z - reach(&V::z);
+    o.upper_x = b.center.x + reach(&V::x);
+    o.upper_y = b.center.y + reach(&V::y);
+    o.upper_z = b.center.z + reach(&V::z);
+}
+
+void box_intersect(const RTCIntersectFunctionNArguments* args) {
+    if (!args->valid[0]) return;
+    auto* ray = reinterpret_cast<RTCRayHit*>(args->rayhit);
+    const Box& b = (*static_cast<const std::vector<Box>*>(args->geometryUserPtr))[args->primID];
+    float t;
+    if (ray_box(b, {ray->ray.org_x, ray->ray.org_y, ray->ray.org_z}, {ray->ray.dir_x, ray->ray.dir_y, ray->ray.dir_z},
+                ray->ray.tfar, t)) {
+        ray->ray.tfar = t;
+        ray->hit.primID = args->primID;
+        ray->hit.geomID = args->geomID;
+    }
+}
+
+void box_occluded(const RTCOccludedFunctionNArguments* args) {
+    if (!args->valid[0]) return;
+    auto* ray = reinterpret_cast<RTCRay*>(args->ray);
+    const Box& b = (*static_cast<const std::vector<Box>*>(args->geometryUserPtr))[args->primID];
+    float t;
+    if (ray_box(b, {ray->org_x, ray->org_y, ray->org_z}, {ray->dir_x, ray->dir_y, ray->dir_z}, ray->tfar, t)) {
+        ray->tfar = -std::numeric_limits<float>::infinity();
+    }
+}
+
+class Embree final : public Implementation {
+public:
+    explicit Embree(EmbreeMode mode) : mode_(mode) {
+        device_ = rtcNewDevice("threads=1,isa=avx2");
+        if (!device_) throw std::runtime_error("embree: no device");
+        rtcSetDeviceMemoryMonitorFunction(
+            device_,
+            [](void* user, ssize_t bytes, bool) {
+                *static_cast<int64_t*>(user) += bytes;
+                return true;
+            },
+            &bytes_);
+    }
+    ~Embree() override {
+        release(inner_);
+        release(scene_);
+        rtcReleaseDevice(device_);
+    }
+
+    bool load(const std::vector<gphys_obb>& boxes) override {
+        start();
+        boxes_.clear();
+        for (const gphys_obb& b : boxes) boxes_.push_back(prepare(b));
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes_.size()));
+        rtcSetGeometryUserData(geometry, &boxes_);
+        rtcSetGeometryBoundsFunction(geometry, box_bounds, nullptr);
+        rtcSetGeometryIntersectFunction(geometry, box_intersect);
+        rtcSetGeometryOccludedFunction(geometry, box_occluded);
+        finish(geometry);
+        return true;
+    }
+
+    bool load(const std::vector<gphys_sphere>& spheres) override {
+        start();
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+        auto* data = static_cast<gphys_sphere*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(gphys_sphere), spheres.size()));
+        std::copy(spheres.begin(), spheres.end(), data);
+        finish(geometry);
+        return true;
+    }
+
+    bool load(const Triangles& mesh) override {
+        start();
+        finish(triangles(mesh));
+        return true;
+    }
+
+    bool load(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
+        start();
+        release(inner_);
+        inner_ = rtcNewScene(device_);
+        attach(inner_, triangles(mesh));
+        rtcCommitScene(inner_);
+        for (const gphys_transform& t : placements) {
+            RTCGeometry instance = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+            rtcSetGeometryInstancedScene(instance, inner_);
+            const Box axes = prepare({{0, 0, 0}, {0, 0, 0}, t.rotation});
+            const float s = t.scale;
+            const float m[12] = {axes.axis[0].x * s, axes.axis[0].y * s, axes.axis[0].z * s, axes.axis[1].x * s,
+                                 axes.axis[1].y * s, axes.axis[1].z * s, axes.axis[2].x * s, axes.axis[2].y * s,
+                                 axes.axis[2].z * s, t.position.x,       t.position.y,       t.position.z};
+            rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, m);
+            attach(scene_, instance);
+        }
+        instances_ = true;
+        rtcCommitScene(scene_);
+        return true;
+    }
+
+    uint64_t memory() const override { return static_cast<uint64_t>(bytes_); }
+
+    bool closest(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) override {
+        answers.resize(rays.size());
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        for (size_t i = 0; i < rays.size(); ++i) {
+            RTCRayHit r;
+            r.ray = to_embree(rays[i]);
+            r.hit.geomID = r.hit.primID = r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+            rtcIntersect1(scene_, &context, &r);
+            const bool hit = r.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+            answers[i] = {hit ? r.ray.tfar : std::numeric_limits<float>::infinity(), !hit         ? no_object
+                                                                                     : instances_ ? r.hit.instID[0]
+                                                                                                  : r.hit.primID};
+        }
+        return true;
+    }
+
+    bool any(const std::vector<gphys_ray>& rays, std::vector<int32_t>& answers) override {
+        answers.resize(rays.size());
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        for (size_t i = 0; i < rays.size(); ++i) {
+            RTCRay r = to_embree(rays[i]);
+            rtcOccluded1(scene_, &context, &r);
+            answers[i] = r.tfar < 0;
+        }
+        return true;
+    }
+
+    bool overlap(const std::vector<gphys_sphere>& queries, uint64_t& total) override {
+        if (boxes_.empty()) return false;
+        struct Found {
+            const std::vector<Box>* boxes;
+            uint64_t count;
+        } found{&boxes_, 0};
+        for (const gphys_sphere& q : queries) {
+            RTCPointQuery query{q.center.x, q.center.y, q.center.z, 0, q.radius};
+            RTCPointQueryContext context;
+            rtcInitPointQueryContext(&context);
+            rtcPointQuery(
+                scene_, &query, &context,
+                [](RTCPointQueryFunctionArguments* args) {
+                    auto* f = static_cast<Found*>(args->userPtr);
+                    const Box& b = (*f->boxes)[args->primID];
+                    const V d = V{args->query->x, args->query->y, args->query->z} - b.center;
+                    const float half[3] = {b.half.x, b.half.y, b.half.z};
+                    float sum = 0;
+                    for (int k = 0; k < 3; ++k) {
+                        const float out = std::fmax(0.0f, std::fabs(dot(d, b.axis[k])) - half[k]);
+                        sum += out * out;
+                    }
+                    f->count += sum <= args->query->radius * args->query->radius;
+                    return false;
+                },
+                &found);
+        }
+        total = found.count;
+        return true;
+    }
+
+    bool move_all(const std::vector<gphys_obb>& boxes) override {
+        for (size_t i = 0; i < boxes.size(); ++i) boxes_[i] = prepare(boxes[i]);
+        rtcCommitGeometry(rtcGetGeometry(scene_, 0));
+        rtcCommitScene(scene_);
+        return true;
+    }
+
+private:
+    static void release(RTCScene& scene) {
+        if (scene) rtcReleaseScene(scene);
+        scene = nullptr;
+    }
+
+    void start() {
+        release(scene_);
+        scene_ = rtcNewScene(device_);
+        instances_ = false;
+        if (mode_ == EmbreeMode::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        if (mode_ == EmbreeMode::refit) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+    }
+
+    RTCGeometry triangles(const Triangles& mesh) {
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* vertices = static_cast<gphys_vec3*>(rtcSetNewGeometryBuffer(
+            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(gphys_vec3), mesh.vertices.size()));
+        auto* indices = static_cast<uint32_t*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.count()));
+        std::copy(mesh.vertices.begin(), mesh.vertices.end(), vertices);
+        std::copy(mesh.indices.begin(), mesh.indices.end(), indices);
+        return geometry;
+    }
+
+    void attach(RTCScene scene, RTCGeometry geometry) {
+        if (mode_ == EmbreeMode::refit) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+    }
+
+    void finish(RTCGeometry geometry) {
+        attach(scene_, geometry);
+        rtcCommitScene(scene_);
+    }
+
+    static RTCRay to_embree(const gphys_ray& r) {
+        RTCRay e;
+        e.org_x = r.origin.x;
+        e.org_y = r.origin.y;
+        e.org_z = r.origin.z;
+        e.tnear = 0;
+        e.dir_x = r.direction.x;
+        e.dir_y = r.direction.y;
+        e.dir_z = r.direction.z;
+        e.time = 0;
+        e.tfar = r.t_max;
+        e.mask = 0xffffffff;
+        e.id = 0;
+        e.flags = 0;
+        return e;
+    }
+
+    RTCDevice device_;
+    RTCScene scene_ = nullptr, inner_ = nullptr;
+    std::vector<Box> boxes_;
+    int64_t bytes_ = 0;
+    EmbreeMode mode_;
+    bool instances_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Implementation> make_embree(EmbreeMode mode) { return std::make_unique<Embree>(mode); }
+
+}  // namespace bench

@@ -1,0 +1,176 @@
+// gamephys through its public interface, as a user links it.
+#include <stdexcept>
+
+#include "implementation.h"
+
+namespace bench {
+
+namespace {
+
+void check(gphys_status status) {
+    if (status < 0) throw std::runtime_error(gphys_last_error());
+}
+
+const gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
+
+class Gamephys final : public Implementation {
+public:
+    ~Gamephys() override { clear(); }
+
+    bool load(const std::vector<gphys_obb>& boxes) override {
+        // A box in its own coordinates, placed by the model's transform: what moves is the model.
+        std::vector<gphys_aabb> shapes(boxes.size());
+        for (size_t i = 0; i < boxes.size(); ++i) {
+            const gphys_vec3 h = boxes[i].half_extents;
+            shapes[i] = {{-h.x, -h.y, -h.z}, h};
+        }
+        place(boxes);
+        add(GPHYS_SHAPE_AABB, shapes.data(), sizeof shapes[0], transforms_);
+        return true;
+    }
+
+    bool load(const std::vector<gphys_sphere>& spheres) override {
+        add(GPHYS_SHAPE_SPHERE, spheres.data(), sizeof spheres[0],
+            std::vector<gphys_transform>(spheres.size(), identity));
+        return true;
+    }
+
+    bool load(const Triangles& mesh) override {
+        clear();
+        create_mesh(mesh);
+        return true;
+    }
+
+    bool load(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
+        clear();
+        create_mesh(mesh);
+        gphys_mesh* shared = mesh_;
+        mesh_ = nullptr;
+        add(GPHYS_SHAPE_MESH, shared, 0, placements);
+        gphys_mesh_destroy(shared);
+        return true;
+    }
+
+    uint64_t memory() const override {
+        gphys_octree_stats stats{};
+        check(mesh_ ? gphys_mesh_get_octree_stats(mesh_, &stats) : gphys_scene_get_octree_stats(scene_, &stats));
+        return stats.memory_bytes;
+    }
+
+    bool closest(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) override {
+        hits_.resize(rays.size());
+        const auto n = static_cast<uint32_t>(rays.size());
+        check(mesh_ ? gphys_shape_raycast_batch(GPHYS_SHAPE_MESH, mesh_, rays.data(), sizeof rays[0], n, hits_.data(),
+                                                sizeof hits_[0])
+                    : gphys_scene_raycast_batch(scene_, rays.data(), sizeof rays[0], n, GPHYS_ALL_LAYERS, hits_.data(),
+                                                sizeof hits_[0]));
+        answers.resize(rays.size());
+        for (size_t i = 0; i < rays.size(); ++i) {
+            answers[i] = {hits_[i].t, mesh_ ? hits_[i].triangle : hits_[i].model ? hits_[i].tag : no_object};
+        }
+        return true;
+    }
+
+    bool any(const std::vector<gphys_ray>& rays, std::vector<int32_t>& answers) override {
+        if (mesh_) return false;
+        answers.resize(rays.size());
+        check(gphys_scene_raycast_any_batch(scene_, rays.data(), sizeof rays[0], static_cast<uint32_t>(rays.size()),
+                                            GPHYS_ALL_LAYERS, answers.data(), sizeof answers[0]));
+        return true;
+    }
+
+    bool overlap(const std::vector<gphys_sphere>& spheres, uint64_t& total) override {
+        return overlap(GPHYS_SHAPE_SPHERE, spheres, total);
+    }
+    bool overlap(const std::vector<gphys_aabb>& boxes, uint64_t& total) override {
+        return overlap(GPHYS_SHAPE_AABB, boxes, total);
+    }
+
+    bool cull(const gphys_frustum& frustum, uint64_t& total) override {
+        models_seen_.resize(models_.size());
+        uint32_t seen = 0;
+        check(gphys_scene_overlap(scene_, GPHYS_SHAPE_FRUSTUM, &frustum, GPHYS_ALL_LAYERS, models_seen_.data(),
+                                  static_cast<uint32_t>(models_seen_.size()), &seen));
+        total = seen;
+        return true;
+    }
+
+    bool move_all(const std::vector<gphys_obb>& boxes) override {
+        return move_some(boxes, 0, static_cast<uint32_t>(boxes.size()));
+    }
+
+    bool move_some(const std::vector<gphys_obb>& boxes, uint32_t first, uint32_t count) override {
+        for (uint32_t i = first; i < first + count; ++i) transforms_[i] = {boxes[i].center, boxes[i].rotation, 1};
+        check(gphys_scene_set_transforms(scene_, models_.data() + first, transforms_.data() + first,
+                                         sizeof transforms_[0], count));
+        return true;
+    }
+
+    bool remove_and_insert(const std::vector<gphys_obb>& boxes, uint32_t first, uint32_t count) override {
+        check(gphys_scene_remove_batch(scene_, models_.data() + first, count));
+        std::vector<gphys_aabb> shapes(count);
+        for (uint32_t i = 0; i < count; ++i) {
+            const gphys_vec3 h = boxes[first + i].half_extents;
+            shapes[i] = {{-h.x, -h.y, -h.z}, h};
+        }
+        check(gphys_scene_add_batch(scene_, GPHYS_SHAPE_AABB, shapes.data(), sizeof shapes[0],
+                                    transforms_.data() + first, sizeof transforms_[0], count, nullptr,
+                                    models_.data() + first));
+        return true;
+    }
+
+private:
+    void clear() {
+        gphys_mesh_destroy(mesh_);
+        gphys_scene_destroy(scene_);
+        mesh_ = nullptr;
+        scene_ = nullptr;
+    }
+
+    void place(const std::vector<gphys_obb>& boxes) {
+        transforms_.resize(boxes.size());
+        for (size_t i = 0; i < boxes.size(); ++i) transforms_[i] = {boxes[i].center, boxes[i].rotation, 1};
+    }
+
+    void create_mesh(const Triangles& mesh) {
+        check(gphys_mesh_create(nullptr, &mesh.vertices[0].x, sizeof mesh.vertices[0],
+                                static_cast<uint32_t>(mesh.vertices.size()), mesh.indices.data(),
+                                static_cast<uint32_t>(mesh.indices.size()), &mesh_));
+    }
+
+    void add(gphys_shape_type type, const void* shapes, uint32_t stride,
+             const std::vector<gphys_transform>& transforms) {
+        gphys_scene_destroy(scene_);
+        scene_ = nullptr;
+        check(gphys_scene_create(nullptr, &scene_));
+        models_.resize(transforms.size());
+        check(gphys_scene_add_batch(scene_, type, shapes, stride, transforms.data(), sizeof transforms[0],
+                                    static_cast<uint32_t>(transforms.size()), nullptr, models_.data()));
+        for (uint32_t i = 0; i < models_.size(); ++i) check(gphys_scene_set_tag(scene_, models_[i], i));
+    }
+
+    template <class Query>
+    bool overlap(gphys_shape_type type, const std::vector<Query>& queries, uint64_t& total) {
+        if (mesh_) return false;
+        offsets_.resize(queries.size() + 1);
+        models_seen_.resize(64 * queries.size());
+        check(gphys_scene_overlap_batch(scene_, type, queries.data(), sizeof(Query),
+                                        static_cast<uint32_t>(queries.size()), GPHYS_ALL_LAYERS, models_seen_.data(),
+                                        static_cast<uint32_t>(models_seen_.size()), offsets_.data()));
+        total = offsets_.back();
+        return true;
+    }
+
+    gphys_scene* scene_ = nullptr;
+    gphys_mesh* mesh_ = nullptr;
+    std::vector<gphys_model_id> models_;
+    std::vector<gphys_transform> transforms_;
+    std::vector<gphys_hit> hits_;
+    std::vector<uint32_t> models_seen_, offsets_;
+};
+
+}  // namespace
+
+std::unique_ptr<Implementation> make_gamephys() { return std::make_unique<Gamephys>(); }
+
+}  // namespace bench

@@ -1,0 +1,65 @@
+// What a library must be able to do to take part. A function that returns false says that the
+// library has no such operation; the case then has no row for it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "workload.h"
+
+namespace bench {
+
+constexpr uint32_t no_object = 0xffffffffu;
+
+/// Answer of a ray: object or triangle index from 0, and the distance.
+struct Answer {
+    float t;
+    uint32_t object;
+};
+
+class Implementation {
+public:
+    virtual ~Implementation() = default;
+
+    // Content; each call replaces what was there.
+    virtual bool load(const std::vector<gphys_obb>&) { return false; }
+    virtual bool load(const std::vector<gphys_sphere>&) { return false; }
+    virtual bool load(const Triangles&) { return false; }
+    virtual bool load(const Triangles&, const std::vector<gphys_transform>&) { return false; }
+    /// Bytes that the content takes, 0 if unknown.
+    virtual uint64_t memory() const { return 0; }
+
+    virtual bool closest(const std::vector<gphys_ray>&, std::vector<Answer>&) { return false; }
+    virtual bool any(const std::vector<gphys_ray>&, std::vector<int32_t>&) { return false; }
+    /// Total number of overlapping boxes over all queries.
+    virtual bool overlap(const std::vector<gphys_sphere>&, uint64_t& /*total*/) { return false; }
+    virtual bool overlap(const std::vector<gphys_aabb>&, uint64_t& /*total*/) { return false; }
+    /// Number of boxes whose bounds touch the frustum.
+    virtual bool cull(const gphys_frustum&, uint64_t& /*total*/) { return false; }
+
+    /// Boxes move to new places; the structure is ready for queries afterwards.
+    virtual bool move_all(const std::vector<gphys_obb>&) { return false; }
+    /// Boxes first .. first + count - 1 move to their places in the list.
+    virtual bool move_some(const std::vector<gphys_obb>&, uint32_t /*first*/, uint32_t /*count*/) { return false; }
+    virtual bool remove_and_insert(const std::vector<gphys_obb>&, uint32_t /*first*/, uint32_t /*count*/) {
+        return false;
+    }
+};
+
+std::unique_ptr<Implementation> make_gamephys();
+/// A flat sweep over all boxes with SIMD, the baseline for culling.
+std::unique_ptr<Implementation> make_simd_sweep();
+#ifdef GAMEPHYS_BENCH_PEERS
+enum class EmbreeMode { plain, robust, refit };
+std::unique_ptr<Implementation> make_embree(EmbreeMode mode);
+std::unique_ptr<Implementation> make_bullet();
+#endif
+
+/// The true answer of one ray by a loop over everything in double precision.
+Answer reference(const std::vector<gphys_obb>&, const gphys_ray&);
+Answer reference(const std::vector<gphys_sphere>&, const gphys_ray&);
+Answer reference(const Triangles&, const gphys_ray&);
+Answer reference(const Triangles&, const std::vector<gphys_transform>&, const gphys_ray&);
+
+}  // namespace bench

@@ -1,0 +1,372 @@
+// gamephys_bench SUITE... [--quick] [--out=DIR]: times each case for each implementation with
+// Google Benchmark in interleaved repetitions, keeps the fastest, compares the answers with a
+// double-precision loop, and writes DIR/<suite>.csv.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include "implementation.h"
+
+namespace bench {
+
+namespace {
+
+struct Options {
+    bool quick = false;
+    std::string directory = ".";
+};
+
+struct Row {
+    std::string suite, name, implementation;
+    uint32_t n;
+    double value;
+    std::string unit;
+    double error;
+    std::string error_unit;
+};
+
+/// Keeps the fastest repetition of each benchmark: the one that noise disturbed least.
+class Fastest final : public benchmark::BenchmarkReporter {
+public:
+    std::map<std::string, double> seconds;
+
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs) {
+            if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+            const double time = run.cpu_accumulated_time / static_cast<double>(run.iterations);
+            const auto found = seconds.try_emplace(run.run_name.function_name, time).first;
+            found->second = std::min(found->second, time);
+        }
+    }
+};
+
+struct Entry {
+    std::string name;
+    std::unique_ptr<Implementation> implementation;
+};
+
+std::vector<Entry> everybody([[maybe_unused]] bool moving = false) {
+    std::vector<Entry> all;
+    all.push_back({"gamephys", make_gamephys()});
+#ifdef GAMEPHYS_BENCH_PEERS
+    all.push_back({"embree", make_embree(moving ? EmbreeMode::refit : EmbreeMode::plain)});
+    all.push_back({"embree_robust", make_embree(EmbreeMode::robust)});
+    all.push_back({"bullet", make_bullet()});
+#endif
+    return all;
+}
+
+using Task = std::function<bool(Implementation&)>;
+/// How far the answers of an implementation are off, and in which unit.
+using Check = std::function<std::pair<double, std::string>(Implementation&)>;
+
+class Bench {
+public:
+    explicit Bench(const Options& options) : options_(options) {}
+
+    uint32_t ray_count(uint32_t n) const { return options_.quick ? 50000 : n >= 1000000 ? 500000 : 1000000; }
+    std::vector<uint32_t> sizes() const {
+        return options_.quick ? std::vector<uint32_t>{1000, 10000}
+                              : std::vector<uint32_t>{1000, 10000, 100000, 1000000};
+    }
+
+    /// Time one task on all implementations, interleaved; `operations` per task.
+    void measure(const std::string& suite, const std::string& name, uint32_t n, double operations,
+                 std::vector<Entry>& entries, const Task& task, const Check& check) {
+        Fastest fastest;
+        std::vector<Entry*> taking_part;
+        for (Entry& entry : entries) {
+            if (entry.implementation && task(*entry.implementation)) taking_part.push_back(&entry);
+        }
+        for (Entry* entry : taking_part) {
+            benchmark::RegisterBenchmark(entry->name.c_str(), [entry, &task](benchmark::State& state) {
+                for (auto _ : state) task(*entry->implementation);
+            })->Unit(benchmark::kMillisecond);
+        }
+        benchmark::RunSpecifiedBenchmarks(&fastest, ".*");
+        benchmark::ClearRegisteredBenchmarks();
+        for (Entry* entry : taking_part) {
+            const auto [error, error_unit] = check(*entry->implementation);
+            add({suite, name, entry->name, n, fastest.seconds.at(entry->name) / operations * 1e9, "ns", error,
+                 error_unit});
+        }
+    }
+
+    void add(Row row) {
+        std::printf("%-8s %-20s %-14s %9u %12.2f %-4s  error %.3g %s\n", row.suite.c_str(), row.name.c_str(),
+                    row.implementation.c_str(), row.n, row.value, row.unit.c_str(), row.error, row.error_unit.c_str());
+        std::fflush(stdout);
+        rows_.push_back(std::move(row));
+    }
+
+    void write() const {
+        std::map<std::string, std::FILE*> files;
+        for (const Row& row : rows_) {
+            std::FILE*& file = files[row.suite];
+            if (!file) {
+                file = std::fopen((options_.directory + "/" + row.suite + ".csv").c_str(), "w");
+                if (!file) throw std::runtime_error("cannot write into " + options_.directory);
+                std::fputs("suite,case,implementation,n,value,unit,error,error_unit\n", file);
+            }
+            std::fprintf(file, "%s,%s,%s,%u,%.4g,%s,%.3g,%s\n", row.suite.c_str(), row.name.c_str(),
+                         row.implementation.c_str(), row.n, row.value, row.unit.c_str(), row.error,
+                         row.error_unit.c_str());
+        }
+        for (const auto& file : files) std::fclose(file.second);
+    }
+
+private:
+    Options options_;
+    std::vector<Row> rows_;
+};
+
+/// Compare with the reference on as many rays as a second or two allows. Distances may differ by
+/// float rounding; a hit of something else, or a miss, is wrong.
+template <class Reference>
+Check rays_right(const std::vector<gphys_ray>& rays, double tests_per_ray, Reference reference) {
+    const auto affordable = static_cast<size_t>(std::clamp(2e8 / tests_per_ray, 20.0, 2000.0));
+    const size_t count = std::min(rays.size(), affordable);
+    std::vector<gphys_ray> sample;
+    for (size_t i = 0; i < count; ++i) sample.push_back(rays[i * rays.size() / count]);
+    std::vector<Answer> truth;
+    for (const gphys_ray& ray : sample) truth.push_back(reference(ray));
+    return [sample, truth](Implementation& implementation) -> std::pair<double, std::string> {
+        std::vector<Answer> answers;
+        implementation.closest(sample, answers);
+        double worst = 0;
+        size_t wrong = 0;
+        for (size_t i = 0; i < sample.size(); ++i) {
+            if (answers[i].object == no_object || truth[i].object == no_object) {
+                wrong += answers[i].object != truth[i].object;
+                continue;
+            }
+            const double error = std::fabs(double(answers[i].t) - truth[i].t) / truth[i].t;
+            if (error > 1e-4) {
+                ++wrong;
+            } else {
+                worst = std::max(worst, error);
+            }
+        }
+        if (wrong) {
+            return {static_cast<double>(wrong) / static_cast<double>(sample.size()), "WRONG_FRACTION"};
+        }
+        return {worst, "relative"};
+    };
+}
+
+std::pair<double, std::string> unchecked(Implementation&) { return {0, "unchecked"}; }
+
+void ray_cases(Bench& bench, const std::string& suite, const std::string& prefix, uint32_t n, float half,
+               std::vector<Entry>& entries, double tests_per_ray, const std::function<Answer(const gphys_ray&)>& truth,
+               bool with_any) {
+    std::vector<Answer> answers;
+    const auto closest = [&](const std::vector<gphys_ray>& rays) {
+        return [&](Implementation& i) { return i.closest(rays, answers); };
+    };
+    const std::vector<gphys_ray> random = random_rays(half, bench.ray_count(n));
+    bench.measure(suite, prefix + "_ray_random", n, static_cast<double>(random.size()), entries, closest(random),
+                  rays_right(random, tests_per_ray, truth));
+    const std::vector<gphys_ray> camera = camera_rays(half, 1024, 768);
+    bench.measure(suite, prefix + "_ray_camera", n, static_cast<double>(camera.size()), entries, closest(camera),
+                  rays_right(camera, tests_per_ray, truth));
+    if (!with_any) return;
+    std::vector<int32_t> hits;
+    bench.measure(
+        suite, prefix + "_ray_any", n, static_cast<double>(random.size()), entries,
+        [&](Implementation& i) { return i.any(random, hits); }, unchecked);
+}
+
+template <class... Content>
+void load(std::vector<Entry>& entries, const Content&... content) {
+    for (Entry& entry : entries) {
+        if (!entry.implementation->load(content...)) entry.implementation.reset();
+    }
+}
+
+void report_memory(Bench& bench, const std::string& suite, const std::string& name, uint32_t n,
+                   std::vector<Entry>& entries) {
+    for (Entry& entry : entries) {
+        if (!entry.implementation || entry.implementation->memory() == 0) continue;
+        bench.add(
+            {suite, name, entry.name, n, static_cast<double>(entry.implementation->memory()) / n, "B", 0, "exact"});
+    }
+}
+
+void scene_suite(Bench& bench) {
+    for (const uint32_t n : bench.sizes()) {
+        const float half = half_side(n);
+        const std::vector<gphys_obb> content = boxes(n);
+        std::vector<Entry> entries = everybody();
+        bench.measure(
+            "scene", "build_scene", n, n, entries, [&](Implementation& i) { return i.load(content); }, unchecked);
+        report_memory(bench, "scene", "memory_scene", n, entries);
+        ray_cases(
+            bench, "scene", "scene", n, half, entries, n, [&](const gphys_ray& r) { return reference(content, r); },
+            true);
+    }
+    const uint32_t n = bench.sizes().back() < 100000 ? 10000 : 100000;
+    {
+        const std::vector<gphys_sphere> content = spheres(n);
+        std::vector<Entry> entries = everybody();
+        load(entries, content);
+        ray_cases(
+            bench, "scene", "sphere", n, half_side(n), entries, n,
+            [&](const gphys_ray& r) { return reference(content, r); }, false);
+    }
+    {
+        const Triangles mesh = bumpy_sphere(3);
+        const std::vector<gphys_transform> content = placements(n);
+        std::vector<Entry> entries = everybody();
+        load(entries, mesh, content);
+        ray_cases(
+            bench, "scene", "instance", n, half_side(n), entries, n * 20.0,
+            [&](const gphys_ray& r) { return reference(mesh, content, r); }, false);
+    }
+}
+
+void mesh_suite(Bench& bench) {
+    for (const int level : bench.sizes().size() > 2 ? std::vector<int>{6, 8} : std::vector<int>{5}) {
+        const Triangles mesh = bumpy_sphere(level);
+        std::vector<Entry> entries = everybody();
+        bench.measure(
+            "mesh", "build_mesh", mesh.count(), mesh.count(), entries, [&](Implementation& i) { return i.load(mesh); },
+            unchecked);
+        report_memory(bench, "mesh", "memory_mesh", mesh.count(), entries);
+        ray_cases(
+            bench, "mesh", "mesh", mesh.count(), 1.1f, entries, mesh.count(),
+            [&](const gphys_ray& r) { return reference(mesh, r); }, false);
+    }
+}
+
+/// All implementations must count the same; the first is taken as right.
+Check same_count(const uint64_t& expected, const std::function<bool(Implementation&, uint64_t&)>& count) {
+    return [&expected, count](Implementation& implementation) -> std::pair<double, std::string> {
+        uint64_t total = 0;
+        count(implementation, total);
+        const double difference = std::fabs(static_cast<double>(total) - static_cast<double>(expected));
+        return {difference / static_cast<double>(expected), difference == 0 ? "relative" : "DIFFERS"};
+    };
+}
+
+void query_suite(Bench& bench) {
+    for (const uint32_t n : bench.sizes()) {
+        if (n < 10000) continue;
+        const std::vector<gphys_obb> content = boxes(n);
+        const float half = half_side(n);
+        std::vector<Entry> entries = everybody();
+        load(entries, content);
+        uint64_t expected = 0, total = 0;
+        const auto run = [&](const std::string& name, double operations,
+                             const std::function<bool(Implementation&, uint64_t&)>& count) {
+            count(*entries.front().implementation, expected);
+            bench.measure(
+                "query", name, n, operations, entries, [&](Implementation& i) { return count(i, total); },
+                same_count(expected, count));
+        };
+        const std::vector<gphys_sphere> balls = query_spheres(half, 10000, 5);
+        run("overlap_sphere", static_cast<double>(balls.size()),
+            [&](Implementation& i, uint64_t& sum) { return i.overlap(balls, sum); });
+        const std::vector<gphys_aabb> blocks = query_boxes(half, 10000, 5);
+        run("overlap_box", static_cast<double>(blocks.size()),
+            [&](Implementation& i, uint64_t& sum) { return i.overlap(blocks, sum); });
+        const gphys_frustum frustum = view(half);
+        entries.push_back({"simd_sweep", make_simd_sweep()});
+        entries.back().implementation->load(content);
+        run("cull", n, [&](Implementation& i, uint64_t& sum) { return i.cull(frustum, sum); });
+    }
+}
+
+void update_suite(Bench& bench) {
+    const uint32_t n = bench.sizes().back() < 100000 ? 10000 : 100000;
+    std::vector<gphys_obb> content = boxes(n);
+    std::vector<std::vector<gphys_obb>> frames;
+    for (uint64_t frame = 0; frame < 16; ++frame) {
+        jiggle(content, frame);
+        frames.push_back(content);
+    }
+    std::vector<Entry> entries = everybody(true);
+    load(entries, boxes(n));
+    size_t frame = 0;
+    bench.measure(
+        "update", "update_all", n, n, entries,
+        [&](Implementation& i) { return i.move_all(frames[frame++ % frames.size()]); }, unchecked);
+
+    // A hundred frames of motion, then rays; beside them a fresh build of the same boxes.
+    for (uint64_t f = 16; f < 116; ++f) {
+        jiggle(content, f);
+        for (Entry& entry : entries) {
+            if (entry.implementation) entry.implementation->move_all(content);
+        }
+    }
+    std::vector<Entry> fresh = everybody();
+    load(fresh, content);
+    for (Entry& entry : fresh) entries.push_back({entry.name + "_fresh", std::move(entry.implementation)});
+    std::vector<Answer> answers;
+    const std::vector<gphys_ray> rays = random_rays(half_side(n), bench.ray_count(n));
+    bench.measure(
+        "update", "ray_after_update", n, static_cast<double>(rays.size()), entries,
+        [&](Implementation& i) { return i.closest(rays, answers); },
+        rays_right(rays, n, [&](const gphys_ray& r) { return reference(content, r); }));
+
+    const uint32_t some = n / 100;
+    uint32_t first = 0;
+    const auto next = [&] { return first = (first + some) % (n - some); };
+    bench.measure(
+        "update", "update_some", n, some, entries,
+        [&](Implementation& i) { return i.move_some(content, next(), some); }, unchecked);
+    bench.measure(
+        "update", "replace_some", n, some, entries,
+        [&](Implementation& i) { return i.remove_and_insert(content, next(), some); }, unchecked);
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+    Options options;
+    std::vector<std::string> suites;
+    for (int i = 1; i < argc; ++i) {
+        if (!std::strcmp(argv[i], "--quick")) {
+            options.quick = true;
+        } else if (!std::strncmp(argv[i], "--out=", 6)) {
+            options.directory = argv[i] + 6;
+        } else {
+            suites.emplace_back(argv[i]);
+        }
+    }
+    const std::map<std::string, void (*)(Bench&)> known = {
+        {"scene", scene_suite}, {"mesh", mesh_suite}, {"query", query_suite}, {"update", update_suite}};
+    if (suites.empty()) suites = {"scene", "mesh", "query", "update"};
+    for (const std::string& suite : suites) {
+        if (!known.count(suite)) {
+            std::fprintf(stderr, "unknown suite %s; there are: scene mesh query update\n", suite.c_str());
+            return 2;
+        }
+    }
+    std::string repetitions = "--benchmark_repetitions=5", interleave = "--benchmark_enable_random_interleaving=true",
+                min_time = "--benchmark_min_time=0.01", program = argv[0];
+    char* arguments[] = {program.data(), repetitions.data(), interleave.data(), min_time.data(), nullptr};
+    int count = 4;
+    benchmark::Initialize(&count, arguments);
+    Bench bench(options);
+    for (const std::string& suite : suites) known.at(suite)(bench);
+    bench.write();
+    return 0;
+}
+
+}  // namespace bench
+
+int main(int argc, char** argv) {
+    try {
+        return bench::run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,127 @@
+// The obvious loops in double precision that say which answers are right.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "implementation.h"
+
+namespace bench {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct V {
+    double x, y, z;
+};
+V v(gphys_vec3 a) { return {a.x, a.y, a.z}; }
+V operator-(V a, V b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double dot(V a, V b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+V cross(V a, V b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+
+/// a turned by the inverse of q.
+V turn_back(gphys_quat q, V a) {
+    const double s = 1 / (double(q.x) * q.x + double(q.y) * q.y + double(q.z) * q.z + double(q.w) * q.w);
+    const V u{-q.x, -q.y, -q.z};
+    const V c = cross(u, a);
+    const double w = q.w, uu = dot(u, u), ua = dot(u, a);
+    const auto component = [&](double ui, double ai, double ci) {
+        return s * (2 * ua * ui + (w * w - uu) * ai + 2 * w * ci);
+    };
+    return {component(u.x, a.x, c.x), component(u.y, a.y, c.y), component(u.z, a.z, c.z)};
+}
+
+double ray_box(const gphys_ray& ray, const gphys_obb& box) {
+    const V o = turn_back(box.rotation, v(ray.origin) - v(box.center)), d = turn_back(box.rotation, v(ray.direction));
+    const V h = v(box.half_extents);
+    double t_near = 0, t_far = ray.t_max;
+    const auto slab = [&](double origin, double direction, double half) {
+        if (direction == 0) {
+            if (std::fabs(origin) > half) t_far = -1;
+            return;
+        }
+        const double a = (-half - origin) / direction, b = (half - origin) / direction;
+        t_near = std::max(t_near, std::min(a, b));
+        t_far = std::min(t_far, std::max(a, b));
+    };
+    slab(o.x, d.x, h.x);
+    slab(o.y, d.y, h.y);
+    slab(o.z, d.z, h.z);
+    return t_near <= t_far ? t_near : infinity;
+}
+
+double ray_sphere(const gphys_ray& ray, const gphys_sphere& sphere) {
+    const V d = v(ray.direction), to_center = v(sphere.center) - v(ray.origin);
+    const double dd = dot(d, d), b = dot(to_center, d) / dd;
+    const V off{to_center.x - b * d.x, to_center.y - b * d.y, to_center.z - b * d.z};
+    const double k = double(sphere.radius) * sphere.radius - dot(off, off);
+    if (k < 0) return infinity;
+    const double q = std::sqrt(k / dd);
+    const double t = b - q < 0 && b + q >= 0 ? 0 : b - q;
+    return t >= 0 && t <= ray.t_max ? t : infinity;
+}
+
+double ray_triangle(V o, V d, double t_max, V a, V b, V c) {
+    const V e1 = b - a, e2 = c - a, p = cross(d, e2), s = o - a, q = cross(s, e1);
+    const double det = dot(e1, p);
+    if (det == 0) return infinity;
+    const double u = dot(s, p) / det, w = dot(d, q) / det, t = dot(e2, q) / det;
+    return u >= 0 && w >= 0 && u + w <= 1 && t >= 0 && t <= t_max ? t : infinity;
+}
+
+double ray_mesh(V o, V d, double t_max, const Triangles& mesh, uint32_t& triangle) {
+    double best = infinity;
+    for (uint32_t i = 0; i < mesh.count(); ++i) {
+        const V a = v(mesh.vertices[mesh.indices[3 * i]]), b = v(mesh.vertices[mesh.indices[3 * i + 1]]),
+                c = v(mesh.vertices[mesh.indices[3 * i + 2]]);
+        const double t = ray_triangle(o, d, t_max, a, b, c);
+        if (t < best) {
+            best = t;
+            triangle = i;
+        }
+    }
+    return best;
+}
+
+template <class Object, class Cast>
+Answer first_of(const std::vector<Object>& objects, const gphys_ray& ray, Cast cast) {
+    double best = infinity;
+    uint32_t object = no_object;
+    for (uint32_t i = 0; i < objects.size(); ++i) {
+        const double t = cast(ray, objects[i]);
+        if (t < best) {
+            best = t;
+            object = i;
+        }
+    }
+    return {static_cast<float>(best), object};
+}
+
+}  // namespace
+
+Answer reference(const std::vector<gphys_obb>& boxes, const gphys_ray& ray) { return first_of(boxes, ray, ray_box); }
+
+Answer reference(const std::vector<gphys_sphere>& spheres, const gphys_ray& ray) {
+    return first_of(spheres, ray, ray_sphere);
+}
+
+Answer reference(const Triangles& mesh, const gphys_ray& ray) {
+    uint32_t triangle = no_object;
+    const double t = ray_mesh(v(ray.origin), v(ray.direction), ray.t_max, mesh, triangle);
+    return {static_cast<float>(t), triangle};
+}
+
+Answer reference(const Triangles& mesh, const std::vector<gphys_transform>& placements, const gphys_ray& ray) {
+    return first_of(placements, ray, [&](const gphys_ray& r, const gphys_transform& t) {
+        const auto scaled = [&](V a) { return V{a.x / t.scale, a.y / t.scale, a.z / t.scale}; };
+        const V o = scaled(turn_back(t.rotation, v(r.origin) - v(t.position)));
+        const V d = scaled(turn_back(t.rotation, v(r.direction)));
+        // Everything of the mesh lies within 1.2 of its origin.
+        const double along = -dot(o, d) / dot(d, d);
+        const V nearest{o.x + along * d.x, o.y + along * d.y, o.z + along * d.z};
+        uint32_t triangle = 0;
+        return dot(nearest, nearest) > 1.44 ? infinity : ray_mesh(o, d, r.t_max, mesh, triangle);
+    });
+}
+
+}  // namespace bench

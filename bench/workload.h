@@ -1,0 +1,53 @@
+// The work that every implementation gets: generated from fixed seeds, the same everywhere.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gamephys_c.h"
+
+namespace bench {
+
+struct Triangles {
+    std::vector<gphys_vec3> vertices;
+    std::vector<uint32_t> indices;
+    uint32_t count() const { return static_cast<uint32_t>(indices.size() / 3); }
+};
+
+/// Small, reproducible generator (splitmix64).
+class Random {
+public:
+    explicit Random(uint64_t seed) : state_(seed) {}
+    uint64_t next();
+    float uniform(float low, float high);
+    gphys_vec3 point(float extent);
+    gphys_vec3 direction();
+    gphys_quat rotation();
+
+private:
+    uint64_t state_;
+};
+
+/// Half the side of a cube in which n objects have constant density: one in 64 cubic metres.
+float half_side(uint32_t n);
+
+std::vector<gphys_obb> boxes(uint32_t n);
+std::vector<gphys_sphere> spheres(uint32_t n);
+/// Placements of unit-sized meshes.
+std::vector<gphys_transform> placements(uint32_t n);
+/// A step of random motion for all boxes; at most 0.1 m and a few degrees.
+void jiggle(std::vector<gphys_obb>& boxes, uint64_t frame);
+
+/// Long rays from outside the cube to random points of it.
+std::vector<gphys_ray> random_rays(float half_side, uint32_t count);
+/// The rays of a camera outside the cube that sees all of it, in tiles of 8 by 8 pixels.
+std::vector<gphys_ray> camera_rays(float half_side, uint32_t width, uint32_t height);
+std::vector<gphys_sphere> query_spheres(float half_side, uint32_t count, float radius);
+std::vector<gphys_aabb> query_boxes(float half_side, uint32_t count, float half);
+/// A frustum that sees about a tenth of the cube.
+gphys_frustum view(float half_side);
+
+/// A sphere of radius about 1 with hills, 20 * 4^level triangles, closed.
+Triangles bumpy_sphere(int level);
+
+}  // namespace bench
