@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# ./demo.sh [mesh file]: builds the viewer and lets it draw build/demo/scene.png, pick.png and
+# cloth.png. Without a file it takes a mesh from a distribution package. Installs what is missing.
+set -euo pipefail
+cd "$(dirname "$0")"
+source cmake/install_packages.sh
+
+install_packages g++ cmake ninja-build libassimp-dev libstb-dev
+mesh=${1:-}
+if [ -z "$mesh" ]; then
+    install_packages assimp-testmodels
+    mesh=/usr/share/assimp/models/Collada/duck.dae
+fi
+
+cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_EXAMPLES=ON
+cmake --build build/release --target viewer
+mkdir -p build/demo
+build/release/examples/viewer "$mesh" --out build/demo
+echo "pictures: build/demo/scene.png build/demo/pick.png build/demo/cloth.png"
