@@ -120,6 +120,12 @@ Frustum transformed(const Frustum& frustum, const Transform& t);
 Shape inverse_transformed(const Shape& shape, const Transform& t);
 
 Obb as_obb(const Aabb& box);
+/// Whether each axis is exactly parallel to a world axis.
+bool axis_parallel(const Mat3& axes);
+
+/// The point of three planes, each coordinate within 2^-42 of itself; false if their normals lie in
+/// a plane.
+bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out);
 
 /// The eight corners in the order of gphys_frustum_corners; false if three planes do not meet.
 bool corners(const Frustum& frustum, Vec3 out[8]);

@@ -1,0 +1,94 @@
+#include "shape_input.h"
+
+namespace gphys {
+
+namespace {
+
+template <class Public>
+gphys_status read(const void* shape, Shape& out) {
+    const Public& value = *static_cast<const Public*>(shape);
+    GPHYS_REQUIRE_VALID(value);
+    out = widen(value);
+    return GPHYS_OK;
+}
+
+}  // namespace
+
+gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) noexcept {
+    GPHYS_REQUIRE(shape, "shape is null");
+    switch (type) {
+        case GPHYS_SHAPE_SPHERE:
+            return read<gphys_sphere>(shape, out);
+        case GPHYS_SHAPE_CAPSULE:
+            return read<gphys_capsule>(shape, out);
+        case GPHYS_SHAPE_AABB:
+            return read<gphys_aabb>(shape, out);
+        case GPHYS_SHAPE_OBB:
+            return read<gphys_obb>(shape, out);
+        case GPHYS_SHAPE_PLANE:
+            return read<gphys_plane>(shape, out);
+        case GPHYS_SHAPE_TRIANGLE:
+            return read<gphys_triangle>(shape, out);
+        case GPHYS_SHAPE_FRUSTUM:
+            return read<gphys_frustum>(shape, out);
+        case GPHYS_SHAPE_MESH:
+        case GPHYS_SHAPE_RAY:
+        case GPHYS_SHAPE_SEGMENT:
+            return fail(GPHYS_ERROR_UNSUPPORTED, "type: a mesh, ray or segment cannot stand here");
+        default:
+            return invalid("type: no such shape");
+    }
+}
+
+size_t shape_struct_size(gphys_shape_type type) noexcept {
+    switch (type) {
+        case GPHYS_SHAPE_SPHERE:
+            return sizeof(gphys_sphere);
+        case GPHYS_SHAPE_CAPSULE:
+            return sizeof(gphys_capsule);
+        case GPHYS_SHAPE_AABB:
+            return sizeof(gphys_aabb);
+        case GPHYS_SHAPE_OBB:
+            return sizeof(gphys_obb);
+        case GPHYS_SHAPE_PLANE:
+            return sizeof(gphys_plane);
+        case GPHYS_SHAPE_TRIANGLE:
+            return sizeof(gphys_triangle);
+        case GPHYS_SHAPE_FRUSTUM:
+            return sizeof(gphys_frustum);
+        case GPHYS_SHAPE_RAY:
+            return sizeof(gphys_ray);
+        case GPHYS_SHAPE_SEGMENT:
+            return sizeof(gphys_segment);
+        default:
+            return 0;
+    }
+}
+
+gphys_hit to_hit(const Hit& hit, uint32_t model, uint32_t tag) noexcept {
+    return {model,
+            tag,
+            static_cast<float>(hit.t),
+            narrow(hit.point),
+            narrow(hit.normal),
+            hit.triangle,
+            static_cast<float>(hit.u),
+            static_cast<float>(hit.v),
+            hit.flags};
+}
+
+gphys_hit no_hit() noexcept {
+    gphys_hit hit{};
+    hit.t = std::numeric_limits<float>::infinity();
+    hit.triangle = GPHYS_NO_TRIANGLE;
+    return hit;
+}
+
+gphys_nearest no_nearest() noexcept {
+    gphys_nearest nearest{};
+    nearest.distance = std::numeric_limits<float>::infinity();
+    nearest.triangle = GPHYS_NO_TRIANGLE;
+    return nearest;
+}
+
+}  // namespace gphys

@@ -1,0 +1,22 @@
+// Reading a caller's shape, and filling the result structs that several entry points share.
+#pragma once
+
+#include "../intersect.h"
+#include "api.h"
+
+namespace gphys {
+
+/// Check a caller's shape and widen it. type: any primitive of Shape.
+/// @return GPHYS_ERROR_UNSUPPORTED for a ray, segment or mesh; GPHYS_ERROR_INVALID_ARGUMENT for
+///         null, an unknown type and a defect
+gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) noexcept;
+/// Bytes of the public struct; 0 for a mesh and for unknown types.
+size_t shape_struct_size(gphys_shape_type type) noexcept;
+
+gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) noexcept;
+/// What a batch holds for a miss: t = INFINITY, no triangle, the rest 0.
+gphys_hit no_hit() noexcept;
+/// What a batch holds where nothing is near: distance = INFINITY, no triangle, the rest 0.
+gphys_nearest no_nearest() noexcept;
+
+}  // namespace gphys
