@@ -65,18 +65,6 @@ size_t shape_struct_size(gphys_shape_type type) noexcept {
     }
 }
 
-gphys_hit to_hit(const Hit& hit, uint32_t model, uint32_t tag) noexcept {
-    return {model,
-            tag,
-            static_cast<float>(hit.t),
-            narrow(hit.point),
-            narrow(hit.normal),
-            hit.triangle,
-            static_cast<float>(hit.u),
-            static_cast<float>(hit.v),
-            hit.flags};
-}
-
 gphys_hit no_hit() noexcept {
     gphys_hit hit{};
     hit.t = std::numeric_limits<float>::infinity();

@@ -13,7 +13,6 @@ gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) no
 /// Bytes of the public struct; 0 for a mesh and for unknown types.
 size_t shape_struct_size(gphys_shape_type type) noexcept;
 
-gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) noexcept;
 /// What a batch holds for a miss: t = INFINITY, no triangle, the rest 0.
 gphys_hit no_hit() noexcept;
 /// What a batch holds where nothing is near: distance = INFINITY, no triangle, the rest 0.
