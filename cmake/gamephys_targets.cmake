@@ -1,0 +1,64 @@
+# gamephys         shared library (gamephys::gamephys), or another name of the static one
+# gamephys_static  static archive (gamephys::static)
+#
+# The archive is a compilation of its own, without exported symbols: objects made for the shared
+# library would re-export the whole interface from any shared object that takes the archive in.
+
+file(GLOB GAMEPHYS_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*.cpp)
+
+# Warnings, for everything that belongs to this project.
+function(gamephys_warnings target)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE -Wall -Wextra $<$<BOOL:${GAMEPHYS_WERROR}>:-Werror>)
+  endif()
+endfunction()
+
+# What both forms of the library share.
+function(gamephys_library target)
+  add_library(${target} ${ARGN} ${GAMEPHYS_SOURCES})
+  target_compile_features(${target} PRIVATE cxx_std_17)
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set_target_properties(
+    ${target}
+    PROPERTIES CXX_EXTENSIONS OFF
+               CXX_VISIBILITY_PRESET hidden
+               VISIBILITY_INLINES_HIDDEN ON
+               POSITION_INDEPENDENT_CODE ON)
+  gamephys_warnings(${target})
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    # Without contraction every processor gives the same bits. errno of sqrt is never read.
+    target_compile_options(${target} PRIVATE -fno-rtti -ffp-contract=off -fno-math-errno)
+  endif()
+endfunction()
+
+gamephys_library(gamephys_static STATIC)
+add_library(gamephys::static ALIAS gamephys_static)
+target_compile_definitions(gamephys_static PUBLIC GAMEPHYS_STATIC)
+set_target_properties(gamephys_static PROPERTIES EXPORT_NAME static)
+if(NOT WIN32) # there the import library of the shared one has this name
+  set_target_properties(gamephys_static PROPERTIES OUTPUT_NAME gamephys)
+endif()
+# What a C linker has to be told so that it links C++ objects: stdc++ and m, or c++ and m.
+set(GAMEPHYS_CXX_RUNTIME ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
+list(REMOVE_ITEM GAMEPHYS_CXX_RUNTIME ${CMAKE_C_IMPLICIT_LINK_LIBRARIES})
+target_link_libraries(gamephys_static INTERFACE ${GAMEPHYS_CXX_RUNTIME})
+
+if(BUILD_SHARED_LIBS)
+  gamephys_library(gamephys SHARED)
+  target_compile_definitions(gamephys PRIVATE GAMEPHYS_BUILD)
+  set_target_properties(gamephys PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  if(UNIX AND NOT APPLE)
+    # Hidden visibility alone leaves instances of the C++ library's templates exported.
+    set(map ${PROJECT_SOURCE_DIR}/cmake/gamephys.map)
+    target_link_options(gamephys PRIVATE LINKER:--version-script=${map})
+    set_target_properties(gamephys PROPERTIES LINK_DEPENDS ${map})
+  endif()
+  if(NOT GAMEPHYS_INSTALL)
+    set_target_properties(gamephys_static PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+  add_library(gamephys::gamephys ALIAS gamephys)
+else()
+  add_library(gamephys ALIAS gamephys_static)
+  add_library(gamephys::gamephys ALIAS gamephys_static)
+endif()
