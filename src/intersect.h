@@ -80,17 +80,17 @@ bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit);
 bool raycast(const Shape& shape, const Ray& ray, Hit& hit);
 inline Ray ray_along(const Segment& segment) { return {segment.a, segment.b - segment.a, 1.0}; }
 
-/// A ray prepared for many triangles: Woop's shear, computed once, so that triangles which share a
-/// vertex see it at the same place and no ray slips between them (Woop, Benthin, Wald 2013).
+/// A ray prepared for many triangles by Woop's shear (Woop, Benthin, Wald 2013), which takes its
+/// direction to an axis.
 struct ShearedRay {
     explicit ShearedRay(const Ray& ray);
 
     Vec3 origin, direction;
     double t_max;
     int kx, ky, kz;  // kz: the axis along which the direction is longest
-    double sx, sy, sz;
+    double sx, sy;
 };
-/// Hit of either side; the ray's direction must not be zero. Leaves hit.triangle alone.
+/// Hit of either side. Leaves hit.triangle alone.
 bool raycast(const Triangle& triangle, const ShearedRay& ray, Hit& hit);
 
 bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& hit);
