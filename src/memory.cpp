@@ -13,7 +13,7 @@ void Memory::do_deallocate(void* memory, std::size_t size, std::size_t alignment
     if (hooks_.release) {
         hooks_.release(hooks_.user, memory, size, alignment);
     } else {
-        ::operator delete(memory, size, std::align_val_t(alignment));
+        ::operator delete(memory, std::align_val_t(alignment));
     }
 }
 

@@ -66,9 +66,9 @@ public:
     /// query wants.
     template <class Touches, class Visit>
     bool overlap(Touches&& touches, Visit&& visit) const;
-    /// visit(item, wholly_inside)
+    /// visit(item, wholly_inside) returns whether to go on.
     template <class Visit>
-    void frustum(const Frustum& frustum, Visit&& visit) const;
+    bool frustum(const Frustum& frustum, Visit&& visit) const;
     /// All pairs of items of two trees whose boxes overlap: visit(item, other_item) returns whether
     /// to go on.
     template <class Visit>

@@ -127,8 +127,8 @@ bool Octree::overlap(Touches&& touches, Visit&& visit) const {
 /// Planes that a node is wholly inside need no test below it, and when none is left the whole
 /// subtree is inside (Assarsson and Möller 2000).
 template <class Visit>
-void Octree::frustum(const Frustum& frustum, Visit&& visit) const {
-    if (root_ == none) return;
+bool Octree::frustum(const Frustum& frustum, Visit&& visit) const {
+    if (root_ == none) return true;
     const FrustumProbe probe(frustum);
     struct Entry {
         NodeRef ref;
@@ -146,13 +146,14 @@ void Octree::frustum(const Frustum& frustum, Visit&& visit) const {
             const int lane = __builtin_ctz(rest);
             uint32_t planes = entry.planes;
             for (int p = 0; p < 6; ++p) planes &= ~((inside[p] >> lane & 1) << p);
-            if (is_leaf(entry.ref)) {
-                visit(node.child[lane], planes == 0);
-            } else {
+            if (!is_leaf(entry.ref)) {
                 stack[size++] = {node.child[lane], planes};
+            } else if (!visit(node.child[lane], planes == 0)) {
+                return false;
             }
         }
     }
+    return true;
 }
 
 /// Both trees at once: each lane of one node is tested against the eight of the other, and where

@@ -21,7 +21,7 @@ private:
     }
     void do_deallocate(void* memory, std::size_t size, std::size_t alignment) override {
         bytes_in_use -= static_cast<long>(size);
-        ::operator delete(memory, size, std::align_val_t(alignment));
+        ::operator delete(memory, std::align_val_t(alignment));
     }
     bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
 };

@@ -223,7 +223,7 @@ void compare_queries(const Octree& tree, const Boxes& boxes, test::Random& rando
         const Frustum frustum = random_frustum(random, kind);
         std::map<uint32_t, bool> seen;
         std::feclearexcept(FE_ALL_EXCEPT);
-        tree.frustum(frustum, [&](uint32_t item, bool inside) { REQUIRE(seen.emplace(item, inside).second); });
+        REQUIRE(tree.frustum(frustum, [&](uint32_t item, bool inside) { return seen.emplace(item, inside).second; }));
         REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
         for (const auto& [item, box] : boxes) {
             const int side = side_of(box, frustum);
