@@ -683,7 +683,7 @@ typedef struct gphys_camera_desc {
     gphys_handedness handedness;
     gphys_depth_range depth_range;
     int32_t reverse_z;    /* 1: near has the high depth, for float depth buffers */
-    float viewport_width; /* pixels, > 0 */
+    float viewport_width; /* pixels, 1e-3 .. 1e6 */
     float viewport_height;
 } gphys_camera_desc;
 
@@ -692,20 +692,22 @@ GPHYS_API gphys_status gphys_camera_desc_init(gphys_camera_desc* desc, uint32_t 
 GPHYS_API gphys_status gphys_camera_create(const gphys_camera_desc* desc, gphys_camera** out_camera);
 GPHYS_API void gphys_camera_destroy(gphys_camera* camera);
 
-/** @param fov_y  full vertical angle, 0 < fov_y < pi
+/** @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
  *  @param near_distance  > 0
  *  @param far_distance   > near_distance; INFINITY allowed */
 GPHYS_API gphys_status gphys_camera_set_perspective(gphys_camera* camera, float fov_y, float near_distance,
                                                     float far_distance);
-/** @param height  metres seen from top to bottom, > 0; the width follows from the viewport
- *  @param near_distance, far_distance  near < far, may be negative */
+/** @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+ *  @param near_distance, far_distance  far at least 1e-6 above near, which may be negative */
 GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float height, float near_distance,
                                                      float far_distance);
 /** Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
  *  library's). It is not changed by gphys_camera_set_viewport.
- *  @return GPHYS_ERROR_SINGULAR if it has no inverse */
+ *  @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
+ *          GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
+ *          the matrix is for another depth range */
 GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const gphys_mat4* projection);
-/** The viewport was resized: pixels, both > 0. Perspective keeps fov_y, orthographic its height. */
+/** The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height. */
 GPHYS_API gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height);
 
 /** Place the camera. */
@@ -741,7 +743,8 @@ typedef struct gphys_orbit {
     gphys_vec3 up;                    /* any non-zero length; pitch is measured against it */
     float distance;                   /* metres from target, > 0 */
     float yaw, pitch;                 /* radians; yaw 0 looks along the reference direction that is
-                                         perpendicular to up (+Z for up = +Y); pitch > 0 looks down */
+                                         perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
+                                         it; pitch > 0 looks down */
     float radians_per_unit;           /* of gphys_camera_orbit_rotate */
     float metres_per_unit;            /* of gphys_camera_orbit_zoom and _pan */
     float min_distance, max_distance; /* 0 < min <= max; max INFINITY allowed */
@@ -751,7 +754,8 @@ typedef struct gphys_orbit {
 /** Defaults: target 0, up +Y, distance 10, yaw and pitch 0, one radian and one metre per unit,
  *  distance 0.01 .. INFINITY, pitch -89 .. 89 degrees. */
 GPHYS_API gphys_status gphys_orbit_init(gphys_orbit* orbit);
-/** Start orbiting with these settings; places the camera at once and drops pending input. */
+/** Start orbiting with these settings; places the camera at once and drops pending input. An angle
+ *  or a distance outside its limits is brought inside. */
 GPHYS_API gphys_status gphys_camera_set_orbit(gphys_camera* camera, const gphys_orbit* orbit);
 /** The present settings, angles and distance.
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit */
@@ -760,7 +764,8 @@ GPHYS_API gphys_status gphys_camera_get_orbit(const gphys_camera* camera, gphys_
 GPHYS_API gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float units_x, float units_y);
 /** Add input: come closer by units times metres_per_unit (go back if negative). */
 GPHYS_API gphys_status gphys_camera_orbit_zoom(gphys_camera* camera, float units);
-/** Add input: move the target to the camera's right and up by units times metres_per_unit. */
+/** Add input: move the target to the camera's right and up, as the last update left them, by units
+ *  times metres_per_unit. */
 GPHYS_API gphys_status gphys_camera_orbit_pan(gphys_camera* camera, float units_right, float units_up);
 /** Apply the input since the last update, within the limits, and place the camera. Angles are
  *  wrapped to -pi .. pi in constant time. The orbit's settings must have been set. */
@@ -774,14 +779,16 @@ GPHYS_API gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphy
 GPHYS_API gphys_status gphys_camera_get_corners(const gphys_camera* camera, gphys_vec3 out_corners[8]);
 
 /** World point to pixel. x, y may lie outside the viewport; z is the depth in the camera's range.
- *  @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image) */
+ *  @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
+ *          image lies beyond the range of coordinates */
 GPHYS_API gphys_status gphys_camera_project(const gphys_camera* camera, const gphys_vec3* point, gphys_vec3* out_pixel);
 /** The same for count points; a point without an image gets x = y = z = INFINITY. */
 GPHYS_API gphys_status gphys_camera_project_batch(const gphys_camera* camera, const gphys_vec3* points,
                                                   uint32_t point_stride, uint32_t count, gphys_vec3* out_pixels,
                                                   uint32_t out_stride);
 /** Pixel and depth to world point: the inverse of gphys_camera_project.
- *  @return GPHYS_UNBOUNDED for the depth of an infinite far plane */
+ *  @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
+ *          beyond the range of coordinates */
 GPHYS_API gphys_status gphys_camera_unproject(const gphys_camera* camera, const gphys_vec3* pixel,
                                               gphys_vec3* out_point);
 /** The same for count pixels; one at infinity gets x = y = z = INFINITY. */
@@ -792,14 +799,16 @@ GPHYS_API gphys_status gphys_camera_unproject_batch(const gphys_camera* camera, 
 /** The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
  *  on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
  *  For perspective the stretch before the near plane is part of the ray. Pixels outside the
- *  viewport are allowed. */
+ *  viewport are allowed.
+ *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections) */
 GPHYS_API gphys_status gphys_camera_pick_ray(const gphys_camera* camera, float pixel_x, float pixel_y,
                                              gphys_ray* out_ray);
-/** Rays for a rectangle of pixel centres, row by row: width * height rays. */
+/** Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32. */
 GPHYS_API gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32_t x, uint32_t y, uint32_t width,
                                               uint32_t height, gphys_ray* out_rays, uint32_t out_stride);
 
-/** The model under a pixel: the first hit of gphys_camera_pick_ray.
+/** The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
+ *  float32; t is in metres.
  *  @return GPHYS_OK or GPHYS_NO_HIT */
 GPHYS_API gphys_status gphys_camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x,
                                          float pixel_y, uint32_t layers, gphys_hit* out_hit);
