@@ -93,6 +93,9 @@ struct ShearedRay {
 /// Hit of either side. Leaves hit.triangle alone.
 bool raycast(const Triangle& triangle, const ShearedRay& ray, Hit& hit);
 
+/// Weights of b and c of a point on the triangle; both 0 if it is degenerate.
+void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v);
+
 bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit);

@@ -47,11 +47,8 @@ bool surface_hit(const Triangle& triangle, const ShearedRay& ray, double t, doub
 /// A ray of zero length.
 bool hit_by_point(const Triangle& triangle, const ShearedRay& ray, Hit& hit) {
     if (!contains(triangle, ray.origin, 0)) return false;
-    const Vec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, offset = ray.origin - triangle.a;
-    const Vec3 normal = cross(ab, ac);
-    const double area_squared = length_squared(normal);
-    const double u = area_squared > 0 ? dot(normal, cross(offset, ac)) / area_squared : 0;
-    const double v = area_squared > 0 ? dot(normal, cross(ab, offset)) / area_squared : 0;
+    double u, v;
+    barycentric(triangle, ray.origin, u, v);
     surface_hit(triangle, ray, 0, u, v, 0, hit);
     hit.point = ray.origin;
     return true;
@@ -169,6 +166,14 @@ void accurate_parameters(const Triangle& triangle, const ShearedRay& ray, double
 }
 
 }  // namespace
+
+void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v) {
+    const Vec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, offset = point - triangle.a;
+    const Vec3 normal = cross(ab, ac);
+    const double area_squared = length_squared(normal);
+    u = area_squared > 0 ? std::clamp(dot(normal, cross(offset, ac)) / area_squared, 0.0, 1.0) : 0;
+    v = area_squared > 0 ? std::clamp(dot(normal, cross(ab, offset)) / area_squared, 0.0, 1.0 - u) : 0;
+}
 
 ShearedRay::ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direction), t_max(ray.t_max) {
     const Vec3 size = abs(direction);
