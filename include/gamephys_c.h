@@ -429,6 +429,7 @@ GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const floa
 /** Give up the caller's hold. Models that use the mesh keep it alive as long as they exist. */
 GPHYS_API void gphys_mesh_destroy(gphys_mesh* mesh);
 
+/** What the mesh was built from. */
 GPHYS_API gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report);
 /** Copy the vertices out; in their original order. */
 GPHYS_API gphys_status gphys_mesh_get_vertices(const gphys_mesh* mesh, gphys_vec3* out_vertices, uint32_t capacity,
@@ -469,6 +470,7 @@ typedef struct gphys_octree_box {
     uint32_t item_count; /* 0 for an inner node */
 } gphys_octree_box;
 
+/** Cost: O(nodes). */
 GPHYS_API gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_stats* out_stats);
 /** Boxes of the tree, each parent before its children. Kept when too many: the first. */
 GPHYS_API gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys_octree_box* out_boxes,
@@ -548,6 +550,7 @@ typedef struct gphys_model_info {
     uint32_t child_count; /* direct children */
 } gphys_model_info;
 
+/** Kind, parent, layers, tag and number of children of a model. */
 GPHYS_API gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model, gphys_model_info* out_info);
 /** Copy a model's shape, in its own coordinates, to out_shape, which has room for the struct of
  *  its type: out_size is that room in bytes. For a mesh GPHYS_ERROR_UNSUPPORTED. */
@@ -558,6 +561,7 @@ GPHYS_API gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_mo
 /** World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out. */
 GPHYS_API gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds);
 
+/** Change which queries see a model, or what its hits report. Children are not affected. */
 GPHYS_API gphys_status gphys_scene_set_layers(gphys_scene* scene, gphys_model_id model, uint32_t layers);
 GPHYS_API gphys_status gphys_scene_set_tag(gphys_scene* scene, gphys_model_id model, uint32_t tag);
 
@@ -649,6 +653,7 @@ GPHYS_API gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, 
                                                       uint32_t displacement_stride, uint32_t count, uint32_t layers,
                                                       gphys_hit* out_hits, uint32_t out_stride);
 
+/** Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);
 /** Boxes of the tree, each parent before its children. Kept when too many: the first. */
 GPHYS_API gphys_status gphys_scene_get_octree_boxes(const gphys_scene* scene, gphys_octree_box* out_boxes,
@@ -724,6 +729,7 @@ GPHYS_API gphys_status gphys_camera_set_world_matrix(gphys_camera* camera, const
 GPHYS_API gphys_status gphys_camera_look_at(gphys_camera* camera, const gphys_vec3* eye, const gphys_vec3* target,
                                             const gphys_vec3* up);
 
+/** Where the camera stands and how it is turned. */
 GPHYS_API gphys_status gphys_camera_get_transform(const gphys_camera* camera, gphys_vec3* out_position,
                                                   gphys_quat* out_rotation);
 /** Camera to world. */
@@ -854,6 +860,7 @@ GPHYS_API gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t 
 GPHYS_API gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** out_solver);
 GPHYS_API void gphys_solver_destroy(gphys_solver* solver);
 
+/** m/s^2, from the next step on. */
 GPHYS_API gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity);
 /** 1 .. 1000. More substeps: smaller errors, proportionally more time. */
 GPHYS_API gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps);
@@ -929,6 +936,7 @@ typedef struct gphys_body_info {
     uint32_t triangle_count; /* of cloth, for drawing */
 } gphys_body_info;
 
+/** What a body is made of and how it is solved. */
 GPHYS_API gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body,
                                                   gphys_body_info* out_info);
 /** Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles. */
@@ -938,6 +946,7 @@ GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gp
 /* State of the particles first .. first + count - 1 of a body. A range that does not lie within
  * the body is GPHYS_ERROR_INVALID_ARGUMENT. Setters check all elements before they change any. */
 
+/** Metres. */
 GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, gphys_vec3* out_positions, uint32_t out_stride);
 /** Moves particles there at once, without speed and without collision on the way. */

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Tests the library: ./test.sh [--long]
+# Installs what is missing, builds and runs the whole suite as users get the library, then again
+# under the address and undefined-behaviour sanitizers. --long adds clang and the slow tests.
+# The last line is "N passed, N failed"; a build that fails counts as one failed test.
+set -uo pipefail
+cd "$(dirname "$0")"
+source cmake/install_packages.sh
+
+presets=(release asan-ubsan)
+case ${1:-} in
+    '') ;;
+    --long)
+        presets+=(clang)
+        export GAMEPHYS_LONG_TESTS=1
+        ;;
+    *)
+        echo "usage: ./test.sh [--long]" >&2
+        exit 2
+        ;;
+esac
+
+passed=0
+failed=0
+finish() {
+    echo "$passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+    exit
+}
+
+install_packages cmake ninja-build g++ clang ccache pkg-config dpkg-dev catch2 libcmocka-dev libcgal-dev \
+    libassimp-dev libstb-dev || {
+    failed=1
+    finish
+}
+
+# Several tests build the library anew, with the same flags.
+export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+jobs=$(nproc)
+for preset in "${presets[@]}"; do
+    echo "== $preset"
+    if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --parallel "$jobs"; }; then
+        failed=$((failed + 1))
+        continue
+    fi
+    log=build/$preset/test.log
+    ctest --preset "$preset" --parallel "$jobs" | tee "$log"
+    # ctest: "98% tests passed, 2 tests failed out of 100"
+    read -r missed total < <(sed -n 's/^[0-9]*% tests passed, \([0-9]*\) tests\{0,1\} failed out of \([0-9]*\)$/\1 \2/p' "$log")
+    if [ -z "${total:-}" ]; then
+        failed=$((failed + 1))
+        continue
+    fi
+    passed=$((passed + total - missed))
+    failed=$((failed + missed))
+    unset total
+done
+finish
