@@ -82,7 +82,10 @@ bool contains(const Aabb& box, Vec3 point, double tolerance) {
 }
 
 bool contains(const Obb& box, Vec3 point, double tolerance) {
-    if (tolerance > 0) return within(closest_point(box, point), point, tolerance);
+    if (tolerance > 0) {
+        const Vec3 local = transpose_times(box.axes, point - box.center);
+        return contains(Aabb{-box.half, box.half}, local, tolerance);
+    }
     const auto beyond = [&](Vec3 axis, double half) {
         return sign_of([&](auto number) {
                    using N = decltype(number);
@@ -103,8 +106,10 @@ bool contains(const Plane& plane, Vec3 point, double tolerance) {
 }
 
 bool contains(const Triangle& triangle, Vec3 point, double tolerance) {
-    if (tolerance > 0) return within(closest_point(triangle, point), point, tolerance);
     const auto& [a, b, c] = triangle;
+    if (tolerance > 0) {
+        return within(closest_point(Triangle{a - point, b - point, c - point}, {}), {}, tolerance);
+    }
     const int axis = turning_axis(a, b, c);
     if (axis < 0) return on_segment(a, b, point) || on_segment(b, c, point) || on_segment(c, a, point);
     if (orientation(a, b, c, point) != 0) return false;
@@ -119,8 +124,10 @@ bool contains(const Frustum& frustum, Vec3 point, double tolerance) {
         inside = inside && side_of_plane(plane.normal, plane.distance, frustum.origin, point) >= 0;
     }
     if (inside || tolerance == 0) return inside;
+    Frustum around = frustum;
+    around.origin -= point;
     Vec3 nearest;
-    return closest_point(frustum, point, nearest) && within(nearest, point, tolerance);
+    return closest_point(around, {}, nearest) && within(nearest, {}, tolerance);
 }
 
 Vec3 closest_point(const Segment& segment, Vec3 point) {
@@ -189,12 +196,7 @@ namespace {
 class NearestFoot {
 public:
     NearestFoot(const Plane (&planes)[6], Vec3 point) : point_(point) {
-        for (int i = 0; i < 6; ++i) {
-            // A power of two scales each normal to about 1 without rounding: nothing overflows.
-            const double largest = max_component(abs(planes[i].normal));
-            const double scale = largest > 0 ? std::scalbn(1.0, -std::ilogb(largest)) : 1;
-            planes_[i] = {planes[i].normal * scale, planes[i].distance * scale};
-        }
+        for (int i = 0; i < 6; ++i) planes_[i] = scaled_to_one(planes[i]);
     }
 
     void try_face(int i) {

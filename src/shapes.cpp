@@ -283,6 +283,13 @@ bool corners(const Frustum& frustum, Vec3 out[8]) {
     return true;
 }
 
+Plane scaled_to_one(const Plane& plane) {
+    const double largest = max_component(abs(plane.normal));
+    if (largest == 0) return plane;
+    const double scale = std::scalbn(1.0, -std::ilogb(largest));
+    return {plane.normal * scale, plane.distance * scale};
+}
+
 bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out) {
     const auto determinant = [](Vec3 x, Vec3 y, Vec3 z) {
         return value_of([&](auto number) {

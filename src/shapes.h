@@ -123,6 +123,9 @@ Obb as_obb(const Aabb& box);
 /// Whether each axis is exactly parallel to a world axis.
 bool axis_parallel(const Mat3& axes);
 
+/// The same plane with a normal between 1 and 4 long, by a power of two that rounds nothing, so that
+/// products of several normals neither overflow nor vanish. A zero normal stays.
+Plane scaled_to_one(const Plane& plane);
 /// The point of three planes, each coordinate within 2^-42 of itself; false if their normals lie in
 /// a plane.
 bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out);
