@@ -401,7 +401,7 @@ typedef struct gphys_mesh_report {
     uint32_t open_edge_count;  /* edges that do not join exactly two triangles; 0 for a closed mesh */
 } gphys_mesh_report;
 
-/** Examine arrays without building anything. Allocates while it runs; O(n).
+/** Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
  *  @param vertices       vertex_count elements of 3 floats
  *  @param vertex_stride  bytes between vertices, at least 12
  *  @param indices        index_count numbers, three for each triangle */

@@ -216,6 +216,7 @@ void Octree::build_from(Vector<Item>& items, size_t item_limit) {
         nodes.reserve(items.size() / 4 + 1);
         root = builder.build(items.data(), items.data() + items.size(), none, 0, 0);
     }
+    if (size_ > 0) ++rebuilds_;
     nodes_.swap(nodes);
     place_of_.swap(place_of);
     root_ = root;
@@ -227,7 +228,6 @@ void Octree::build_from(Vector<Item>& items, size_t item_limit) {
     built_area_ = builder.area + built_root_area_;
     built_size_ = size_;
     changes_ = 0;
-    ++rebuilds_;
 }
 
 void Octree::build(const Box* boxes, const uint32_t* items, uint32_t count) {

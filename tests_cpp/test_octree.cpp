@@ -399,7 +399,7 @@ TEST_CASE("an octree rebuilds itself when its items have mixed") {
     Octree tree(std::pmr::get_default_resource());
     build(tree, boxes);
     const float built_cost = tree.stats().cost;
-    REQUIRE(tree.stats().rebuilds == 1);
+    REQUIRE(tree.stats().rebuilds == 0);
     std::vector<uint32_t> items;
     std::vector<Box> moved;
     for (auto& [item, box] : boxes) {
@@ -408,7 +408,7 @@ TEST_CASE("an octree rebuilds itself when its items have mixed") {
         moved.push_back(box);
     }
     tree.update_many(items.data(), moved.data(), 4000);
-    REQUIRE(tree.stats().rebuilds == 2);
+    REQUIRE(tree.stats().rebuilds == 1);
     // Both trees hold boxes of the same distribution: their costs agree within sampling noise.
     REQUIRE(tree.stats().cost < 1.2f * built_cost);
     require_sound(tree, boxes);

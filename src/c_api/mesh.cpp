@@ -1,0 +1,159 @@
+// gphys_mesh_*
+#include "../mesh.h"
+
+#include "../results.h"
+#include "api.h"
+#include "handles.h"
+#include "shape_input.h"
+
+using namespace gphys;
+
+namespace {
+
+constexpr size_t mesh_desc_size = sizeof(gphys_mesh_desc);  // of release 1.0
+
+gphys_status check_arrays(const MeshArrays& arrays) {
+    GPHYS_REQUIRE(arrays.vertex_count == 0 || arrays.vertices, "vertices is null");
+    GPHYS_REQUIRE(valid_out_stride(arrays.vertex_stride, sizeof(gphys_vec3)),
+                  "vertex_stride: must be a multiple of 4 and at least 12");
+    GPHYS_REQUIRE(arrays.index_count == 0 || arrays.indices, "indices is null");
+    GPHYS_REQUIRE(arrays.index_count % 3 == 0, "index_count: must be a multiple of 3");
+    return GPHYS_OK;
+}
+
+gphys_status check_list(const void* out, uint32_t capacity, const uint32_t* out_total) {
+    GPHYS_REQUIRE(capacity == 0 || out, "the output array is null");
+    GPHYS_REQUIRE(out_total, "out_total is null");
+    return GPHYS_OK;
+}
+
+gphys_status listed(uint32_t total, uint32_t capacity, uint32_t* out_total) {
+    *out_total = total;
+    return total > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
+}
+
+template <class T>
+gphys_status copy_out(const Vector<T>& values, T* out, uint32_t capacity, uint32_t* out_total) {
+    GPHYS_TRY(check_list(out, capacity, out_total));
+    const uint32_t total = static_cast<uint32_t>(values.size());
+    std::copy_n(values.begin(), std::min(total, capacity), out);
+    return listed(total, capacity, out_total);
+}
+
+}  // namespace
+
+gphys_status gphys_mesh_check(const float* vertices, uint32_t vertex_stride, uint32_t vertex_count,
+                              const uint32_t* indices, uint32_t index_count, gphys_mesh_report* out_report) {
+    return guarded([&]() -> gphys_status {
+        const MeshArrays arrays{vertices, vertex_stride, vertex_count, indices, index_count};
+        GPHYS_TRY(check_arrays(arrays));
+        GPHYS_REQUIRE(out_report, "out_report is null");
+        Memory memory(nullptr);
+        *out_report = examine(arrays, &memory);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_mesh_desc_init(gphys_mesh_desc* desc, uint32_t size) {
+    return write_desc(desc, size, gphys_mesh_desc{}, mesh_desc_size);
+}
+
+gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertices, uint32_t vertex_stride,
+                               uint32_t vertex_count, const uint32_t* indices, uint32_t index_count,
+                               gphys_mesh** out_mesh) {
+    return guarded([&]() -> gphys_status {
+        gphys_mesh_desc settings{};
+        GPHYS_TRY(read_desc(desc, settings, mesh_desc_size));
+        GPHYS_REQUIRE_VALID(settings.allocator);
+        const MeshArrays arrays{vertices, vertex_stride, vertex_count, indices, index_count};
+        GPHYS_TRY(check_arrays(arrays));
+        GPHYS_REQUIRE(out_mesh, "out_mesh is null");
+        Memory memory(settings.allocator);
+        const gphys_mesh_report report = examine(arrays, &memory);
+        GPHYS_REQUIRE(report.bad_vertex_count == 0, "vertices: one is not finite or too large (gphys_mesh_check)");
+        GPHYS_REQUIRE(report.out_of_range_count == 0, "indices: one is not below vertex_count (gphys_mesh_check)");
+        *out_mesh = wrap(create<Mesh>(settings.allocator, arrays, report));
+        return GPHYS_OK;
+    });
+}
+
+void gphys_mesh_destroy(gphys_mesh* mesh) {
+    if (mesh) Mesh::release(unwrap(mesh));
+}
+
+gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report) {
+    GPHYS_REQUIRE(mesh, "mesh is null");
+    GPHYS_REQUIRE(out_report, "out_report is null");
+    *out_report = unwrap(mesh)->report();
+    return GPHYS_OK;
+}
+
+gphys_status gphys_mesh_get_vertices(const gphys_mesh* mesh, gphys_vec3* out_vertices, uint32_t capacity,
+                                     uint32_t* out_total) {
+    GPHYS_REQUIRE(mesh, "mesh is null");
+    return copy_out(unwrap(mesh)->vertices(), out_vertices, capacity, out_total);
+}
+
+gphys_status gphys_mesh_get_indices(const gphys_mesh* mesh, uint32_t* out_indices, uint32_t capacity,
+                                    uint32_t* out_total) {
+    GPHYS_REQUIRE(mesh, "mesh is null");
+    return copy_out(unwrap(mesh)->indices(), out_indices, capacity, out_total);
+}
+
+gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray, gphys_hit* out_hits,
+                                    uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE(mesh, "mesh is null");
+    GPHYS_REQUIRE(ray, "ray is null");
+    GPHYS_REQUIRE_VALID(*ray);
+    GPHYS_TRY(check_list(out_hits, capacity, out_total));
+    const auto earlier = [](const gphys_hit& a, const gphys_hit& b) {
+        return a.t < b.t || (a.t == b.t && a.triangle < b.triangle);
+    };
+    Smallest<gphys_hit, decltype(earlier)> hits(out_hits, capacity, earlier);
+    unwrap(mesh)->raycast_all(widen(*ray), [&](const Hit& hit) { hits.add(to_hit(hit)); });
+    return listed(hits.finish(), capacity, out_total);
+}
+
+gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray, int32_t* out_hit) {
+    GPHYS_REQUIRE(mesh, "mesh is null");
+    GPHYS_REQUIRE(ray, "ray is null");
+    GPHYS_REQUIRE_VALID(*ray);
+    GPHYS_REQUIRE(out_hit, "out_hit is null");
+    *out_hit = unwrap(mesh)->raycast_any(widen(*ray));
+    return GPHYS_OK;
+}
+
+gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, const void* shape,
+                                uint32_t* out_triangles, uint32_t capacity, uint32_t* out_total) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        Shape query;
+        GPHYS_TRY(read_shape(type, shape, query));
+        GPHYS_TRY(check_list(out_triangles, capacity, out_total));
+        Smallest<uint32_t> triangles(out_triangles, capacity);
+        unwrap(mesh)->for_each_overlap(query, [&](uint32_t triangle) {
+            triangles.add(triangle);
+            return true;
+        });
+        return listed(triangles.finish(), capacity, out_total);
+    });
+}
+
+gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_stats* out_stats) {
+    GPHYS_REQUIRE(mesh, "mesh is null");
+    GPHYS_REQUIRE(out_stats, "out_stats is null");
+    *out_stats = unwrap(mesh)->octree().stats();
+    return GPHYS_OK;
+}
+
+gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys_octree_box* out_boxes, uint32_t capacity,
+                                         uint32_t* out_total) {
+    GPHYS_REQUIRE(mesh, "mesh is null");
+    GPHYS_TRY(check_list(out_boxes, capacity, out_total));
+    uint32_t total = 0;
+    unwrap(mesh)->octree().for_each_box([&](const gphys_octree_box& box) {
+        if (total < capacity) out_boxes[total] = box;
+        ++total;
+    });
+    return listed(total, capacity, out_total);
+}

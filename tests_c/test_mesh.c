@@ -1,0 +1,347 @@
+/* gphys_mesh_*: what each entry point accepts, refuses and leaves alone. */
+#include <stdlib.h>
+
+#include "test.h"
+
+static const float cube_vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
+static const uint32_t cube_indices[] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                        2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+
+static gphys_mesh* make_cube(void) {
+    gphys_mesh* mesh = NULL;
+    assert_int_equal(gphys_mesh_create(NULL, cube_vertices, 12, 8, cube_indices, 36, &mesh), GPHYS_OK);
+    assert_non_null(mesh);
+    return mesh;
+}
+
+static void test_report(void** state) {
+    gphys_mesh_report report, checked;
+    gphys_mesh* mesh = make_cube();
+    (void)state;
+    assert_int_equal(gphys_mesh_get_report(mesh, &report), GPHYS_OK);
+    assert_int_equal(report.triangle_count, 12);
+    assert_int_equal(report.degenerate_count, 0);
+    assert_int_equal(report.open_edge_count, 0);
+    assert_int_equal(report.first_degenerate, GPHYS_NO_TRIANGLE);
+    assert_int_equal(gphys_mesh_check(cube_vertices, 12, 8, cube_indices, 36, &checked), GPHYS_OK);
+    assert_memory_equal(&report, &checked, sizeof report);
+    gphys_mesh_destroy(mesh);
+}
+
+static void test_check_finds_what_create_refuses(void** state) {
+    float vertices[24];
+    uint32_t indices[36];
+    gphys_mesh_report report;
+    gphys_mesh* mesh = (gphys_mesh*)&report;
+    (void)state;
+    memcpy(vertices, cube_vertices, sizeof vertices);
+    memcpy(indices, cube_indices, sizeof indices);
+    indices[10] = 8;
+    assert_int_equal(gphys_mesh_check(vertices, 12, 8, indices, 36, &report), GPHYS_OK);
+    assert_int_equal(report.out_of_range_count, 1);
+    assert_int_equal(report.first_out_of_range, 3);
+    assert_int_equal(gphys_mesh_create(NULL, vertices, 12, 8, indices, 36, &mesh), GPHYS_ERROR_INVALID_ARGUMENT);
+    indices[10] = 0xffffffffu;
+    assert_int_equal(gphys_mesh_create(NULL, vertices, 12, 8, indices, 36, &mesh), GPHYS_ERROR_INVALID_ARGUMENT);
+    indices[10] = cube_indices[10];
+
+    {
+        const float bad[] = {NAN, INFINITY, -INFINITY, 1.1e15f, -FLT_MAX};
+        size_t i;
+        for (i = 0; i < sizeof bad / sizeof *bad; ++i) {
+            vertices[7] = bad[i];
+            assert_int_equal(gphys_mesh_check(vertices, 12, 8, indices, 36, &report), GPHYS_OK);
+            assert_int_equal(report.bad_vertex_count, 1);
+            assert_int_equal(report.first_bad_vertex, 2);
+            assert_int_equal(gphys_mesh_create(NULL, vertices, 12, 8, indices, 36, &mesh),
+                             GPHYS_ERROR_INVALID_ARGUMENT);
+            assert_true(strlen(gphys_last_error()) > 0);
+        }
+    }
+    assert_ptr_equal(mesh, &report);
+}
+
+static void test_arguments_of_create(void** state) {
+    gphys_mesh* mesh = NULL;
+    gphys_mesh_report report;
+    gphys_mesh_desc desc;
+    gphys_allocator half = {NULL, NULL, NULL};
+    (void)state;
+    assert_int_equal(gphys_mesh_create(NULL, NULL, 12, 8, cube_indices, 36, &mesh), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create(NULL, cube_vertices, 12, 8, NULL, 36, &mesh), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create(NULL, cube_vertices, 12, 8, cube_indices, 36, NULL),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create(NULL, cube_vertices, 12, 8, cube_indices, 35, &mesh),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create(NULL, cube_vertices, 0, 8, cube_indices, 36, &mesh),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create(NULL, cube_vertices, 8, 8, cube_indices, 36, &mesh),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create(NULL, cube_vertices, 14, 8, cube_indices, 36, &mesh),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_check(cube_vertices, 12, 8, cube_indices, 36, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_check(NULL, 12, 8, cube_indices, 36, &report), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_check(cube_vertices, 12, 8, NULL, 36, &report), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_check(cube_vertices, 4, 8, cube_indices, 36, &report), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_check(cube_vertices, 12, 8, cube_indices, 1, &report), GPHYS_ERROR_INVALID_ARGUMENT);
+
+    assert_int_equal(gphys_mesh_desc_init(NULL, sizeof desc), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_desc_init(&desc, 3), GPHYS_ERROR_STRUCT_SIZE);
+    memset(&desc, 0, sizeof desc);
+    assert_int_equal(gphys_mesh_create(&desc, cube_vertices, 12, 8, cube_indices, 36, &mesh), GPHYS_ERROR_STRUCT_SIZE);
+    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
+    assert_int_equal(desc.struct_size, sizeof desc);
+    assert_null(desc.allocator);
+    desc.allocator = &half;
+    assert_int_equal(gphys_mesh_create(&desc, cube_vertices, 12, 8, cube_indices, 36, &mesh),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_null(mesh);
+    gphys_mesh_destroy(NULL);
+}
+
+static void test_a_mesh_without_triangles(void** state) {
+    gphys_mesh* mesh = NULL;
+    gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, INFINITY};
+    gphys_octree_stats stats;
+    gphys_mesh_report report;
+    uint32_t total = 7;
+    int32_t hit = 7;
+    (void)state;
+    assert_int_equal(gphys_mesh_create(NULL, NULL, 12, 0, NULL, 0, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_report(mesh, &report), GPHYS_OK);
+    assert_int_equal(report.triangle_count, 0);
+    assert_int_equal(gphys_mesh_raycast_any(mesh, &ray, &hit), GPHYS_OK);
+    assert_int_equal(hit, 0);
+    assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    assert_int_equal(gphys_mesh_get_octree_stats(mesh, &stats), GPHYS_OK);
+    assert_int_equal(stats.depth, 0);
+    assert_int_equal(gphys_mesh_get_octree_boxes(mesh, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    gphys_mesh_destroy(mesh);
+}
+
+static void test_arrays_are_copied(void** state) {
+    float vertices[8][5]; /* wider than a vertex */
+    uint32_t indices[36], out_indices[37], total = 0, i;
+    gphys_vec3 out_vertices[9];
+    gphys_mesh* mesh = NULL;
+    (void)state;
+    for (i = 0; i < 8; ++i) {
+        memcpy(vertices[i], cube_vertices + 3 * i, 12);
+        vertices[i][3] = vertices[i][4] = NAN;
+    }
+    memcpy(indices, cube_indices, sizeof indices);
+    assert_int_equal(gphys_mesh_create(NULL, &vertices[0][0], sizeof vertices[0], 8, indices, 36, &mesh), GPHYS_OK);
+    memset(vertices, 0, sizeof vertices);
+    memset(indices, 0, sizeof indices);
+
+    assert_int_equal(gphys_mesh_get_vertices(mesh, NULL, 0, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 8);
+    assert_int_equal(gphys_mesh_get_vertices(mesh, out_vertices, 9, &total), GPHYS_OK);
+    assert_memory_equal(out_vertices, cube_vertices, sizeof cube_vertices);
+    assert_int_equal(gphys_mesh_get_indices(mesh, out_indices, 37, &total), GPHYS_OK);
+    assert_int_equal(total, 36);
+    assert_memory_equal(out_indices, cube_indices, sizeof cube_indices);
+    memset(out_indices, 0xff, sizeof out_indices);
+    assert_int_equal(gphys_mesh_get_indices(mesh, out_indices, 5, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 36);
+    assert_memory_equal(out_indices, cube_indices, 5 * sizeof *out_indices);
+    assert_int_equal(out_indices[5], 0xffffffffu);
+    gphys_mesh_destroy(mesh);
+}
+
+static void test_raycast_all(void** state) {
+    gphys_mesh* mesh = make_cube();
+    /* Through the diagonals of the faces x = 0 and x = 1: two triangles each. */
+    gphys_ray ray = {{-1, 0.5f, 0.5f}, {0.5f, 0, 0}, INFINITY};
+    gphys_hit hits[5];
+    uint32_t total = 0;
+    int32_t any = 0;
+    (void)state;
+    assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, hits, 5, &total), GPHYS_OK);
+    assert_int_equal(total, 4);
+    assert_true(hits[0].t == 2 && hits[1].t == 2 && hits[2].t == 4 && hits[3].t == 4);
+    assert_true(hits[0].triangle == 8 && hits[1].triangle == 9);
+    assert_true(hits[2].triangle == 10 && hits[3].triangle == 11);
+    assert_true(hits[0].normal.x == -1 && hits[0].model == 0 && hits[0].tag == 0);
+    memset(hits, 0, sizeof hits);
+    assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, hits, 3, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 4);
+    assert_true(hits[0].triangle == 8 && hits[1].triangle == 9 && hits[2].triangle == 10 && hits[3].triangle == 0);
+    assert_int_equal(gphys_mesh_raycast_any(mesh, &ray, &any), GPHYS_OK);
+    assert_int_equal(any, 1);
+    ray.t_max = 1.9f;
+    assert_int_equal(gphys_mesh_raycast_any(mesh, &ray, &any), GPHYS_OK);
+    assert_int_equal(any, 0);
+    assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+
+    total = 77, any = 77;
+    ray.t_max = INFINITY;
+    assert_int_equal(gphys_mesh_raycast_all(NULL, &ray, hits, 5, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_all(mesh, NULL, hits, 5, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, NULL, 5, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, hits, 5, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_any(NULL, &ray, &any), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_any(mesh, NULL, &any), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_raycast_any(mesh, &ray, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    ray.direction.x = 0;
+    assert_int_equal(gphys_mesh_raycast_any(mesh, &ray, &any), GPHYS_ERROR_INVALID_ARGUMENT);
+    ray.direction.x = NAN;
+    assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, hits, 5, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_true(total == 77 && any == 77);
+    gphys_mesh_destroy(mesh);
+}
+
+static void test_overlap(void** state) {
+    gphys_mesh* mesh = make_cube();
+    gphys_sphere sphere = {{0, 0.5f, 0.5f}, 0.25f};
+    gphys_plane plane = {{1, 0, 0}, 0};
+    uint32_t triangles[12], total = 0;
+    (void)state;
+    assert_int_equal(gphys_mesh_overlap(mesh, GPHYS_SHAPE_SPHERE, &sphere, triangles, 12, &total), GPHYS_OK);
+    assert_int_equal(total, 2);
+    assert_true(triangles[0] == 8 && triangles[1] == 9);
+    assert_int_equal(gphys_mesh_overlap(mesh, GPHYS_SHAPE_SPHERE, &sphere, triangles, 1, &total), GPHYS_INCOMPLETE);
+    assert_true(total == 2 && triangles[0] == 8);
+    /* All but the two of the face x = 1: the others touch the plane at least with a corner. */
+    assert_int_equal(gphys_mesh_overlap(mesh, GPHYS_SHAPE_PLANE, &plane, triangles, 12, &total), GPHYS_OK);
+    assert_int_equal(total, 10);
+
+    total = 77;
+    assert_int_equal(gphys_mesh_overlap(NULL, GPHYS_SHAPE_SPHERE, &sphere, triangles, 12, &total),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_overlap(mesh, GPHYS_SHAPE_SPHERE, NULL, triangles, 12, &total),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_overlap(mesh, 99, &sphere, triangles, 12, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_overlap(mesh, GPHYS_SHAPE_MESH, mesh, triangles, 12, &total), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_mesh_overlap(mesh, GPHYS_SHAPE_SPHERE, &sphere, NULL, 12, &total),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_overlap(mesh, GPHYS_SHAPE_SPHERE, &sphere, triangles, 12, NULL),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    sphere.radius = -1;
+    assert_int_equal(gphys_mesh_overlap(mesh, GPHYS_SHAPE_SPHERE, &sphere, triangles, 12, &total),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(total, 77);
+    gphys_mesh_destroy(mesh);
+}
+
+static void test_octree(void** state) {
+    gphys_mesh* mesh = make_cube();
+    gphys_octree_stats stats;
+    gphys_octree_box boxes[16];
+    uint32_t total = 0, items = 0, i;
+    (void)state;
+    assert_int_equal(gphys_mesh_get_octree_stats(mesh, &stats), GPHYS_OK);
+    assert_int_equal(stats.item_count, 12);
+    assert_int_equal(stats.unbounded_count, 0);
+    assert_int_equal(stats.rebuilds, 0);
+    assert_int_equal(stats.depth, 2);
+    assert_int_equal(gphys_mesh_get_octree_boxes(mesh, boxes, 16, &total), GPHYS_OK);
+    assert_int_equal(total, stats.node_count);
+    assert_int_equal(boxes[0].depth, 0);
+    assert_true(boxes[0].bounds.min.x == 0 && boxes[0].bounds.max.z == 1);
+    for (i = 0; i < total; ++i) items += boxes[i].item_count;
+    assert_int_equal(items, 12);
+    boxes[1].depth = 99;
+    assert_int_equal(gphys_mesh_get_octree_boxes(mesh, boxes, 1, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, stats.node_count);
+    assert_int_equal(boxes[1].depth, 99);
+
+    assert_int_equal(gphys_mesh_get_octree_stats(NULL, &stats), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_octree_stats(mesh, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_octree_boxes(NULL, boxes, 1, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_octree_boxes(mesh, NULL, 1, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_octree_boxes(mesh, boxes, 1, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_report(NULL, (gphys_mesh_report*)boxes), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_report(mesh, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_vertices(NULL, NULL, 0, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_vertices(mesh, NULL, 1, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_vertices(mesh, NULL, 0, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_indices(NULL, NULL, 0, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_indices(mesh, NULL, 1, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_indices(mesh, NULL, 0, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    gphys_mesh_destroy(mesh);
+}
+
+/* An allocator that fails at a given allocation. */
+typedef struct Budget {
+    long allocations, fail_at, live;
+    size_t bytes;
+} Budget;
+
+static void* budget_allocate(void* user, size_t size, size_t alignment) {
+    Budget* budget = user;
+    char *start, *block;
+    if (budget->allocations++ == budget->fail_at) return NULL;
+    start = malloc(size + alignment + sizeof(void*));
+    if (!start) return NULL;
+    block = start + sizeof(void*);
+    block += (alignment - (uintptr_t)block % alignment) % alignment;
+    memcpy(block - sizeof start, &start, sizeof start);
+    ++budget->live;
+    budget->bytes += size;
+    return block;
+}
+
+static void budget_release(void* user, void* memory, size_t size, size_t alignment) {
+    Budget* budget = user;
+    char* start;
+    (void)alignment;
+    memcpy(&start, (char*)memory - sizeof start, sizeof start);
+    --budget->live;
+    budget->bytes -= size;
+    free(start);
+}
+
+static void test_running_out_of_memory(void** state) {
+    Budget budget = {0, -1, 0, 0};
+    gphys_allocator allocator;
+    gphys_mesh_desc desc;
+    gphys_mesh* mesh = NULL;
+    gphys_ray ray = {{-1, 0.5f, 0.5f}, {1, 0, 0}, INFINITY};
+    gphys_hit hits[4];
+    uint32_t total;
+    long needed, fail_at;
+    (void)state;
+    allocator.allocate = budget_allocate;
+    allocator.release = budget_release;
+    allocator.user = &budget;
+    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
+    desc.allocator = &allocator;
+    assert_int_equal(gphys_mesh_create(&desc, cube_vertices, 12, 8, cube_indices, 36, &mesh), GPHYS_OK);
+    needed = budget.allocations;
+    assert_true(needed > 3 && budget.live > 0);
+    assert_int_equal(gphys_mesh_raycast_all(mesh, &ray, hits, 4, &total), GPHYS_OK);
+    assert_int_equal(budget.allocations, needed);
+    gphys_mesh_destroy(mesh);
+    assert_int_equal(budget.live, 0);
+    assert_int_equal(budget.bytes, 0);
+
+    for (fail_at = 0; fail_at < needed; ++fail_at) {
+        budget.allocations = 0;
+        budget.fail_at = fail_at;
+        mesh = NULL;
+        assert_int_equal(gphys_mesh_create(&desc, cube_vertices, 12, 8, cube_indices, 36, &mesh),
+                         GPHYS_ERROR_OUT_OF_MEMORY);
+        assert_null(mesh);
+        assert_int_equal(budget.live, 0);
+        assert_int_equal(budget.bytes, 0);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_report),
+        cmocka_unit_test(test_check_finds_what_create_refuses),
+        cmocka_unit_test(test_arguments_of_create),
+        cmocka_unit_test(test_a_mesh_without_triangles),
+        cmocka_unit_test(test_arrays_are_copied),
+        cmocka_unit_test(test_raycast_all),
+        cmocka_unit_test(test_overlap),
+        cmocka_unit_test(test_octree),
+        cmocka_unit_test(test_running_out_of_memory),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

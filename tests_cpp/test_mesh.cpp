@@ -1,0 +1,475 @@
+#include "mesh.h"
+
+#include <cfenv>
+#include <cstring>
+#include <memory>
+#include <set>
+
+#include "meshes.h"
+#include "test.h"
+
+using namespace gphys;
+
+namespace {
+
+constexpr int trapped_exceptions = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
+
+using MeshHolder = std::unique_ptr<const Mesh, void (*)(const Mesh*)>;
+MeshHolder hold(const test::Arrays& arrays) { return {arrays.make(), Mesh::release}; }
+
+/// The meshes on which answers are compared with those of a loop over all triangles.
+struct NamedArrays {
+    const char* name;
+    test::Arrays arrays;
+    double size;
+};
+std::vector<NamedArrays> hard_meshes() {
+    const test::Arrays sphere = test::sphere(4), torus = test::torus(40, 16);
+    return {{"sphere", sphere, 1},
+            {"torus", torus, 1},
+            {"far torus", torus.placed({1e5, -2e5, 3e5}, {3, 3, 3}), 3},
+            {"slivers", sphere.placed({}, {1, 1, 6e5}), 6e5},
+            {"pancake", sphere.placed({5, 5, 5}, {1, 1, 1e-6}), 1},
+            {"grid", test::grid(24), 24},
+            {"soup", test::soup(800, 3), 1},
+            {"tiny", torus.placed({}, {1e-20, 1e-20, 1e-20}), 1e-20},
+            {"huge", torus.placed({}, {7e14, 7e14, 7e14}), 7e14},
+            {"one", test::soup(1, 5), 1},
+            {"empty", {}, 1}};
+}
+
+Vec3 centre_of(const NamedArrays& named) {
+    Vec3 sum;
+    for (const gphys_vec3& v : named.arrays.vertices) sum += widen(v);
+    return named.arrays.vertices.empty() ? Vec3{} : sum / static_cast<double>(named.arrays.vertices.size());
+}
+
+/// From anywhere near, at a vertex, at an edge, at a face, or anywhere.
+Ray random_ray(test::Random& random, const Mesh& mesh, Vec3 centre, double size) {
+    const auto near = [&] { return centre + random.direction() * random.uniform(0, 3 * size); };
+    Ray ray{near(), random.direction() * size, infinity};
+    if (mesh.triangle_count() > 0 && random.index(8) != 0) {
+        const Triangle triangle = mesh.triangle(random.index(mesh.triangle_count()));
+        const double u = random.index(2) ? random.uniform(0, 1) : random.index(2);
+        const double v = random.index(2) ? random.uniform(0, 1 - u) : 0;
+        const Vec3 target = triangle.a + (triangle.b - triangle.a) * u + (triangle.c - triangle.a) * v;
+        ray.direction = widen(narrow(target - ray.origin));
+        if (random.index(4) == 0) {
+            const int axis = static_cast<int>(random.index(3));
+            ray.origin = target;
+            ray.origin[axis] += 2 * size;
+            ray.direction = {};
+            ray.direction[axis] = -size;
+        }
+        if (random.index(8) == 0) ray.origin = target;
+        if (random.index(16) == 0) ray.direction = {};
+    }
+    if (random.index(3) == 0) ray.t_max = random.uniform(0, 2);
+    return ray;
+}
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(Vec3 a, Vec3 b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }
+bool same_bits(const Hit& a, const Hit& b) {
+    return same_bits(a.t, b.t) && same_bits(a.point, b.point) && same_bits(a.normal, b.normal) &&
+           a.triangle == b.triangle && same_bits(a.u, b.u) && same_bits(a.v, b.v) && a.flags == b.flags;
+}
+
+/// Every hit by asking each triangle, in their order.
+std::vector<Hit> hits_one_by_one(const Mesh& mesh, const Ray& ray) {
+    std::vector<Hit> hits;
+    for (uint32_t i = 0; i < mesh.triangle_count(); ++i) {
+        Hit hit;
+        if (!raycast(mesh.triangle(i), ray, hit)) continue;
+        hit.triangle = i;
+        hits.push_back(hit);
+    }
+    return hits;
+}
+
+Hit first_of(const std::vector<Hit>& hits) {
+    Hit first;
+    for (const Hit& hit : hits) {
+        if (hit.t < first.t) first = hit;
+    }
+    return first;
+}
+
+Shape random_shape(test::Random& random, Vec3 centre, double size) {
+    const auto near = [&] { return centre + random.direction() * random.uniform(0, 1.5 * size); };
+    const Vec3 a = near(), b = near(), c = near();
+    const double r = random.uniform(0, 0.3 * size);
+    switch (random.index(7)) {
+        case 0:
+            return Sphere{a, r};
+        case 1:
+            return Capsule{a, b, r};
+        case 2:
+            return Aabb{min(a, b), max(a, b)};
+        case 3:
+            return Obb{a, abs(b - a) * 0.3, rotation_matrix(widen(random.rotation()))};
+        case 4:
+            return Plane{random.direction(), dot(random.direction(), a)};
+        case 5:
+            return Triangle{a, b, c};
+        default:
+            break;
+    }
+    Frustum frustum{a, {}};
+    for (Plane& plane : frustum.planes) plane = {random.direction(), random.uniform(-size, 0)};
+    return frustum;
+}
+
+}  // namespace
+
+TEST_CASE("a mesh ray gives, bit for bit, the nearest of all triangles") {
+    test::Random random(1);
+    for (const NamedArrays& named : hard_meshes()) {
+        INFO(named.name);
+        const MeshHolder mesh = hold(named.arrays);
+        REQUIRE(mesh->octree().defect() == nullptr);
+        const Vec3 centre = centre_of(named);
+        uint32_t hit_count = 0;
+        for (int i = 0; i < 1500; ++i) {
+            const Ray ray = random_ray(random, *mesh, centre, named.size);
+            Hit hit;
+            std::vector<Hit> all;
+            std::feclearexcept(FE_ALL_EXCEPT);
+            const bool found = mesh->raycast(ray, hit);
+            mesh->raycast_all(ray, [&](const Hit& each) { all.push_back(each); });
+            REQUIRE(mesh->raycast_any(ray) == found);
+            REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+            hit_count += found;
+
+            const std::vector<Hit> expected = hits_one_by_one(*mesh, ray);
+            REQUIRE(found == !expected.empty());
+            if (found) REQUIRE(same_bits(hit, first_of(expected)));
+            std::sort(all.begin(), all.end(), [](const Hit& a, const Hit& b) { return a.triangle < b.triangle; });
+            REQUIRE(all.size() == expected.size());
+            for (size_t k = 0; k < all.size(); ++k) REQUIRE(same_bits(all[k], expected[k]));
+        }
+        REQUIRE((mesh->triangle_count() < 2 || hit_count > 500));
+    }
+}
+
+TEST_CASE("no ray leaves a closed mesh through its edges and vertices") {
+    test::Random random(2);
+    for (const NamedArrays& named : hard_meshes()) {
+        const MeshHolder mesh = hold(named.arrays);
+        if (mesh->triangle_count() == 0 || mesh->report().open_edge_count > 0) continue;
+        INFO(named.name);
+        // A torus is hollow at its centre: start within the tube.
+        const bool is_torus = mesh->triangle_count() == 1280;
+        const Vec3 origin = widen(narrow(centre_of(named) + (is_torus ? Vec3{named.size, 0, 0} : Vec3{})));
+        for (int i = 0; i < 20000; ++i) {
+            const Triangle triangle = mesh->triangle(random.index(mesh->triangle_count()));
+            const double u = random.index(2) ? random.uniform(0, 1) : 0;
+            const Vec3 target = triangle.a + (triangle.b - triangle.a) * u;
+            const Vec3 direction = widen(narrow(target - origin));
+            if (direction == Vec3{}) continue;
+            Hit hit;
+            REQUIRE(mesh->raycast({origin, direction, infinity}, hit));
+        }
+    }
+}
+
+TEST_CASE("the nearest triangle of a mesh is hit, not the first in the array") {
+    test::Arrays arrays;
+    arrays.vertices = {{-1, -1, 10}, {1, -1, 10}, {0, 1, 10}, {-1, -1, 5}, {1, -1, 5}, {0, 1, 5}};
+    arrays.add(0, 1, 2);
+    arrays.add(3, 4, 5);
+    const MeshHolder mesh = hold(arrays);
+    Hit hit;
+    REQUIRE(mesh->raycast({{0, 0, 0}, {0, 0, 1}, infinity}, hit));
+    REQUIRE(hit.triangle == 1);
+    REQUIRE(hit.t == 5);
+    REQUIRE(hit.point == Vec3{0, 0, 5});
+}
+
+TEST_CASE("triangles that lie in the bounds of a mesh's tree are found") {
+    const MeshHolder mesh = hold(test::grid(16));
+    for (uint32_t y = 0; y <= 16; ++y) {
+        for (uint32_t x = 0; x <= 16; ++x) {
+            Hit hit;
+            REQUIRE(mesh->raycast({{double(x), double(y), 3}, {0, 0, -1}, infinity}, hit));
+            REQUIRE(hit.t == 3);
+            // Within the plane itself: each corner is on the way along its row.
+            REQUIRE(mesh->raycast({{-1, double(y), 0}, {1, 0, 0}, infinity}, hit));
+            REQUIRE(hit.t == 1);
+        }
+    }
+}
+
+TEST_CASE("a closed mesh is hit from inside") {
+    const MeshHolder mesh = hold(test::sphere(3));
+    test::Random random(3);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 direction = random.direction();
+        Hit hit;
+        REQUIRE(mesh->raycast({{0.1, 0.2, -0.1}, direction, infinity}, hit));
+        REQUIRE((hit.flags & GPHYS_HIT_BACK) != 0);
+        REQUIRE(dot(hit.normal, direction) <= 0);
+    }
+}
+
+TEST_CASE("an empty mesh answers with nothing") {
+    const MeshHolder mesh = hold({});
+    Hit hit;
+    Vec3 out;
+    uint32_t triangle;
+    REQUIRE(mesh->triangle_count() == 0);
+    REQUIRE(mesh->bounds().min[0] > mesh->bounds().max[0]);
+    REQUIRE_FALSE(mesh->raycast({{0, 0, 0}, {1, 0, 0}, infinity}, hit));
+    REQUIRE_FALSE(mesh->raycast_any({{0, 0, 0}, {1, 0, 0}, infinity}));
+    REQUIRE_FALSE(mesh->closest_point({0, 0, 0}, infinity, out, triangle));
+    REQUIRE_FALSE(mesh->sweep({{0, 0, 0}, 1}, {1, 0, 0}, hit));
+    REQUIRE_FALSE(mesh->overlaps(Sphere{{0, 0, 0}, 1}));
+    REQUIRE_FALSE(mesh->overlaps(*mesh));
+}
+
+TEST_CASE("a ray through a shared edge hits both triangles of the mesh, and the lower index wins") {
+    test::Arrays arrays;
+    arrays.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    arrays.add(0, 2, 3);
+    arrays.add(0, 1, 2);
+    const MeshHolder mesh = hold(arrays);
+    const Ray ray{{0.5, 0.5, 1}, {0, 0, -1}, infinity};
+    int count = 0;
+    mesh->raycast_all(ray, [&](const Hit& hit) {
+        ++count;
+        REQUIRE(hit.t == 1);
+    });
+    REQUIRE(count == 2);
+    Hit hit;
+    REQUIRE(mesh->raycast(ray, hit));
+    REQUIRE(hit.triangle == 0);
+}
+
+TEST_CASE("the closest point of a mesh is, bit for bit, that of all triangles") {
+    test::Random random(4);
+    for (const NamedArrays& named : hard_meshes()) {
+        INFO(named.name);
+        const MeshHolder mesh = hold(named.arrays);
+        const Vec3 centre = centre_of(named);
+        for (int i = 0; i < 400; ++i) {
+            Vec3 point = centre + random.direction() * random.uniform(0, 3 * named.size);
+            if (mesh->triangle_count() > 0 && i % 4 == 0) {
+                point = mesh->triangle(random.index(mesh->triangle_count())).a;
+            }
+            const double limit = i % 3 == 0 ? random.uniform(0, named.size) : infinity;
+            Vec3 out, expected_point;
+            uint32_t triangle = 0, expected = GPHYS_NO_TRIANGLE;
+            std::feclearexcept(FE_ALL_EXCEPT);
+            const bool found = mesh->closest_point(point, limit, out, triangle);
+            REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+            double least = infinity;
+            for (uint32_t k = 0; k < mesh->triangle_count(); ++k) {
+                const Vec3 candidate = closest_point(mesh->triangle(k), point);
+                const double squared = length_squared(candidate - point);
+                if (squared < least && squared <= limit * limit) {
+                    least = squared;
+                    expected = k;
+                    expected_point = candidate;
+                }
+            }
+            REQUIRE(found == (expected != GPHYS_NO_TRIANGLE));
+            if (found) {
+                REQUIRE(triangle == expected);
+                REQUIRE(same_bits(out, expected_point));
+            }
+        }
+    }
+}
+
+TEST_CASE("a sphere swept against a mesh meets, bit for bit, the first of all triangles") {
+    test::Random random(5);
+    for (const NamedArrays& named : hard_meshes()) {
+        INFO(named.name);
+        const MeshHolder mesh = hold(named.arrays);
+        const Vec3 centre = centre_of(named);
+        for (int i = 0; i < 150; ++i) {
+            const Ray path = random_ray(random, *mesh, centre, named.size);
+            const Sphere moving{path.origin, random.index(4) == 0 ? 0 : random.uniform(0, 0.2 * named.size)};
+            const Vec3 displacement = path.direction * (random.index(2) ? 1.0 : 0.3);
+            Hit hit, expected;
+            std::feclearexcept(FE_ALL_EXCEPT);
+            const bool found = mesh->sweep(moving, displacement, hit);
+            REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+            for (uint32_t k = 0; k < mesh->triangle_count(); ++k) {
+                Hit each;
+                if (!sweep(mesh->triangle(k), moving, displacement, each)) continue;
+                each.triangle = k;
+                if (each.t < expected.t) expected = each;
+            }
+            REQUIRE(found == (expected.triangle != GPHYS_NO_TRIANGLE));
+            if (found) REQUIRE(same_bits(hit, expected));
+        }
+    }
+}
+
+TEST_CASE("a shape overlaps exactly the triangles of a mesh that it overlaps one by one") {
+    test::Random random(6);
+    for (const NamedArrays& named : hard_meshes()) {
+        INFO(named.name);
+        const MeshHolder mesh = hold(named.arrays);
+        const Vec3 centre = centre_of(named);
+        for (int i = 0; i < 60; ++i) {
+            const Shape shape = random_shape(random, centre, named.size);
+            INFO("shape " << shape.index());
+            std::set<uint32_t> found, expected;
+            std::feclearexcept(FE_ALL_EXCEPT);
+            mesh->for_each_overlap(shape, [&](uint32_t triangle) { return found.insert(triangle).second; });
+            REQUIRE(mesh->overlaps(shape) == !found.empty());
+            REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+            for (uint32_t k = 0; k < mesh->triangle_count(); ++k) {
+                if (overlaps(shape, mesh->triangle(k))) expected.insert(k);
+            }
+            REQUIRE((found == expected));
+        }
+    }
+}
+
+TEST_CASE("two meshes overlap if any of their triangles do") {
+    test::Random random(7);
+    int overlapping = 0;
+    for (int i = 0; i < 120; ++i) {
+        const Vec3 offset = random.direction() * random.uniform(0, 3);
+        const MeshHolder a = hold(test::sphere(2));
+        const MeshHolder b =
+            hold(i % 2 ? test::torus(12, 6).placed(offset, {1, 1, 1}) : test::soup(60, i).placed(offset, {1, 1, 1}));
+        bool expected = false;
+        for (uint32_t k = 0; k < a->triangle_count() && !expected; ++k) {
+            for (uint32_t l = 0; l < b->triangle_count() && !expected; ++l) {
+                expected = overlaps(a->triangle(k), b->triangle(l));
+            }
+        }
+        overlapping += expected;
+        REQUIRE(a->overlaps(*b) == expected);
+        REQUIRE(b->overlaps(*a) == expected);
+    }
+    REQUIRE((overlapping > 20 && overlapping < 100));
+}
+
+TEST_CASE("a sphere deep inside a closed mesh does not overlap its surface") {
+    const MeshHolder mesh = hold(test::sphere(3));
+    REQUIRE_FALSE(mesh->overlaps(Sphere{{0, 0, 0}, 0.5}));
+    REQUIRE(mesh->overlaps(Sphere{{0, 0, 0}, 1}));
+}
+
+TEST_CASE("a mesh's triangles are found by the radius of a sphere and the shift of a plane") {
+    // The book's model queries ignored the one and the other.
+    const MeshHolder mesh = hold(test::grid(4));
+    REQUIRE(mesh->overlaps(Sphere{{2, 2, 3}, 3}));
+    REQUIRE_FALSE(mesh->overlaps(Sphere{{2, 2, 3}, 2.999}));
+    REQUIRE(mesh->overlaps(Plane{{1, 0, 0}, 4}));
+    REQUIRE_FALSE(mesh->overlaps(Plane{{1, 0, 0}, 4.001}));
+}
+
+TEST_CASE("a mesh lives until the last hold is given up, and returns all its memory") {
+    struct Balance {
+        long bytes = 0, allocations = 0, fail_at = -1;
+    } balance;
+    const gphys_allocator hooks{[](void* user, size_t size, size_t alignment) -> void* {
+                                    Balance& b = *static_cast<Balance*>(user);
+                                    if (b.fail_at >= 0 && b.allocations >= b.fail_at) return nullptr;
+                                    ++b.allocations;
+                                    b.bytes += static_cast<long>(size);
+                                    return ::operator new(size, std::align_val_t(alignment));
+                                },
+                                [](void* user, void* memory, size_t size, size_t alignment) {
+                                    static_cast<Balance*>(user)->bytes -= static_cast<long>(size);
+                                    ::operator delete(memory, std::align_val_t(alignment));
+                                },
+                                &balance};
+    const test::Arrays arrays = test::sphere(3);
+    const Mesh* mesh = arrays.make(&hooks);
+    const long needed = balance.allocations;
+    mesh->retain();
+    Mesh::release(mesh);
+    REQUIRE(balance.bytes > 0);
+
+    test::Random random(8);
+    for (int i = 0; i < 100; ++i) {
+        Hit hit;
+        Vec3 out;
+        uint32_t triangle;
+        const Ray ray = random_ray(random, *mesh, {}, 1);
+        mesh->raycast(ray, hit);
+        mesh->sweep({ray.origin, 0.1}, ray.direction, hit);
+        mesh->closest_point(ray.origin, infinity, out, triangle);
+        mesh->overlaps(random_shape(random, {}, 1));
+    }
+    REQUIRE(balance.allocations == needed);
+    Mesh::release(mesh);
+    REQUIRE(balance.bytes == 0);
+
+    for (long fail_at = 0; fail_at < needed; ++fail_at) {
+        balance = {0, 0, fail_at};
+        REQUIRE_THROWS_AS(arrays.make(&hooks), std::bad_alloc);
+        REQUIRE(balance.bytes == 0);
+    }
+}
+
+TEST_CASE("a mesh report counts what is wrong, and names the first") {
+    test::Arrays arrays = test::sphere(1);
+    const auto report = [&] { return examine(arrays.view(), std::pmr::get_default_resource()); };
+    REQUIRE(report().triangle_count == 32);
+    REQUIRE(report().degenerate_count == 0);
+    REQUIRE(report().first_degenerate == GPHYS_NO_TRIANGLE);
+    REQUIRE(report().first_out_of_range == GPHYS_NO_TRIANGLE);
+    REQUIRE(report().first_bad_vertex == 0xffffffffu);
+    REQUIRE(report().open_edge_count == 0);
+
+    arrays.indices.resize(arrays.indices.size() - 3);
+    REQUIRE(report().open_edge_count == 3);
+
+    // Three on a line whose differences are no floats; no rounded cross product says 0 here.
+    const uint32_t first = static_cast<uint32_t>(arrays.vertices.size());
+    arrays.vertices.insert(arrays.vertices.end(), {{1e8f, 1, 3}, {1, 1, 3}, {-1e8f, 1, 3}});
+    arrays.add(first, first + 1, first + 2);
+    REQUIRE(report().degenerate_count == 1);
+    REQUIRE(report().first_degenerate == 31);
+    REQUIRE(report().open_edge_count == 6);
+    arrays.add(5, 5, 2);
+    REQUIRE(report().degenerate_count == 2);
+    REQUIRE(report().open_edge_count == 6);
+
+    arrays.add(0, 1, first + 3);
+    arrays.add(0, 0xffffffffu, 1);
+    REQUIRE(report().out_of_range_count == 2);
+    REQUIRE(report().first_out_of_range == 33);
+    REQUIRE(report().open_edge_count == 6);
+    arrays.vertices[4].y = std::numeric_limits<float>::quiet_NaN();
+    arrays.vertices[2].x = 2e15f;
+    REQUIRE(report().bad_vertex_count == 2);
+    REQUIRE(report().first_bad_vertex == 2);
+}
+
+TEST_CASE("an edge that joins three triangles is counted as open in a mesh report") {
+    test::Arrays arrays;
+    arrays.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}};
+    arrays.add(0, 1, 2);
+    arrays.add(1, 0, 3);
+    REQUIRE(examine(arrays.view(), std::pmr::get_default_resource()).open_edge_count == 4);
+    arrays.add(0, 1, 4);
+    REQUIRE(examine(arrays.view(), std::pmr::get_default_resource()).open_edge_count == 7);
+}
+
+TEST_CASE("degenerate triangles of a mesh are met like the segments and points that they are") {
+    test::Arrays arrays;
+    arrays.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {5, 5, 5}};
+    arrays.add(0, 1, 2);
+    arrays.add(3, 3, 3);
+    const MeshHolder mesh = hold(arrays);
+    REQUIRE(mesh->report().degenerate_count == 2);
+    Hit hit;
+    REQUIRE(mesh->raycast({{1.5, 0, 1}, {0, 0, -1}, infinity}, hit));
+    REQUIRE((hit.triangle == 0 && hit.t == 1));
+    REQUIRE(mesh->raycast({{5, 5, 0}, {0, 0, 1}, infinity}, hit));
+    REQUIRE((hit.triangle == 1 && hit.t == 5));
+    Vec3 out;
+    uint32_t triangle;
+    REQUIRE(mesh->closest_point({1.5, 3, 0}, infinity, out, triangle));
+    REQUIRE((out == Vec3{1.5, 0, 0} && triangle == 0));
+    REQUIRE(mesh->overlaps(Sphere{{5, 5, 6}, 1}));
+}
