@@ -179,7 +179,8 @@ typedef struct gphys_obb {
 
 /** The points x with dot(normal, x) = distance. The normal points to the front; it need not be
  *  exactly unit: signed distances are divided by its length (for a unit normal, distance is the
- *  plane's distance from the origin). */
+ *  plane's distance from the origin). distance divided by that length is within the range of
+ *  coordinates too. */
 typedef struct gphys_plane {
     gphys_vec3 normal; /* not zero */
     float distance;
@@ -270,8 +271,8 @@ typedef struct gphys_solver gphys_solver;
 GPHYS_API gphys_status gphys_shape_validate(gphys_shape_type type, const void* shape);
 
 /** The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
- *  @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray with infinite t_max and a frustum that
- *          extends to infinity. */
+ *  @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
+ *          and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum */
 GPHYS_API gphys_status gphys_shape_bounds(gphys_shape_type type, const void* shape, gphys_aabb* out_bounds);
 
 /** Move a shape. Error: each float of the result within 1 ulp of its largest coordinate.
@@ -283,7 +284,8 @@ GPHYS_API gphys_status gphys_shape_transform(gphys_shape_type type, const void* 
                                              void* out_shape);
 
 /** Whether the point is within tolerance metres of the shape (solid or surface).
- *  With tolerance 0 the answer is exact: on the plane, on the segment, inside the box.
+ *  With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+ *  axes are those of its rotation in double precision).
  *  @param tolerance  >= 0
  *  @param out_contains  0 or 1 */
 GPHYS_API gphys_status gphys_shape_contains(gphys_shape_type type, const void* shape, const gphys_vec3* point,
@@ -311,6 +313,8 @@ GPHYS_API gphys_status gphys_segment_closest_points(const gphys_segment* a, cons
 /** Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
  *  triangle, frustum and mesh, in either order.
  *  A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+ *  Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
+ *  precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
  *  @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test). */
 GPHYS_API gphys_status gphys_shape_overlaps(gphys_shape_type a_type, const void* a, gphys_shape_type b_type,
                                             const void* b, int32_t* out_overlaps);

@@ -180,6 +180,20 @@ Box bounds(const Triangle& triangle) {
     return box_around(min(min(triangle.a, triangle.b), triangle.c), max(max(triangle.a, triangle.b), triangle.c), {});
 }
 
+bool bounds(const Ray& ray, Box& out) {
+    Box box;
+    for (int k = 0; k < 3; ++k) {
+        if (std::fabs(ray.direction[k]) > 0 && ray.t_max > std::numeric_limits<float>::max()) return false;
+        // A product of two floats is exact.
+        const double reach = ray.direction[k] == 0 ? 0 : ray.direction[k] * ray.t_max;
+        if (std::fabs(ray.origin[k] + reach) > std::numeric_limits<float>::max()) return false;
+        box.min[k] = lower_bound(ray.origin[k], std::max(-reach, 0.0));
+        box.max[k] = upper_bound(ray.origin[k], std::max(reach, 0.0));
+    }
+    out = box;
+    return true;
+}
+
 namespace {
 
 // How a transform acts on what shapes are made of, forward and backward.
@@ -245,6 +259,10 @@ Frustum moved(const Frustum& frustum, const Map& map) {
 
 }  // namespace
 
+Ray transformed(const Ray& ray, const Transform& t) {
+    return {t.apply(ray.origin), t.apply_to_vector(ray.direction), ray.t_max};
+}
+Segment transformed(const Segment& segment, const Transform& t) { return {t.apply(segment.a), t.apply(segment.b)}; }
 Sphere transformed(const Sphere& sphere, const Transform& t) { return moved(sphere, Forward{t}); }
 Capsule transformed(const Capsule& capsule, const Transform& t) { return moved(capsule, Forward{t}); }
 Obb transformed(const Aabb& box, const Transform& t) { return moved(box, Forward{t}); }

@@ -107,8 +107,12 @@ Box bounds(const Capsule& capsule);
 Box bounds(const Aabb& box);
 Box bounds(const Obb& box);
 Box bounds(const Triangle& triangle);
+/// False if the ray ends at infinity or beyond the largest float.
+bool bounds(const Ray& ray, Box& out);
 
 /// The shape as seen after the transform. A box keeps its faces, so an Aabb becomes an Obb.
+Ray transformed(const Ray& ray, const Transform& t);
+Segment transformed(const Segment& segment, const Transform& t);
 Sphere transformed(const Sphere& sphere, const Transform& t);
 Capsule transformed(const Capsule& capsule, const Transform& t);
 Obb transformed(const Aabb& box, const Transform& t);

@@ -11,7 +11,7 @@ layer_of() {
         solver/* | solver.*) echo solver ;;
         math.* | memory.* | status.* | simd.* | ids.* | pool.* | results.* | exact.*) echo foundation ;;
         shapes.* | halfspaces.*) echo shapes ;;
-        intersect.* | closest* | overlap* | classify* | raycast* | sweep*) echo intersect ;;
+        intersect.* | heights.* | closest* | overlap* | classify* | raycast* | sweep*) echo intersect ;;
         box8.* | octree*) echo octree ;;
         mesh*) echo mesh ;;
         scene*) echo scene ;;

@@ -1,5 +1,7 @@
 #include "shape_input.h"
 
+#include "handles.h"
+
 namespace gphys {
 
 namespace {
@@ -38,6 +40,13 @@ gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) no
         default:
             return invalid("type: no such shape");
     }
+}
+
+gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out) noexcept {
+    if (type != GPHYS_SHAPE_MESH) return read_shape(type, shape, out.shape);
+    GPHYS_REQUIRE(shape, "shape is null");
+    out.mesh = unwrap(static_cast<const gphys_mesh*>(shape));
+    return GPHYS_OK;
 }
 
 size_t shape_struct_size(gphys_shape_type type) noexcept {

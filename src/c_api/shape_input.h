@@ -6,10 +6,19 @@
 
 namespace gphys {
 
+class Mesh;
+
 /// Check a caller's shape and widen it. type: any primitive of Shape.
 /// @return GPHYS_ERROR_UNSUPPORTED for a ray, segment or mesh; GPHYS_ERROR_INVALID_ARGUMENT for
 ///         null, an unknown type and a defect
 gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) noexcept;
+/// A primitive or, if not null, a mesh.
+struct ShapeOrMesh {
+    Shape shape;
+    const Mesh* mesh = nullptr;
+};
+/// @return as read_shape, but a mesh is taken too
+gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out) noexcept;
 /// Bytes of the public struct; 0 for a mesh and for unknown types.
 size_t shape_struct_size(gphys_shape_type type) noexcept;
 

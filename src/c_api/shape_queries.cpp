@@ -1,0 +1,224 @@
+// Questions about a point and a shape, and about two shapes.
+#include "../mesh.h"
+#include "shape_input.h"
+
+namespace gphys {
+namespace {
+
+/// All that a point can be compared with.
+using Target = std::variant<Shape, Ray, Segment, const Mesh*>;
+
+gphys_status read_target(gphys_shape_type type, const void* shape, Target& out) {
+    if (type == GPHYS_SHAPE_RAY || type == GPHYS_SHAPE_SEGMENT) {
+        GPHYS_REQUIRE(shape, "shape is null");
+        if (type == GPHYS_SHAPE_RAY) {
+            GPHYS_REQUIRE_VALID(*static_cast<const gphys_ray*>(shape));
+            out = widen(*static_cast<const gphys_ray*>(shape));
+        } else {
+            GPHYS_REQUIRE_VALID(*static_cast<const gphys_segment*>(shape));
+            out = widen(*static_cast<const gphys_segment*>(shape));
+        }
+        return GPHYS_OK;
+    }
+    ShapeOrMesh read;
+    GPHYS_TRY(read_shape(type, shape, read));
+    if (read.mesh) {
+        out = read.mesh;
+    } else {
+        out = read.shape;
+    }
+    return GPHYS_OK;
+}
+
+bool contains(const Shape& shape, Vec3 point, double tolerance) {
+    return std::visit([&](const auto& s) { return contains(s, point, tolerance); }, shape);
+}
+bool contains(const Mesh* mesh, Vec3 point, double tolerance) { return mesh->overlaps(Sphere{point, tolerance}); }
+bool contains(const Target& target, Vec3 point, double tolerance) {
+    return std::visit([&](const auto& t) { return contains(t, point, tolerance); }, target);
+}
+
+/// The answer for anything that is never empty.
+template <class S>
+bool nearest(const S& shape, Vec3 point, gphys_nearest& out) {
+    const Vec3 closest = closest_point(shape, point);
+    out = to_nearest(closest, distance(closest, point));
+    return true;
+}
+bool nearest(const Frustum& frustum, Vec3 point, gphys_nearest& out) {
+    Vec3 closest;
+    if (!closest_point(frustum, point, closest)) return false;
+    out = to_nearest(closest, distance(closest, point));
+    return true;
+}
+bool nearest(const Mesh* mesh, Vec3 point, gphys_nearest& out) {
+    Vec3 closest;
+    uint32_t triangle = GPHYS_NO_TRIANGLE;
+    if (!mesh->closest_point(point, infinity, closest, triangle)) return false;
+    out = to_nearest(closest, distance(closest, point), triangle);
+    return true;
+}
+bool nearest(const Shape& shape, Vec3 point, gphys_nearest& out) {
+    return std::visit([&](const auto& s) { return nearest(s, point, out); }, shape);
+}
+bool nearest(const Target& target, Vec3 point, gphys_nearest& out) {
+    return std::visit([&](const auto& t) { return nearest(t, point, out); }, target);
+}
+
+bool overlaps(const ShapeOrMesh& a, const ShapeOrMesh& b) {
+    if (a.mesh) return b.mesh ? a.mesh->overlaps(*b.mesh) : a.mesh->overlaps(b.shape);
+    return b.mesh ? b.mesh->overlaps(a.shape) : overlaps(a.shape, b.shape);
+}
+
+gphys_status check_points(const gphys_vec3* points, uint32_t stride, uint32_t count) {
+    GPHYS_REQUIRE(valid_stride(stride, sizeof(gphys_vec3)), "point_stride: 0 or a multiple of 4 of at least 12");
+    const Strided<gphys_vec3> each(points, stride);
+    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
+    return GPHYS_OK;
+}
+
+/// The shapes of one side of a batch of pairs. A stride of 0 is read and checked once.
+class Shapes {
+public:
+    Shapes(gphys_shape_type type, const void* first, uint32_t stride) : type_(type), first_(first), stride_(stride) {}
+
+    gphys_status check(uint32_t count) {
+        if (type_ == GPHYS_SHAPE_MESH) {
+            GPHYS_REQUIRE(stride_ == 0, "stride: must be 0 for a mesh");
+        } else {
+            GPHYS_REQUIRE(valid_stride(stride_, shape_struct_size(type_)),
+                          "stride: 0 or a multiple of 4 of at least the struct's size");
+        }
+        if (stride_ == 0) return read(0);
+        for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(read(i));
+        return GPHYS_OK;
+    }
+    /// Element i; only after check.
+    const ShapeOrMesh& operator[](uint32_t i) {
+        if (stride_ != 0) read(i);
+        return current_;
+    }
+
+private:
+    gphys_status read(uint32_t i) {
+        const char* first = static_cast<const char*>(first_);
+        return read_shape(type_, first ? first + size_t{stride_} * i : nullptr, current_);
+    }
+
+    gphys_shape_type type_;
+    const void* first_;
+    uint32_t stride_;
+    ShapeOrMesh current_;
+};
+
+/// The shapes that have a side: not planes, frusta or meshes.
+gphys_status read_classifiable(gphys_shape_type type, const void* shape, Shape& out) {
+    if (type == GPHYS_SHAPE_PLANE || type == GPHYS_SHAPE_FRUSTUM) {
+        return fail(GPHYS_ERROR_UNSUPPORTED, "type: a plane or frustum cannot be classified");
+    }
+    return read_shape(type, shape, out);
+}
+
+}  // namespace
+}  // namespace gphys
+
+using namespace gphys;
+
+gphys_status gphys_shape_contains(gphys_shape_type type, const void* shape, const gphys_vec3* point, float tolerance,
+                                  int32_t* out_contains) {
+    return gphys_shape_contains_batch(type, shape, point, 0, 1, tolerance, out_contains, sizeof *out_contains);
+}
+
+gphys_status gphys_shape_contains_batch(gphys_shape_type type, const void* shape, const gphys_vec3* points,
+                                        uint32_t point_stride, uint32_t count, float tolerance, int32_t* out_contains,
+                                        uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE((points && out_contains) || count == 0, "points or out_contains is null");
+        GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(int32_t)), "out_stride: a multiple of 4 of at least 4");
+        GPHYS_REQUIRE(tolerance >= 0 && tolerance <= GPHYS_MAX_COORDINATE,
+                      "tolerance: must be 0 or more and at most GPHYS_MAX_COORDINATE");
+        Target target;
+        GPHYS_TRY(read_target(type, shape, target));
+        GPHYS_TRY(check_points(points, point_stride, count));
+        const Strided<gphys_vec3> each(points, point_stride);
+        const StridedOut<int32_t> out(out_contains, out_stride);
+        for (uint32_t i = 0; i < count; ++i) out[i] = contains(target, widen(each[i]), tolerance);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_shape_closest_point(gphys_shape_type type, const void* shape, const gphys_vec3* point,
+                                       gphys_nearest* out_nearest) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(point && out_nearest, "point or out_nearest is null");
+        Target target;
+        GPHYS_TRY(read_target(type, shape, target));
+        GPHYS_REQUIRE_VALID(*point);
+        return nearest(target, widen(*point), *out_nearest) ? GPHYS_OK : GPHYS_NO_HIT;
+    });
+}
+
+gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* shape, const gphys_vec3* points,
+                                             uint32_t point_stride, uint32_t count, gphys_nearest* out_nearest,
+                                             uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE((points && out_nearest) || count == 0, "points or out_nearest is null");
+        GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(gphys_nearest)),
+                      "out_stride: a multiple of 4 of at least the struct's size");
+        Target target;
+        GPHYS_TRY(read_target(type, shape, target));
+        GPHYS_TRY(check_points(points, point_stride, count));
+        const Strided<gphys_vec3> each(points, point_stride);
+        const StridedOut<gphys_nearest> out(out_nearest, out_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            if (!nearest(target, widen(each[i]), out[i])) out[i] = no_nearest();
+        }
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_shape_overlaps(gphys_shape_type a_type, const void* a, gphys_shape_type b_type, const void* b,
+                                  int32_t* out_overlaps) {
+    return gphys_shape_overlaps_batch(a_type, a, 0, b_type, b, 0, 1, out_overlaps, sizeof *out_overlaps);
+}
+
+gphys_status gphys_shape_overlaps_batch(gphys_shape_type a_type, const void* a, uint32_t a_stride,
+                                        gphys_shape_type b_type, const void* b, uint32_t b_stride, uint32_t count,
+                                        int32_t* out_overlaps, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(out_overlaps || count == 0, "out_overlaps is null");
+        GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(int32_t)), "out_stride: a multiple of 4 of at least 4");
+        Shapes first(a_type, a, a_stride), second(b_type, b, b_stride);
+        GPHYS_TRY(first.check(count));
+        GPHYS_TRY(second.check(count));
+        const StridedOut<int32_t> out(out_overlaps, out_stride);
+        for (uint32_t i = 0; i < count; ++i) out[i] = overlaps(first[i], second[i]);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_shape_classify_plane(gphys_shape_type type, const void* shape, const gphys_plane* plane,
+                                        gphys_side* out_side, float* out_signed_distance) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(plane && out_side, "plane or out_side is null");
+        Shape read;
+        GPHYS_TRY(read_classifiable(type, shape, read));
+        GPHYS_REQUIRE_VALID(*plane);
+        double signed_distance = 0;
+        *out_side = static_cast<gphys_side>(classify(read, widen(*plane), signed_distance));
+        if (out_signed_distance) *out_signed_distance = static_cast<float>(signed_distance);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_shape_classify_frustum(gphys_shape_type type, const void* shape, const gphys_frustum* frustum,
+                                          gphys_side* out_side) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(frustum && out_side, "frustum or out_side is null");
+        Shape read;
+        GPHYS_TRY(read_classifiable(type, shape, read));
+        GPHYS_REQUIRE_VALID(*frustum);
+        *out_side = static_cast<gphys_side>(classify(read, widen(*frustum)));
+        return GPHYS_OK;
+    });
+}

@@ -1,0 +1,162 @@
+// Single shapes: validity, bounds, placement, corners.
+#include "../clip_space.h"
+#include "../halfspaces.h"
+#include "../mesh.h"
+#include "handles.h"
+#include "shape_input.h"
+
+namespace gphys {
+namespace {
+
+gphys_ray narrow(const Ray& r) { return {narrow(r.origin), narrow(r.direction), static_cast<float>(r.t_max)}; }
+gphys_segment narrow(const Segment& s) { return {narrow(s.a), narrow(s.b)}; }
+gphys_sphere narrow(const Sphere& s) { return {narrow(s.center), static_cast<float>(s.radius)}; }
+gphys_capsule narrow(const Capsule& c) { return {narrow(c.a), narrow(c.b), static_cast<float>(c.radius)}; }
+gphys_obb narrow(const Obb& b) { return {narrow(b.center), narrow(b.half), narrow(quaternion(b.axes))}; }
+gphys_plane narrow(const Plane& p) { return {narrow(p.normal), static_cast<float>(p.distance)}; }
+gphys_triangle narrow(const Triangle& t) { return {narrow(t.a), narrow(t.b), narrow(t.c)}; }
+gphys_frustum narrow(const Frustum& f) {
+    gphys_frustum result{narrow(f.origin), {}};
+    for (int i = 0; i < 6; ++i) result.planes[i] = narrow(f.planes[i]);
+    return result;
+}
+gphys_aabb narrow(const Box& b) { return {{b.min[0], b.min[1], b.min[2]}, {b.max[0], b.max[1], b.max[2]}}; }
+
+/// Call visit with the public struct that the type names, once it is known to be valid. A mesh has
+/// none.
+template <class Visit>
+gphys_status with_struct(gphys_shape_type type, const void* shape, Visit&& visit) {
+    GPHYS_REQUIRE(shape, "shape is null");
+    const auto checked = [&](const auto& value) -> gphys_status {
+        GPHYS_REQUIRE_VALID(value);
+        return visit(value);
+    };
+    switch (type) {
+        case GPHYS_SHAPE_SPHERE:
+            return checked(*static_cast<const gphys_sphere*>(shape));
+        case GPHYS_SHAPE_CAPSULE:
+            return checked(*static_cast<const gphys_capsule*>(shape));
+        case GPHYS_SHAPE_AABB:
+            return checked(*static_cast<const gphys_aabb*>(shape));
+        case GPHYS_SHAPE_OBB:
+            return checked(*static_cast<const gphys_obb*>(shape));
+        case GPHYS_SHAPE_PLANE:
+            return checked(*static_cast<const gphys_plane*>(shape));
+        case GPHYS_SHAPE_TRIANGLE:
+            return checked(*static_cast<const gphys_triangle*>(shape));
+        case GPHYS_SHAPE_FRUSTUM:
+            return checked(*static_cast<const gphys_frustum*>(shape));
+        case GPHYS_SHAPE_RAY:
+            return checked(*static_cast<const gphys_ray*>(shape));
+        case GPHYS_SHAPE_SEGMENT:
+            return checked(*static_cast<const gphys_segment*>(shape));
+        case GPHYS_SHAPE_MESH:
+            return fail(GPHYS_ERROR_UNSUPPORTED, "type: a mesh cannot stand here");
+        default:
+            return invalid("type: no such shape");
+    }
+}
+
+/// False if the shape is infinite.
+template <class S>
+bool bounds_of(const S& shape, Box& out) {
+    out = bounds(shape);
+    return true;
+}
+bool bounds_of(const Plane&, Box&) { return false; }
+bool bounds_of(const Frustum& frustum, Box& out) { return bounds(frustum, out); }
+bool bounds_of(const Ray& ray, Box& out) { return bounds(ray, out); }
+
+gphys_status write_bounds(const Box& box, gphys_aabb* out) {
+    if (box.min[0] > box.max[0]) return GPHYS_NO_HIT;
+    *out = narrow(box);
+    return GPHYS_OK;
+}
+
+}  // namespace
+}  // namespace gphys
+
+using namespace gphys;
+
+gphys_status gphys_shape_validate(gphys_shape_type type, const void* shape) {
+    return guarded([&] {
+        if (type == GPHYS_SHAPE_MESH && shape) return gphys_status{GPHYS_OK};
+        return with_struct(type, shape, [](const auto&) { return gphys_status{GPHYS_OK}; });
+    });
+}
+
+gphys_status gphys_shape_bounds(gphys_shape_type type, const void* shape, gphys_aabb* out_bounds) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(shape && out_bounds, "shape or out_bounds is null");
+        if (type == GPHYS_SHAPE_MESH) {
+            return write_bounds(unwrap(static_cast<const gphys_mesh*>(shape))->bounds(), out_bounds);
+        }
+        return with_struct(type, shape, [&](const auto& value) -> gphys_status {
+            Box box;
+            return bounds_of(widen(value), box) ? write_bounds(box, out_bounds) : gphys_status{GPHYS_UNBOUNDED};
+        });
+    });
+}
+
+gphys_status gphys_shape_transform(gphys_shape_type type, const void* shape, const gphys_transform* transform,
+                                   void* out_shape) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(transform && out_shape, "transform or out_shape is null");
+        return with_struct(type, shape, [&](const auto& value) -> gphys_status {
+            GPHYS_REQUIRE_VALID(*transform);
+            const auto result = narrow(transformed(widen(value), widen(*transform)));
+            GPHYS_REQUIRE(!defect(result), "transform: the result leaves the range of coordinates");
+            std::memcpy(out_shape, &result, sizeof result);
+            return GPHYS_OK;
+        });
+    });
+}
+
+gphys_status gphys_frustum_corners(const gphys_frustum* frustum, gphys_vec3 out_corners[8]) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(frustum && out_corners, "frustum or out_corners is null");
+        GPHYS_REQUIRE_VALID(*frustum);
+        Vec3 corner[8];
+        if (!corners(widen(*frustum), corner)) return GPHYS_UNBOUNDED;
+        for (int i = 0; i < 8; ++i) out_corners[i] = narrow(corner[i]);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_depth_range depth_range,
+                                       int32_t reverse_z, gphys_frustum* out_frustum) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(view_projection && out_frustum, "view_projection or out_frustum is null");
+        GPHYS_REQUIRE(depth_range == GPHYS_DEPTH_ZERO_TO_ONE || depth_range == GPHYS_DEPTH_MINUS_ONE_TO_ONE,
+                      "depth_range: no such range");
+        GPHYS_REQUIRE(is_bool(reverse_z), "reverse_z: must be 0 or 1");
+        for (float element : view_projection->m) {
+            GPHYS_REQUIRE(std::fabs(element) <= GPHYS_MAX_COORDINATE,
+                          "view_projection: an element is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
+        }
+        const Mat4 matrix = widen(*view_projection);
+        Mat4 unused;
+        if (!inverse(matrix, unused)) return fail(GPHYS_ERROR_SINGULAR, "view_projection: has no inverse");
+        Frustum frustum;
+        clip_planes(matrix, DepthRange(depth_range, reverse_z != 0), Window(), frustum.planes);
+        const gphys_frustum result = narrow(frustum);
+        if (defect(result)) return fail(GPHYS_ERROR_SINGULAR, "view_projection: what it shows has no volume");
+        *out_frustum = result;
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_segment_closest_points(const gphys_segment* a, const gphys_segment* b, gphys_vec3* out_a,
+                                          gphys_vec3* out_b, float* out_distance) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(a && b, "a or b is null");
+        GPHYS_REQUIRE_VALID(*a);
+        GPHYS_REQUIRE_VALID(*b);
+        Vec3 on_a, on_b;
+        closest_points(widen(*a), widen(*b), on_a, on_b);
+        if (out_a) *out_a = narrow(on_a);
+        if (out_b) *out_b = narrow(on_b);
+        if (out_distance) *out_distance = static_cast<float>(distance(on_a, on_b));
+        return GPHYS_OK;
+    });
+}
