@@ -35,6 +35,15 @@ public:
         return entries_[slot] = (entries_[slot] & ~slot_mask) | slot;
     }
 
+    /// The slots that the next `count` calls of add will take.
+    void next_slots(uint32_t count, uint32_t* out) const {
+        uint32_t slot = oldest_;
+        for (uint32_t i = 0; i < count; ++i) {
+            out[i] = i < free_ ? slot : slots() + (i - free_);
+            if (i < free_) slot = slot_of(entries_[slot]);
+        }
+    }
+
     void remove(uint32_t id) {
         const uint32_t slot = slot_of(id);
         const uint32_t generation = id & ~slot_mask;

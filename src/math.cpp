@@ -17,4 +17,16 @@ Quat quaternion(const Mat3& m) {
     return normalized(Quat{m.z.x + m.x.z, m.y.z + m.z.y, 1 + m.z.z - m.x.x - m.y.y, m.x.y - m.y.x});
 }
 
+gphys_transform composed(const gphys_transform& parent, const gphys_transform& local) {
+    return {narrow(widen(parent).apply(widen(local.position))),
+            narrow(normalized(widen(parent.rotation) * widen(local.rotation))),
+            static_cast<float>(double{parent.scale} * local.scale)};
+}
+
+gphys_transform relative(const gphys_transform& parent, const gphys_transform& world) {
+    return {narrow(widen(parent).inverse_apply(widen(world.position))),
+            narrow(normalized(conjugate(widen(parent.rotation)) * widen(world.rotation))),
+            static_cast<float>(double{world.scale} / parent.scale)};
+}
+
 }  // namespace gphys

@@ -108,6 +108,11 @@ constexpr Quat widen(gphys_quat q) { return {q.x, q.y, q.z, q.w}; }
 inline Transform widen(const gphys_transform& t) {
     return {widen(t.position), rotation_matrix(widen(t.rotation)), t.scale};
 }
+/// What `local` below `parent` is in the world: computed in double, each number rounded once.
+gphys_transform composed(const gphys_transform& parent, const gphys_transform& local);
+/// The local transform below `parent` that gives `world`, up to that rounding.
+gphys_transform relative(const gphys_transform& parent, const gphys_transform& world);
+
 constexpr gphys_vec3 narrow(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }

@@ -38,6 +38,11 @@ public:
         ++free_count_;
     }
 
+    void clear() {
+        records_.clear();
+        free_count_ = 0;
+    }
+
     T& operator[](uint32_t index) { return records_[index]; }
     const T& operator[](uint32_t index) const { return records_[index]; }
     uint32_t size() const { return static_cast<uint32_t>(records_.size()) - free_count_; }

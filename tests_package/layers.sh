@@ -9,7 +9,7 @@ layer_of() {
     case $1 in
         c_api/*) echo c_api ;;
         solver/* | solver.*) echo solver ;;
-        math.* | memory.* | status.* | simd.* | ids.* | pool.* | results.* | exact.*) echo foundation ;;
+        math.* | memory.* | status.* | simd.* | ids.* | pool.* | results.* | strided.* | exact.*) echo foundation ;;
         shapes.* | halfspaces.*) echo shapes ;;
         intersect.* | heights.* | closest* | overlap* | classify* | raycast* | sweep*) echo intersect ;;
         box8.* | octree*) echo octree ;;

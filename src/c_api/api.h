@@ -9,6 +9,7 @@
 #include "../math.h"
 #include "../shapes.h"
 #include "../status.h"
+#include "../strided.h"
 
 namespace gphys {
 
@@ -45,31 +46,6 @@ gphys_status guarded(Body&& body) noexcept {
     } while (0)
 
 inline bool is_bool(int32_t value) { return value == 0 || value == 1; }
-
-/// Elements of the caller's array; a stride of 0 repeats the first.
-template <class T>
-class Strided {
-public:
-    Strided(const T* first, uint32_t stride) : first_(reinterpret_cast<const char*>(first)), stride_(stride) {}
-    const T& operator[](uint32_t i) const {
-        return *reinterpret_cast<const T*>(first_ + static_cast<size_t>(i) * stride_);
-    }
-
-private:
-    const char* first_;
-    size_t stride_;
-};
-
-template <class T>
-class StridedOut {
-public:
-    StridedOut(T* first, uint32_t stride) : first_(reinterpret_cast<char*>(first)), stride_(stride) {}
-    T& operator[](uint32_t i) const { return *reinterpret_cast<T*>(first_ + static_cast<size_t>(i) * stride_); }
-
-private:
-    char* first_;
-    size_t stride_;
-};
 
 inline bool valid_stride(uint32_t stride, size_t element) {
     return stride % 4 == 0 && (stride == 0 || stride >= element);

@@ -4,6 +4,7 @@
 #include "../results.h"
 #include "api.h"
 #include "handles.h"
+#include "lists.h"
 #include "shape_input.h"
 
 using namespace gphys;
@@ -19,17 +20,6 @@ gphys_status check_arrays(const MeshArrays& arrays) {
     GPHYS_REQUIRE(arrays.index_count == 0 || arrays.indices, "indices is null");
     GPHYS_REQUIRE(arrays.index_count % 3 == 0, "index_count: must be a multiple of 3");
     return GPHYS_OK;
-}
-
-gphys_status check_list(const void* out, uint32_t capacity, const uint32_t* out_total) {
-    GPHYS_REQUIRE(capacity == 0 || out, "the output array is null");
-    GPHYS_REQUIRE(out_total, "out_total is null");
-    return GPHYS_OK;
-}
-
-gphys_status listed(uint32_t total, uint32_t capacity, uint32_t* out_total) {
-    *out_total = total;
-    return total > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
 }
 
 template <class T>
@@ -149,11 +139,5 @@ gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_st
 gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys_octree_box* out_boxes, uint32_t capacity,
                                          uint32_t* out_total) {
     GPHYS_REQUIRE(mesh, "mesh is null");
-    GPHYS_TRY(check_list(out_boxes, capacity, out_total));
-    uint32_t total = 0;
-    unwrap(mesh)->octree().for_each_box([&](const gphys_octree_box& box) {
-        if (total < capacity) out_boxes[total] = box;
-        ++total;
-    });
-    return listed(total, capacity, out_total);
+    return copy_boxes(unwrap(mesh)->octree(), out_boxes, capacity, out_total);
 }

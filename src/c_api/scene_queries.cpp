@@ -1,0 +1,258 @@
+// gphys_scene_*: queries, one by one and in batches.
+#include "../scene.h"
+
+#include "api.h"
+#include "handles.h"
+#include "lists.h"
+#include "shape_input.h"
+
+using namespace gphys;
+
+namespace {
+
+/// The input array of a batch: there, well spaced and, element by element, valid.
+template <class T>
+gphys_status check_inputs(const T* inputs, uint32_t stride, uint32_t count) {
+    GPHYS_REQUIRE(inputs || count == 0, "the input array is null");
+    GPHYS_REQUIRE(valid_stride(stride, sizeof(T)), "input stride: must be 0 or a multiple of 4 that spans the struct");
+    const Strided<T> input(inputs, stride);
+    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(input[i]);
+    return GPHYS_OK;
+}
+
+template <class T>
+gphys_status check_outputs(const T* outputs, uint32_t stride, uint32_t count) {
+    GPHYS_REQUIRE(outputs || count == 0, "the output array is null");
+    GPHYS_REQUIRE(valid_out_stride(stride, sizeof(T)), "out_stride: must be a multiple of 4 that spans the struct");
+    return GPHYS_OK;
+}
+
+/// Many lists behind one another: those of query i are added by add_all(i, list).
+template <class T, class Less, class AddAll>
+gphys_status concatenate(T* out, uint32_t capacity, uint32_t count, uint32_t* out_offsets, AddAll&& add_all) {
+    uint32_t end = 0;
+    out_offsets[0] = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t begin = std::min(end, capacity);
+        Smallest<T, Less> list(capacity == 0 ? nullptr : out + begin, capacity - begin);
+        add_all(i, list);
+        const uint32_t total = list.finish();
+        end = total > UINT32_MAX - end ? UINT32_MAX : end + total;
+        out_offsets[i + 1] = end;
+    }
+    return end > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
+}
+
+gphys_status check_concatenation(const void* out, uint32_t capacity, const uint32_t* out_offsets) {
+    GPHYS_REQUIRE(capacity == 0 || out, "the output array is null");
+    GPHYS_REQUIRE(out_offsets, "out_offsets is null");
+    return GPHYS_OK;
+}
+
+bool valid_max_distance(float distance) { return distance >= 0; }
+
+}  // namespace
+
+gphys_status gphys_scene_raycast(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers, gphys_hit* out_hit) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(ray, "ray is null");
+        GPHYS_REQUIRE_VALID(*ray);
+        GPHYS_REQUIRE(out_hit, "out_hit is null");
+        return unwrap(scene)->raycast(widen(*ray), layers, *out_hit);
+    });
+}
+
+gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
+                                       uint32_t count, uint32_t layers, gphys_hit* out_hits, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(check_inputs(rays, ray_stride, count));
+        GPHYS_TRY(check_outputs(out_hits, out_stride, count));
+        const Strided<gphys_ray> ray(rays, ray_stride);
+        const StridedOut<gphys_hit> out(out_hits, out_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            gphys_hit hit = no_hit();
+            unwrap(scene)->raycast(widen(ray[i]), layers, hit);
+            out[i] = hit;
+        }
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
+                                     int32_t* out_hit) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(ray, "ray is null");
+        GPHYS_REQUIRE_VALID(*ray);
+        GPHYS_REQUIRE(out_hit, "out_hit is null");
+        *out_hit = unwrap(scene)->raycast_any(widen(*ray), layers);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
+                                           uint32_t count, uint32_t layers, int32_t* out_hits, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(check_inputs(rays, ray_stride, count));
+        GPHYS_TRY(check_outputs(out_hits, out_stride, count));
+        const Strided<gphys_ray> ray(rays, ray_stride);
+        const StridedOut<int32_t> out(out_hits, out_stride);
+        for (uint32_t i = 0; i < count; ++i) out[i] = unwrap(scene)->raycast_any(widen(ray[i]), layers);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
+                                     gphys_hit* out_hits, uint32_t capacity, uint32_t* out_total) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(ray, "ray is null");
+        GPHYS_REQUIRE_VALID(*ray);
+        GPHYS_TRY(check_list(out_hits, capacity, out_total));
+        Smallest<gphys_hit, FirstHit> hits(out_hits, capacity);
+        unwrap(scene)->raycast_all(widen(*ray), layers, hits);
+        return listed(hits.finish(), capacity, out_total);
+    });
+}
+
+gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
+                                           uint32_t count, uint32_t layers, gphys_hit* out_hits, uint32_t capacity,
+                                           uint32_t* out_offsets) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(check_inputs(rays, ray_stride, count));
+        GPHYS_TRY(check_concatenation(out_hits, capacity, out_offsets));
+        const Strided<gphys_ray> ray(rays, ray_stride);
+        return concatenate<gphys_hit, FirstHit>(out_hits, capacity, count, out_offsets, [&](uint32_t i, auto& hits) {
+            unwrap(scene)->raycast_all(widen(ray[i]), layers, hits);
+        });
+    });
+}
+
+gphys_status gphys_scene_segment_test(const gphys_scene* scene, const gphys_segment* segment, uint32_t layers,
+                                      gphys_hit* out_hit) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(segment, "segment is null");
+        GPHYS_REQUIRE_VALID(*segment);
+        GPHYS_REQUIRE(out_hit, "out_hit is null");
+        return unwrap(scene)->raycast(ray_along(widen(*segment)), layers, *out_hit);
+    });
+}
+
+gphys_status gphys_scene_segment_test_batch(const gphys_scene* scene, const gphys_segment* segments,
+                                            uint32_t segment_stride, uint32_t count, uint32_t layers,
+                                            gphys_hit* out_hits, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(check_inputs(segments, segment_stride, count));
+        GPHYS_TRY(check_outputs(out_hits, out_stride, count));
+        const Strided<gphys_segment> segment(segments, segment_stride);
+        const StridedOut<gphys_hit> out(out_hits, out_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            gphys_hit hit = no_hit();
+            unwrap(scene)->raycast(ray_along(widen(segment[i])), layers, hit);
+            out[i] = hit;
+        }
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_overlap(const gphys_scene* scene, gphys_shape_type type, const void* shape, uint32_t layers,
+                                 gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        Shape query;
+        GPHYS_TRY(read_shape(type, shape, query));
+        GPHYS_TRY(check_list(out_models, capacity, out_total));
+        Smallest<gphys_model_id> models(out_models, capacity);
+        unwrap(scene)->overlap(query, layers, models);
+        return listed(models.finish(), capacity, out_total);
+    });
+}
+
+gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                       uint32_t shape_stride, uint32_t count, uint32_t layers,
+                                       gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(valid_stride(shape_stride, shape_struct_size(type)),
+                      "shape_stride: must be 0 or a multiple of 4 that spans the struct");
+        const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
+        Shape query;
+        for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(read_shape(type, shapes ? &shape[i] : nullptr, query));
+        GPHYS_TRY(check_concatenation(out_models, capacity, out_offsets));
+        return concatenate<gphys_model_id, std::less<gphys_model_id>>(
+            out_models, capacity, count, out_offsets, [&](uint32_t i, auto& models) {
+                if (read_shape(type, &shape[i], query) == GPHYS_OK) unwrap(scene)->overlap(query, layers, models);
+            });
+    });
+}
+
+gphys_status gphys_scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance, uint32_t layers,
+                                 gphys_nearest* out_nearest) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(point, "point is null");
+        GPHYS_REQUIRE_VALID(*point);
+        GPHYS_REQUIRE(valid_max_distance(max_distance), "max_distance: must be 0 or more and not NaN");
+        GPHYS_REQUIRE(out_nearest, "out_nearest is null");
+        return unwrap(scene)->nearest(widen(*point), max_distance, layers, *out_nearest);
+    });
+}
+
+gphys_status gphys_scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* points, uint32_t point_stride,
+                                       uint32_t count, float max_distance, uint32_t layers, gphys_nearest* out_nearest,
+                                       uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(check_inputs(points, point_stride, count));
+        GPHYS_REQUIRE(valid_max_distance(max_distance), "max_distance: must be 0 or more and not NaN");
+        GPHYS_TRY(check_outputs(out_nearest, out_stride, count));
+        const Strided<gphys_vec3> point(points, point_stride);
+        const StridedOut<gphys_nearest> out(out_nearest, out_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            gphys_nearest nearest = no_nearest();
+            unwrap(scene)->nearest(widen(point[i]), max_distance, layers, nearest);
+            out[i] = nearest;
+        }
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_sweep_sphere(const gphys_scene* scene, const gphys_sphere* sphere,
+                                      const gphys_vec3* displacement, uint32_t layers, gphys_hit* out_hit) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(sphere, "sphere is null");
+        GPHYS_REQUIRE_VALID(*sphere);
+        GPHYS_REQUIRE(displacement, "displacement is null");
+        GPHYS_REQUIRE_VALID(*displacement);
+        GPHYS_REQUIRE(out_hit, "out_hit is null");
+        return unwrap(scene)->sweep(widen(*sphere), widen(*displacement), layers, *out_hit);
+    });
+}
+
+gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, const gphys_sphere* spheres,
+                                            uint32_t sphere_stride, const gphys_vec3* displacements,
+                                            uint32_t displacement_stride, uint32_t count, uint32_t layers,
+                                            gphys_hit* out_hits, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(check_inputs(spheres, sphere_stride, count));
+        GPHYS_TRY(check_inputs(displacements, displacement_stride, count));
+        GPHYS_TRY(check_outputs(out_hits, out_stride, count));
+        const Strided<gphys_sphere> sphere(spheres, sphere_stride);
+        const Strided<gphys_vec3> displacement(displacements, displacement_stride);
+        const StridedOut<gphys_hit> out(out_hits, out_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            gphys_hit hit = no_hit();
+            unwrap(scene)->sweep(widen(sphere[i]), widen(displacement[i]), layers, hit);
+            out[i] = hit;
+        }
+        return GPHYS_OK;
+    });
+}

@@ -1,0 +1,34 @@
+// Arrays whose elements are a given number of bytes apart, as callers hand them over.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gphys {
+
+/// Elements of the caller's array; a stride of 0 repeats the first.
+template <class T>
+class Strided {
+public:
+    Strided(const T* first, uint32_t stride) : first_(reinterpret_cast<const char*>(first)), stride_(stride) {}
+    const T& operator[](uint32_t i) const {
+        return *reinterpret_cast<const T*>(first_ + static_cast<size_t>(i) * stride_);
+    }
+
+private:
+    const char* first_;
+    size_t stride_;
+};
+
+template <class T>
+class StridedOut {
+public:
+    StridedOut(T* first, uint32_t stride) : first_(reinterpret_cast<char*>(first)), stride_(stride) {}
+    T& operator[](uint32_t i) const { return *reinterpret_cast<T*>(first_ + static_cast<size_t>(i) * stride_); }
+
+private:
+    char* first_;
+    size_t stride_;
+};
+
+}  // namespace gphys
