@@ -47,6 +47,14 @@ bool is_beyond_end(const Plane& plane, const Ray& ray, double start) {
     return start > 0 ? end > 0 : end < 0;
 }
 
+/// Whether a curved shape met at t is met before the ray ends. t is off by a few roundings, which
+/// must not cost a ray that ends on the surface its hit.
+bool reaches(double& t, double t_max) {
+    if (t > t_max * (1 + 0x1p-48)) return false;
+    t = std::min(t, t_max);
+    return true;
+}
+
 // --- Sphere -------------------------------------------------------------------------------------
 
 /// The quadratic dd t^2 - 2 b t + c = 0 for the times at which a ray crosses a sphere.
@@ -97,7 +105,7 @@ bool enters(const Sphere& sphere, const Ray& ray, double& t) {
         root = std::sqrt(exact_discriminant.value());
     }
     t = c / (b + root);
-    return t <= ray.t_max;
+    return reaches(t, ray.t_max);
 }
 
 /// The hit at t on the ball of the given radius around the point of a sphere or capsule's axis.
@@ -133,7 +141,7 @@ bool enters_side(const Capsule& capsule, const Ray& ray, double& t, double& alon
     // which the axis position at t = 0 tells.
     t = std::max(c, 0.0) / (b + std::sqrt(axis_squared * discriminant));
     along = (dot(from, axis) + t * dot(ray.direction, axis)) / axis_squared;
-    return along >= 0 && along <= 1 && t <= ray.t_max;
+    return along >= 0 && along <= 1 && reaches(t, ray.t_max);
 }
 
 // --- Box ----------------------------------------------------------------------------------------
@@ -208,7 +216,7 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
     if (entry_axis < 0) return started_inside(ray, hit);
     if (!at_or_before(entry, exit)) return false;
     hit = Hit{};
-    hit.t = entry.t;
+    hit.t = std::min(entry.t, ray.t_max);
     hit.point = max(box.min, min(box.max, ray.origin + ray.direction * entry.t));
     hit.point[entry_axis] = entry.face;
     hit.normal[entry_axis] = entry.direction > 0 ? -1 : 1;
@@ -234,9 +242,10 @@ bool raycast(const Plane& plane, const Ray& ray, Hit& hit) {
     const double start = height(plane, Vec3{}, ray.origin);
     const double climb = accurate_dot(plane.normal, ray.direction);
     if (start != 0 && (start > 0 ? climb >= 0 : climb <= 0)) return false;
-    const double t = start == 0 ? 0 : -start / climb;
+    double t = start == 0 ? 0 : -start / climb;
     const bool at_the_end = std::fabs(t - ray.t_max) <= 0x1p-40 * t;
     if (at_the_end ? is_beyond_end(plane, ray, start) : t > ray.t_max) return false;
+    t = std::min(t, ray.t_max);
     const bool from_behind = start < 0 || (start == 0 && climb > 0);
     hit = Hit{};
     hit.t = t;

@@ -31,15 +31,15 @@ bool in_time(double t, double t_max, double denominator, const Excess& excess) {
 /// t, u, v are known; facing is the sign of dot(normal, direction).
 bool surface_hit(const Triangle& triangle, const ShearedRay& ray, double t, double u, double v, int facing, Hit& hit) {
     const Vec3 normal = accurate_cross(triangle.a, triangle.b, triangle.a, triangle.c);
-    hit.t = t;
-    hit.point = triangle.a + u * (triangle.b - triangle.a) + v * (triangle.c - triangle.a);
+    hit.t = std::min(t, ray.t_max);  // in time, exactly: only rounding can put it beyond
     if (normal != Vec3{}) {
         hit.normal = normalized(normal) * (facing > 0 ? -1.0 : 1.0);
     } else {
         hit.normal = ray.direction != Vec3{} ? -normalized(ray.direction) : Vec3{};
     }
-    hit.u = u;
-    hit.v = v;
+    hit.u = std::clamp(u, 0.0, 1.0);
+    hit.v = std::clamp(v, 0.0, 1.0 - hit.u);
+    hit.point = triangle.a + hit.u * (triangle.b - triangle.a) + hit.v * (triangle.c - triangle.a);
     hit.flags = (t == 0 ? GPHYS_HIT_INSIDE : 0) | (facing > 0 ? GPHYS_HIT_BACK : 0);
     return true;
 }
@@ -227,8 +227,8 @@ bool raycast(const Triangle& triangle, const ShearedRay& ray, Hit& hit) {
     const double spread = std::max(std::fabs(b.z - a.z), std::fabs(c.z - a.z));
     bool accurate = weight_error <= 0x1p-26 * std::fabs(total);
     if (accurate) {
-        u = std::max(volume_b / total, 0.0);
-        v = std::max(volume_c / total, 0.0);
+        u = volume_b / total;
+        v = volume_c / total;
         const double z = a.z + u * (b.z - a.z) + v * (c.z - a.z);
         const double z_error = 2 * weight_error / std::fabs(total) * spread + 0x1p-50 * reach.z;
         t = z / ray.direction[ray.kz];
