@@ -28,9 +28,19 @@ bool contact_at_start(const Sphere& moving, Vec3 displacement, Vec3 nearest, Hit
     return contact(0, nearest, out == Vec3{} ? Vec3{} : normalized(out), GPHYS_HIT_INSIDE, hit);
 }
 
+template <class Shape>
+bool touches_at_start(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    return contains(shape, moving.center, moving.radius) &&
+           contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
+}
+
 /// The hit of the path with the grown shape becomes one of the sphere with the shape.
 template <class Shape>
 bool contact_on(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    // The start was out of reach, but only just: the two questions round differently.
+    if (hit.t == 0) {
+        return contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
+    }
     const Vec3 center = moving.center + displacement * hit.t;
     return contact(hit.t, closest_point(shape, center), hit.normal, 0, hit);
 }
@@ -39,18 +49,14 @@ bool contact_on(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit
 
 bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(sphere, path(moving, displacement), hit);
-    if (contains(sphere, moving.center, moving.radius)) {
-        return contact_at_start(moving, displacement, closest_point(sphere, moving.center), hit);
-    }
+    if (touches_at_start(sphere, moving, displacement, hit)) return true;
     return raycast(Sphere{sphere.center, sphere.radius + moving.radius}, path(moving, displacement), hit) &&
            contact_on(sphere, moving, displacement, hit);
 }
 
 bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(capsule, path(moving, displacement), hit);
-    if (contains(capsule, moving.center, moving.radius)) {
-        return contact_at_start(moving, displacement, closest_point(capsule, moving.center), hit);
-    }
+    if (touches_at_start(capsule, moving, displacement, hit)) return true;
     return raycast(Capsule{capsule.a, capsule.b, capsule.radius + moving.radius}, path(moving, displacement), hit) &&
            contact_on(capsule, moving, displacement, hit);
 }
@@ -60,9 +66,7 @@ bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit&
 /// it is outside of stay the same, and in these axes alone the box is a point.
 bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(box, path(moving, displacement), hit);
-    if (contains(box, moving.center, moving.radius)) {
-        return contact_at_start(moving, displacement, closest_point(box, moving.center), hit);
-    }
+    if (touches_at_start(box, moving, displacement, hit)) return true;
     double face_times[6];
     int face_count = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -170,21 +174,23 @@ bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit&
         return contact_at_start(moving, displacement, nearest, hit);
     }
     double t = 0;
+    Vec3 normal;
     // Converges quadratically, but where the sphere just grazes the frustum the error only halves:
     // then 60 halvings are more than a double can tell.
     for (int step = 0; step < 60; ++step) {
         const Vec3 center = moving.center + displacement * t;
         closest_point(frustum, center, nearest);
         const Vec3 offset = center - nearest;
+        normal = offset != Vec3{} ? normalized(offset) : -normalized(displacement);
         const double gap = length(offset) - moving.radius;
         // Both points carry a few roundings of their coordinates.
         const double resolution = 0x1p-50 * (max_component(abs(center)) + max_component(abs(frustum.origin)));
         if (gap <= resolution) break;
-        const double approach = -dot(normalized(offset), displacement);
+        const double approach = -dot(normal, displacement);
         if (approach <= 0 || gap > approach * (1 - t)) return false;
         t += gap / approach;
     }
-    return contact(t, nearest, normalized(moving.center + displacement * t - nearest), 0, hit);
+    return contact(t, nearest, normal, 0, hit);
 }
 
 bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
