@@ -37,11 +37,12 @@ double rounding_slack(double w) { return 0x1p-48 * w + std::numeric_limits<float
 // two faces and the two roundings change places.
 //
 // An axis with |d| < 2^-68 has an inverse too large for float: differences of up to 2^57 are to be
-// multiplied by it. On it the ray moves by less than w = 2^-68 span within the root, which is span
-// long on the main axis. It is treated as d = 2^-68 with an origin widened by 2w: if the box holds
-// any point within w of the origin, the computed entry is negative and the computed exit at least
-// 2^68 w = span, so this axis lets the box pass; if it is further away than 3w, it does not.
-// Components that are exactly zero need no other case.
+// multiplied by it. It is treated as d = 2^-68. On it the ray moves by less than 2^-68 span within
+// the root, which is span long on the main axis: far less than the slack by which the origin is
+// widened, 2^-48 w, as span < 8 w. So if the ray meets the box, then to the float origins the box
+// is in front of the near one, entry < 0, and at least slack / 2 behind the far one: the exit is
+// beyond 2^-49 w * 2^68 > span, and this axis lets the box pass. Components of exactly zero need no
+// other case.
 RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root) {
     const Vec3 magnitude = abs(direction);
     scale_ = max_component(magnitude);
@@ -77,8 +78,7 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root) 
     if (span_ < 0) origin = {};
     for (int k = 0; k < 3; ++k) {
         const bool drifts = std::fabs(d[k]) < 0x1p-68;
-        const double reach = margin + (drifts ? 2 * 0x1p-68 * std::max(span_, 0.0) : 0.0);
-        const float low = round_down(origin[k] - reach), high = round_up(origin[k] + reach);
+        const float low = round_down(origin[k] - margin), high = round_up(origin[k] + margin);
         const bool forward = drifts || d[k] > 0;
         near_row_[k] = forward ? k : 3 + k;
         far_row_[k] = forward ? 3 + k : k;

@@ -16,8 +16,8 @@ struct Arrays {
 
     void add(uint32_t a, uint32_t b, uint32_t c) { indices.insert(indices.end(), {a, b, c}); }
     gphys::MeshArrays view() const {
-        return {&vertices.data()->x, sizeof(gphys_vec3), static_cast<uint32_t>(vertices.size()), indices.data(),
-                static_cast<uint32_t>(indices.size())};
+        return {reinterpret_cast<const float*>(vertices.data()), sizeof(gphys_vec3),
+                static_cast<uint32_t>(vertices.size()), indices.data(), static_cast<uint32_t>(indices.size())};
     }
     gphys::Mesh* make(const gphys_allocator* hooks = nullptr) const {
         gphys::Memory memory(hooks);

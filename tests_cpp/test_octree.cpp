@@ -98,13 +98,25 @@ Ray random_ray(test::Random& random, const Boxes& boxes, Kind kind) {
     return ray;
 }
 
-Frustum random_frustum(test::Random& random, Kind kind) {
+/// Some of its planes touch a box as nearly as double can say, from inside or outside.
+Frustum random_frustum(test::Random& random, const Boxes& boxes, Kind kind) {
     const Box box = random_box(random, kind);
     Frustum frustum;
     frustum.origin = {box.min[0], box.min[1], box.min[2]};
     const double size = kind == Kind::tiny ? 1e-30 : kind == Kind::remote || kind == Kind::outliers ? 1e6 : 60;
     for (Plane& plane : frustum.planes) {
         plane = {random.direction() * random.uniform(0.5, 2), random.uniform(-size, size / 4)};
+    }
+    for (int p = 0; p < 2 && !boxes.empty(); ++p) {
+        Plane& plane = frustum.planes[p];
+        const Box& aim = boxes.lower_bound(random.index(boxes.rbegin()->first + 1))->second;
+        const bool most = random.index(2) != 0;
+        plane.distance = 0;
+        for (int k = 0; k < 3; ++k) {
+            const bool use_max = (plane.normal[k] > 0) == most;
+            plane.distance += plane.normal[k] * ((use_max ? aim.max[k] : aim.min[k]) - frustum.origin[k]);
+        }
+        if (random.index(2)) plane.distance = std::nextafter(plane.distance, random.index(2) ? 1e30 : -1e30);
     }
     if (random.index(3) == 0) frustum.planes[GPHYS_FRUSTUM_FAR] = {{0, 0, 0}, -1};
     return frustum;
@@ -220,7 +232,7 @@ void compare_queries(const Octree& tree, const Boxes& boxes, test::Random& rando
         }
         REQUIRE(nearest_item == expected_item);
 
-        const Frustum frustum = random_frustum(random, kind);
+        const Frustum frustum = random_frustum(random, boxes, kind);
         std::map<uint32_t, bool> seen;
         std::feclearexcept(FE_ALL_EXCEPT);
         REQUIRE(tree.frustum(frustum, [&](uint32_t item, bool inside) { return seen.emplace(item, inside).second; }));
