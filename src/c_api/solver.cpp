@@ -1,0 +1,250 @@
+// gphys_solver_*: the solver, its bodies, the step and what it reports. Particles and constraints of
+// a body are in solver_state.cpp.
+#include "../solver/solver.h"
+
+#include "../mesh.h"
+#include "api.h"
+#include "handles.h"
+#include "lists.h"
+
+using namespace gphys;
+
+namespace {
+
+constexpr size_t solver_desc_size = sizeof(gphys_solver_desc);  // of release 1.0
+constexpr size_t body_desc_size = sizeof(gphys_body_desc);
+
+constexpr uint32_t most_substeps = 1000;
+constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
+constexpr uint32_t most_particles = (1u << 24) - 1;          // as many as constraints
+
+constexpr gphys_solver_desc default_solver_desc{sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8};
+constexpr gphys_body_desc default_body_desc{
+    sizeof(gphys_body_desc), 1, 0.01f, 0, 0.5f, 0, 0, 0.001f, GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND, 0xffffffff};
+
+bool is_substeps(uint32_t substeps) { return substeps >= 1 && substeps <= most_substeps; }
+bool is_step(float seconds) { return seconds >= shortest_step && seconds <= longest_step; }
+bool is_amount(float value) { return value >= 0 && value <= GPHYS_MAX_COORDINATE; }
+
+gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) {
+    desc = default_body_desc;
+    GPHYS_TRY(read_desc(from, desc, body_desc_size));
+    GPHYS_REQUIRE(is_amount(desc.mass) && desc.mass > 0, "desc.mass: must be above 0 and in range");
+    GPHYS_REQUIRE(is_amount(desc.radius), "desc.radius: must be at least 0 and in range");
+    GPHYS_REQUIRE(is_amount(desc.damping), "desc.damping: must be at least 0 and in range");
+    GPHYS_REQUIRE(is_amount(desc.friction), "desc.friction: must be at least 0 and in range");
+    GPHYS_REQUIRE(desc.restitution >= 0 && desc.restitution <= 1, "desc.restitution: must be 0 to 1");
+    GPHYS_REQUIRE(is_amount(desc.compliance), "desc.compliance: must be at least 0 and in range");
+    GPHYS_REQUIRE(is_amount(desc.bend_compliance), "desc.bend_compliance: must be at least 0 and in range");
+    GPHYS_REQUIRE((desc.cloth_flags & ~uint32_t{GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND}) == 0,
+                  "desc.cloth_flags: an unknown flag is set");
+    return GPHYS_OK;
+}
+
+gphys_status check_count(uint64_t count, uint32_t least) {
+    GPHYS_REQUIRE(count >= least, "count: too few particles for this body");
+    if (count > most_particles) return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 particles");
+    return GPHYS_OK;
+}
+
+gphys_status check_positions(const gphys_vec3* positions, uint32_t stride, uint32_t count) {
+    GPHYS_REQUIRE(positions, "positions is null");
+    GPHYS_REQUIRE(valid_stride(stride, sizeof(gphys_vec3)),
+                  "position_stride: must be 0 or a multiple of 4, 12 at least");
+    const Strided<gphys_vec3> position(positions, stride);
+    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(position[i]);
+    return GPHYS_OK;
+}
+
+/// All corners of a sheet, or all vertices of a mesh, once they are placed.
+gphys_status check_placed(Vec3 position) {
+    GPHYS_REQUIRE(max_component(abs(position)) <= GPHYS_MAX_COORDINATE,
+                  "the cloth reaches beyond GPHYS_MAX_COORDINATE");
+    return GPHYS_OK;
+}
+
+}  // namespace
+
+gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size) {
+    return write_desc(desc, size, default_solver_desc, solver_desc_size);
+}
+
+gphys_status gphys_body_desc_init(gphys_body_desc* desc, uint32_t size) {
+    return write_desc(desc, size, default_body_desc, body_desc_size);
+}
+
+gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** out_solver) {
+    return guarded([&]() -> gphys_status {
+        gphys_solver_desc settings = default_solver_desc;
+        GPHYS_TRY(read_desc(desc, settings, solver_desc_size));
+        GPHYS_REQUIRE_VALID(settings.allocator);
+        GPHYS_REQUIRE_VALID(settings.gravity);
+        GPHYS_REQUIRE(is_substeps(settings.substeps), "desc.substeps: must be 1 to 1000");
+        GPHYS_REQUIRE(is_step(settings.fixed_step), "desc.fixed_step: must be 1e-6 to 0.5");
+        GPHYS_REQUIRE(settings.max_steps >= 1, "desc.max_steps: must be at least 1");
+        GPHYS_REQUIRE(out_solver, "out_solver is null");
+        const SolverSettings in{widen(settings.gravity), settings.substeps, settings.fixed_step, settings.max_steps};
+        *out_solver = wrap(create<Solver>(settings.allocator, in));
+        return GPHYS_OK;
+    });
+}
+
+void gphys_solver_destroy(gphys_solver* solver) { destroy(unwrap(solver)); }
+
+gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_REQUIRE(gravity, "gravity is null");
+    GPHYS_REQUIRE_VALID(*gravity);
+    unwrap(solver)->set_gravity(widen(*gravity));
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_REQUIRE(is_substeps(substeps), "substeps: must be 1 to 1000");
+    unwrap(solver)->set_substeps(substeps);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_add_particles(gphys_solver* solver, const gphys_body_desc* desc, const gphys_vec3* positions,
+                                        uint32_t position_stride, uint32_t count, gphys_body_id* out_body) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        gphys_body_desc settings;
+        GPHYS_TRY(read_body_desc(desc, settings));
+        GPHYS_TRY(check_count(count, 1));
+        GPHYS_TRY(check_positions(positions, position_stride, count));
+        GPHYS_REQUIRE(out_body, "out_body is null");
+        return unwrap(solver)->add_particles(settings, positions, position_stride, count, *out_body);
+    });
+}
+
+gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_body_desc* desc, const gphys_vec3* positions,
+                                   uint32_t position_stride, uint32_t count, float link_length,
+                                   gphys_body_id* out_body) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        gphys_body_desc settings;
+        GPHYS_TRY(read_body_desc(desc, settings));
+        GPHYS_TRY(check_count(count, 2));
+        GPHYS_TRY(check_positions(positions, position_stride, count));
+        GPHYS_REQUIRE(is_amount(link_length), "link_length: must be at least 0 and in range");
+        GPHYS_REQUIRE(out_body, "out_body is null");
+        return unwrap(solver)->add_rope(settings, positions, position_stride, count, link_length, *out_body);
+    });
+}
+
+gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_body_desc* desc, const gphys_vec3* corner,
+                                    const gphys_vec3* edge_u, const gphys_vec3* edge_v, uint32_t columns, uint32_t rows,
+                                    gphys_body_id* out_body) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        gphys_body_desc settings;
+        GPHYS_TRY(read_body_desc(desc, settings));
+        GPHYS_REQUIRE(corner && edge_u && edge_v, "corner, edge_u or edge_v is null");
+        GPHYS_REQUIRE_VALID(*corner);
+        GPHYS_REQUIRE_VALID(*edge_u);
+        GPHYS_REQUIRE_VALID(*edge_v);
+        GPHYS_REQUIRE(columns >= 2 && rows >= 2, "columns and rows: must be at least 2");
+        GPHYS_TRY(check_count(uint64_t{columns} * rows, 4));
+        const Vec3 c = widen(*corner), u = widen(*edge_u), v = widen(*edge_v);
+        GPHYS_TRY(check_placed(c + u));
+        GPHYS_TRY(check_placed(c + v));
+        GPHYS_TRY(check_placed(c + u + v));
+        GPHYS_REQUIRE(out_body, "out_body is null");
+        return unwrap(solver)->add_cloth(settings, c, u, v, columns, rows, *out_body);
+    });
+}
+
+gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const gphys_body_desc* desc, const gphys_mesh* mesh,
+                                         const gphys_transform* transform, gphys_body_id* out_body) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        gphys_body_desc settings;
+        GPHYS_TRY(read_body_desc(desc, settings));
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        if (transform) GPHYS_REQUIRE_VALID(*transform);
+        const Transform placement = transform ? widen(*transform) : Transform{};
+        const Mesh& source = *unwrap(mesh);
+        GPHYS_TRY(check_count(source.vertices().size(), 1));
+        for (const gphys_vec3& vertex : source.vertices()) GPHYS_TRY(check_placed(placement.apply(widen(vertex))));
+        GPHYS_REQUIRE(out_body, "out_body is null");
+        return unwrap(solver)->add_cloth_mesh(settings, source, placement, *out_body);
+    });
+}
+
+gphys_status gphys_solver_remove_body(gphys_solver* solver, gphys_body_id body) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    return guarded([&] { return unwrap(solver)->remove(body); });
+}
+
+gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
+                                     uint32_t* out_total) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(check_list(out_bodies, capacity, out_total));
+    Smallest<gphys_body_id> bodies(out_bodies, capacity);
+    unwrap(solver)->list(bodies);
+    return listed(bodies.finish(), capacity, out_total);
+}
+
+gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body, gphys_body_info* out_info) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_REQUIRE(out_info, "out_info is null");
+    const Body& b = unwrap(solver)->body(body);
+    *out_info = {b.kind, method_of(b), b.size(), b.constraint_ids.size(),
+                 static_cast<uint32_t>(b.triangles.size() / 3)};
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
+                                        uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_TRY(check_list(out_indices, capacity, out_total));
+    const Vector<uint32_t>& indices = unwrap(solver)->body(body).triangles;
+    const uint32_t total = static_cast<uint32_t>(indices.size());
+    std::copy_n(indices.begin(), std::min(total, capacity), out_indices);
+    return listed(total, capacity, out_total);
+}
+
+gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_REQUIRE(is_step(dt), "dt: must be 1e-6 to 0.5");
+        unwrap(solver)->step(unwrap(scene), dt);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene, float frame_time, uint32_t* out_steps,
+                                  float* out_leftover) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_REQUIRE(is_amount(frame_time), "frame_time: must be at least 0 and in range");
+        uint32_t steps = 0;
+        double leftover = 0;
+        unwrap(solver)->advance(unwrap(scene), frame_time, steps, leftover);
+        if (out_steps) *out_steps = steps;
+        // Rounding to float must not make a whole step of it.
+        if (out_leftover) *out_leftover = std::min(static_cast<float>(leftover), std::nextafterf(1, 0));
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_stats(const gphys_solver* solver, gphys_body_id body, gphys_solver_stats* out_stats) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_REQUIRE(out_stats, "out_stats is null");
+    *out_stats = unwrap(solver)->stats(body);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact* out_contacts, uint32_t capacity,
+                                       uint32_t* out_total) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(check_list(out_contacts, capacity, out_total));
+    Smallest<gphys_contact, ContactOrder> contacts(out_contacts, capacity);
+    unwrap(solver)->contacts(contacts);
+    return listed(contacts.finish(), capacity, out_total);
+}

@@ -1,0 +1,183 @@
+// gphys_solver_*: the particles and constraints of a body, read and changed.
+#include "../solver/solver.h"
+#include "../strided.h"
+#include "api.h"
+#include "handles.h"
+#include "lists.h"
+
+using namespace gphys;
+
+namespace {
+
+gphys_status check_range(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    const uint32_t size = unwrap(solver)->body(body).size();
+    GPHYS_REQUIRE(first <= size && count <= size - first, "first, count: not within the body");
+    return GPHYS_OK;
+}
+
+gphys_status check_particle(const gphys_solver* solver, gphys_body_id body, uint32_t particle) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_REQUIRE(particle < unwrap(solver)->body(body).size(), "particle: not within the body");
+    return GPHYS_OK;
+}
+
+/// Arrays that are read: all elements must be fine before any is used. is_fine(element).
+template <class T, class IsFine>
+gphys_status check_array(const T* elements, uint32_t stride, uint32_t count, IsFine&& is_fine) {
+    GPHYS_REQUIRE(count == 0 || elements, "the array is null");
+    GPHYS_REQUIRE(valid_stride(stride, sizeof(T)), "stride: must be 0 or a multiple of 4 that spans an element");
+    const Strided<T> element(elements, stride);
+    for (uint32_t i = 0; i < count; ++i) {
+        GPHYS_REQUIRE(is_fine(element[i]), "an element of the array is NaN, infinite or out of range");
+    }
+    return GPHYS_OK;
+}
+
+bool is_vector(const gphys_vec3& value) { return !defect(value); }
+bool is_mass(float value) { return value > 0 && value <= GPHYS_MAX_COORDINATE; }
+bool is_amount(float value) { return value >= 0 && value <= GPHYS_MAX_COORDINATE; }
+
+template <class T>
+gphys_status check_out(const T* out, uint32_t stride, uint32_t count) {
+    GPHYS_REQUIRE(count == 0 || out, "the output array is null");
+    GPHYS_REQUIRE(valid_out_stride(stride, sizeof(T)), "out_stride: must be a multiple of 4 that spans an element");
+    return GPHYS_OK;
+}
+
+gphys_status copy_out(const Vector<Vec3>& values, uint32_t first, uint32_t count, gphys_vec3* out, uint32_t stride) {
+    GPHYS_TRY(check_out(out, stride, count));
+    const StridedOut<gphys_vec3> to(out, stride);
+    for (uint32_t i = 0; i < count; ++i) to[i] = narrow(values[first + i]);
+    return GPHYS_OK;
+}
+
+}  // namespace
+
+gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                        gphys_vec3* out_positions, uint32_t out_stride) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    return copy_out(unwrap(solver)->body(body).position, first, count, out_positions, out_stride);
+}
+
+gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                        const gphys_vec3* positions, uint32_t stride) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    GPHYS_TRY(check_array(positions, stride, count, is_vector));
+    set_positions(unwrap(solver)->body(body), first, count, positions, stride);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                         gphys_vec3* out_velocities, uint32_t out_stride) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    return copy_out(unwrap(solver)->body(body).velocity, first, count, out_velocities, out_stride);
+}
+
+gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                         const gphys_vec3* velocities, uint32_t stride) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    GPHYS_TRY(check_array(velocities, stride, count, is_vector));
+    set_velocities(unwrap(solver)->body(body), first, count, velocities, stride);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                     float* out_masses, uint32_t out_stride) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    GPHYS_TRY(check_out(out_masses, out_stride, count));
+    const StridedOut<float> to(out_masses, out_stride);
+    for (uint32_t i = 0; i < count; ++i) to[i] = static_cast<float>(unwrap(solver)->body(body).mass[first + i]);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                     const float* masses, uint32_t stride) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    GPHYS_TRY(check_array(masses, stride, count, is_mass));
+    set_masses(unwrap(solver)->body(body), first, count, masses, stride);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                    const float* radii, uint32_t stride) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    GPHYS_TRY(check_array(radii, stride, count, is_amount));
+    const Strided<float> from(radii, stride);
+    for (uint32_t i = 0; i < count; ++i) unwrap(solver)->body(body).radius[first + i] = from[i];
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                     const gphys_vec3* forces, uint32_t stride) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    GPHYS_TRY(check_array(forces, stride, count, is_vector));
+    const Strided<gphys_vec3> from(forces, stride);
+    for (uint32_t i = 0; i < count; ++i) unwrap(solver)->body(body).force[first + i] = widen(from[i]);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                     int32_t pinned) {
+    GPHYS_TRY(check_range(solver, body, first, count));
+    GPHYS_REQUIRE(is_bool(pinned), "pinned: must be 0 or 1");
+    set_pinned(unwrap(solver)->body(body), first, count, pinned != 0);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene, gphys_body_id body, uint32_t particle,
+                                 gphys_model_id model, const gphys_vec3* local_point) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_particle(solver, body, particle));
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(unwrap(scene)->check(model));
+        if (local_point) GPHYS_REQUIRE_VALID(*local_point);
+        Body& b = unwrap(solver)->body(body);
+        const Vec3 local = local_point ? widen(*local_point)
+                                       : unwrap(scene)->world_transform(model).inverse_apply(b.position[particle]);
+        attach(b, particle, model, local);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle) {
+    GPHYS_TRY(check_particle(solver, body, particle));
+    Body& b = unwrap(solver)->body(body);
+    GPHYS_REQUIRE(is_attached(b, particle), "particle: not attached");
+    set_pinned(b, particle, 1, false);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
+                                       uint32_t particle_b, float rest_length, float compliance,
+                                       gphys_constraint_id* out_constraint) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_particle(solver, body, particle_a));
+        GPHYS_TRY(check_particle(solver, body, particle_b));
+        GPHYS_REQUIRE(particle_a != particle_b, "particle_a and particle_b: must be different");
+        GPHYS_REQUIRE(std::fabs(rest_length) <= GPHYS_MAX_COORDINATE, "rest_length: not finite or out of range");
+        GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
+        GPHYS_REQUIRE(out_constraint, "out_constraint is null");
+        return add_distance(unwrap(solver)->body(body), particle_a, particle_b, rest_length, compliance,
+                            *out_constraint);
+    });
+}
+
+gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body, gphys_constraint_id constraint) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    return remove_constraint(unwrap(solver)->body(body), constraint);
+}
+
+gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,
+                                          gphys_constraint_info* out_constraints, uint32_t capacity,
+                                          uint32_t* out_total) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_TRY(check_list(out_constraints, capacity, out_total));
+    Smallest<gphys_constraint_info, ConstraintOrder> constraints(out_constraints, capacity);
+    list_constraints(unwrap(solver)->body(body), constraints);
+    return listed(constraints.finish(), capacity, out_total);
+}

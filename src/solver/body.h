@@ -1,0 +1,110 @@
+// What a body is made of: particles, one array per quantity, and distance constraints.
+//
+// All state is double precision: the rounding of a position 1e5 m from the origin is then 1e-11 m,
+// so more substeps never hurt and a body needs no origin of its own. Velocity is stored, not
+// derived from old positions.
+#pragma once
+
+#include "../ids.h"
+#include "../math.h"
+#include "plan.h"
+
+namespace gphys {
+
+/// |position[b] - position[a]| = rest + compliance * tension.
+struct DistanceConstraint {
+    uint32_t a, b;
+    double rest, compliance;
+};
+
+/// A particle that follows a model.
+struct Attachment {
+    uint32_t particle;
+    gphys_model_id model;
+    Vec3 local;       // in the model's coordinates
+    Vec3 begin, end;  // where it stands at the beginning and at the end of the current step
+};
+
+/// How a particle is joined to constraints. The exclusive or of their slots leads along a chain
+/// without lists: coming by one constraint, it names the other.
+struct Links {
+    uint32_t degree = 0, slots = 0;
+};
+
+/// A model that a particle touched in the last step; model 0 is none.
+struct Touch {
+    gphys_model_id model = 0;
+    uint32_t tag = 0;
+    gphys_vec3 point{}, normal{};
+};
+constexpr uint32_t touches_per_particle = 4;  // a corner is three models; one more for good measure
+
+/// A particle that leaves the range of coordinates stops at its border.
+inline void keep_in_range(Vec3& position, Vec3& velocity) {
+    constexpr double limit = GPHYS_MAX_COORDINATE;
+    if (max_component(abs(position)) <= limit) return;
+    const Vec3 corner{limit, limit, limit};
+    position = min(max(position, -corner), corner);
+    velocity = {};
+}
+
+struct BodySettings {
+    double damping = 0, friction = 0, restitution = 0;
+    uint32_t layers = 0;  // of the models it collides with
+};
+
+struct Body {
+    explicit Body(std::pmr::memory_resource* memory)
+        : position(memory),
+          velocity(memory),
+          force(memory),
+          mass(memory),
+          inverse_mass(memory),
+          radius(memory),
+          attachments(memory),
+          constraint_ids(memory),
+          constraints(memory),
+          links(memory),
+          rest_position(memory),
+          triangles(memory),
+          predicted(memory),
+          start(memory),
+          start_velocity(memory),
+          earlier(memory),
+          earlier_velocity(memory),
+          touches(memory),
+          plan(memory) {}
+
+    uint32_t size() const { return static_cast<uint32_t>(position.size()); }
+    bool pinned(uint32_t particle) const { return inverse_mass[particle] == 0; }
+
+    gphys_body_kind kind = GPHYS_BODY_PARTICLES;
+    BodySettings settings;
+
+    Vector<Vec3> position, velocity, force;
+    Vector<double> mass;
+    Vector<double> inverse_mass;  // 0: pinned or attached
+    Vector<double> radius;
+    Vector<Attachment> attachments;  // by particle
+
+    IdTable constraint_ids;
+    Vector<DistanceConstraint> constraints;  // by slot
+    Vector<Links> links;                     // by particle
+    /// Where the particles of a flat sheet stand at rest: the distance of two of them is then the
+    /// furthest they can ever be apart. Empty for other bodies and for torn sheets.
+    Vector<Vec3> rest_position;
+    Vector<uint32_t> triangles;  // of cloth, for drawing
+
+    // The history that the time scheme needs: the state at the beginning of the substep under way,
+    // and the one a substep before it.
+    Vector<Vec3> predicted;  // where the particles would go without constraints
+    Vector<Vec3> start, start_velocity, earlier, earlier_velocity;
+    double earlier_step = 0;  // seconds between the two; 0 when motion was interrupted
+
+    Vector<Touch> touches;  // touches_per_particle each; empty until the body meets a scene
+    bool touched = false;   // in the substep under way
+
+    Plan plan;
+};
+
+}  // namespace gphys

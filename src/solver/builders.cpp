@@ -1,0 +1,193 @@
+// Bodies come and go. A body is complete before the solver takes it in, so a failure on the way
+// leaves the solver as it was.
+#include "../mesh.h"
+#include "../strided.h"
+#include "solver.h"
+
+namespace gphys {
+namespace {
+
+Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, uint32_t count, std::pmr::memory_resource* memory) {
+    Body body(memory);
+    body.kind = kind;
+    body.settings = {desc.damping, desc.friction, desc.restitution, desc.layers};
+    const double mass = static_cast<double>(desc.mass) / count;
+    body.position.resize(count);
+    body.velocity.resize(count);
+    body.force.resize(count);
+    body.mass.assign(count, mass);
+    body.inverse_mass.assign(count, 1 / mass);
+    body.radius.assign(count, desc.radius);
+    body.links.resize(count);
+    return body;
+}
+
+Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride,
+               uint32_t count, std::pmr::memory_resource* memory) {
+    Body body = make_body(kind, desc, count, memory);
+    const Strided<gphys_vec3> from(positions, stride);
+    for (uint32_t p = 0; p < count; ++p) body.position[p] = widen(from[p]);
+    return body;
+}
+
+/// A rope or cloth has less than 2^24 constraints, or add_distance says no.
+gphys_status join(Body& body, uint32_t a, uint32_t b, double compliance) {
+    gphys_constraint_id ignored;
+    return add_distance(body, a, b, -1, compliance, ignored);
+}
+
+/// The edges of a grid in the direction (columns, rows) = (du, dv).
+gphys_status join_grid(Body& body, uint32_t columns, uint32_t rows, uint32_t du, int dv, double compliance) {
+    const uint32_t down = dv < 0 ? static_cast<uint32_t>(-dv) : 0, up = dv > 0 ? static_cast<uint32_t>(dv) : 0;
+    for (uint32_t row = down; row + up < rows; ++row) {
+        for (uint32_t column = 0; column + du < columns; ++column) {
+            const uint32_t a = row * columns + column;
+            const gphys_status status = join(body, a, a + du + up * columns - down * columns, compliance);
+            if (status != GPHYS_OK) return status;
+        }
+    }
+    return GPHYS_OK;
+}
+
+gphys_status too_many() { return fail(GPHYS_ERROR_CAPACITY, "more than 2^24 - 1 bodies or constraints"); }
+
+}  // namespace
+
+gphys_status Solver::insert(Body&& body, gphys_body_id& out) {
+    if (!ids_.reserve(1)) return too_many();
+    reserve_more(bodies_, 1);
+    const gphys_body_id id = ids_.add();
+    const uint32_t slot = IdTable::slot_of(id);
+    if (slot == bodies_.size()) {
+        bodies_.push_back(std::move(body));
+    } else {
+        bodies_[slot] = std::move(body);
+    }
+    out = id;
+    return GPHYS_OK;
+}
+
+gphys_status Solver::add_particles(const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride,
+                                   uint32_t count, gphys_body_id& out) {
+    return insert(make_body(GPHYS_BODY_PARTICLES, desc, positions, stride, count, &memory), out);
+}
+
+gphys_status Solver::add_rope(const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride, uint32_t count,
+                              double link_length, gphys_body_id& out) {
+    Body body = make_body(GPHYS_BODY_ROPE, desc, positions, stride, count, &memory);
+    for (uint32_t p = 0; p + 1 < count; ++p) {
+        gphys_constraint_id ignored;
+        const gphys_status status =
+            add_distance(body, p, p + 1, link_length > 0 ? link_length : -1, desc.compliance, ignored);
+        if (status != GPHYS_OK) return status;
+    }
+    return insert(std::move(body), out);
+}
+
+gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 edge_u, Vec3 edge_v, uint32_t columns,
+                               uint32_t rows, gphys_body_id& out) {
+    Body body = make_body(GPHYS_BODY_CLOTH, desc, columns * rows, &memory);
+    for (uint32_t row = 0; row < rows; ++row) {
+        for (uint32_t column = 0; column < columns; ++column) {
+            body.position[row * columns + column] = corner + edge_u * (static_cast<double>(column) / (columns - 1)) +
+                                                    edge_v * (static_cast<double>(row) / (rows - 1));
+        }
+    }
+    body.triangles.reserve(size_t{6} * (columns - 1) * (rows - 1));
+    for (uint32_t row = 0; row + 1 < rows; ++row) {
+        for (uint32_t column = 0; column + 1 < columns; ++column) {
+            const uint32_t a = row * columns + column, b = a + 1, c = a + columns, d = c + 1;
+            body.triangles.insert(body.triangles.end(), {a, b, c, c, b, d});
+        }
+    }
+
+    struct Direction {
+        uint32_t du;
+        int dv;
+        double compliance;
+    };
+    const double stretch = desc.compliance, bend = desc.bend_compliance;
+    Vector<Direction> directions({{0, 1, stretch}, {1, 0, stretch}}, &memory);
+    if (desc.cloth_flags & GPHYS_CLOTH_SHEAR) {
+        directions.push_back({1, 1, stretch});
+        directions.push_back({1, -1, stretch});
+        // Both diagonals make each cell rigid in its plane, so no two particles can be further
+        // apart than in the flat sheet.
+        if (stretch == 0) body.rest_position = body.position;
+    }
+    if (desc.cloth_flags & GPHYS_CLOTH_BEND) {
+        directions.push_back({0, 2, bend});
+        directions.push_back({2, 0, bend});
+    }
+    for (const Direction& d : directions) {
+        const gphys_status status = join_grid(body, columns, rows, d.du, d.dv, d.compliance);
+        if (status != GPHYS_OK) return status;
+    }
+    return insert(std::move(body), out);
+}
+
+namespace {
+
+/// A side of a triangle, from the lower to the higher vertex, and the corner opposite to it.
+struct Side3 {
+    uint32_t low, high, opposite;
+
+    bool operator<(const Side3& other) const {
+        if (low != other.low) return low < other.low;
+        return high != other.high ? high < other.high : opposite < other.opposite;
+    }
+};
+
+}  // namespace
+
+gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mesh, const Transform& placement,
+                                    gphys_body_id& out) {
+    const uint32_t count = static_cast<uint32_t>(mesh.vertices().size());
+    Body body = make_body(GPHYS_BODY_CLOTH, desc, count, &memory);
+    for (uint32_t p = 0; p < count; ++p) body.position[p] = placement.apply(widen(mesh.vertices()[p]));
+    body.triangles.assign(mesh.indices().begin(), mesh.indices().end());
+
+    Vector<Side3> sides(&memory);
+    sides.reserve(body.triangles.size());
+    for (size_t i = 0; i < body.triangles.size(); i += 3) {
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t a = body.triangles[i + k], b = body.triangles[i + (k + 1) % 3];
+            if (a != b) sides.push_back({std::min(a, b), std::max(a, b), body.triangles[i + (k + 2) % 3]});
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+    const auto same_edge = [](const Side3& a, const Side3& b) { return a.low == b.low && a.high == b.high; };
+    for (size_t i = 0; i < sides.size(); ++i) {
+        if (i > 0 && same_edge(sides[i - 1], sides[i])) continue;
+        const gphys_status status = join(body, sides[i].low, sides[i].high, desc.compliance);
+        if (status != GPHYS_OK) return status;
+    }
+    if (desc.cloth_flags & GPHYS_CLOTH_BEND) {
+        for (size_t i = 1; i < sides.size(); ++i) {
+            if (!same_edge(sides[i - 1], sides[i]) || sides[i - 1].opposite == sides[i].opposite) continue;
+            const gphys_status status = join(body, sides[i - 1].opposite, sides[i].opposite, desc.bend_compliance);
+            if (status != GPHYS_OK) return status;
+        }
+    }
+    return insert(std::move(body), out);
+}
+
+gphys_status Solver::remove(gphys_body_id id) {
+    const gphys_status status = check(id);
+    if (status != GPHYS_OK) return status;
+    ids_.remove(id);
+    bodies_[IdTable::slot_of(id)] = Body(&memory);
+    return GPHYS_OK;
+}
+
+gphys_status Solver::check(gphys_body_id id) const {
+    return ids_.has(id) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "body: no such body, or no longer");
+}
+
+void Solver::list(Smallest<gphys_body_id>& out) const {
+    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+        if (ids_.live(slot)) out.add(ids_.id(slot));
+    }
+}
+
+}  // namespace gphys

@@ -1,0 +1,200 @@
+#include "collision.h"
+
+namespace gphys {
+namespace {
+
+// A particle slides along this many models in one substep; in a corner it meets three.
+constexpr int most_contacts = 6;
+
+/// How far a particle stays off: 1e-4 of its radius, which nobody sees, and at least 2^-40 of the
+/// coordinates, which is 2^12 times their rounding.
+double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * max_component(abs(at)) + 1e-9; }
+
+bool touch(const Box& a, const Box& b) {
+    for (int k = 0; k < 3; ++k) {
+        if (a.min[k] > b.max[k] || b.min[k] > a.max[k]) return false;
+    }
+    return true;
+}
+
+Box path_box(const Sphere& moving, Vec3 displacement) {
+    const Vec3 r{moving.radius, moving.radius, moving.radius}, end = moving.center + displacement;
+    return bounds(Aabb{min(moving.center, end) - r, max(moving.center, end) + r});
+}
+
+void keep_first(gphys_model_id model, const Hit& hit, Impact& first, const Impact& candidate) {
+    if (hit.t < first.t || (hit.t == first.t && model < first.model)) first = candidate;
+}
+
+}  // namespace
+
+Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {
+    const double rest = 1 - fraction;
+    const Quat a = widen(from.rotation), b = widen(to.rotation);
+    const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0 ? -1 : 1;
+    const Quat q{a.x * rest + sign * b.x * fraction, a.y * rest + sign * b.y * fraction,
+                 a.z * rest + sign * b.z * fraction, a.w * rest + sign * b.w * fraction};
+    return {widen(from.position) * rest + widen(to.position) * fraction, rotation_matrix(q),
+            from.scale * rest + to.scale * fraction};
+}
+
+Collider::Collider(const Surroundings& around, const Body& body, const Box& box) : around_(around), body_(body) {
+    around.scene->for_each_in_box(box, body.settings.layers, [&](gphys_model_id model) {
+        if (has_moved(model)) return;
+        if (count_ == most_listed) {
+            listed_ = false;
+            return;
+        }
+        Near& near = near_[count_++];
+        near.model = model;
+        near.bounded = around.scene->bounds(model, near.box);
+    });
+}
+
+bool Collider::has_moved(gphys_model_id model) const {
+    return std::binary_search(around_.moved->begin(), around_.moved->end(), PlacedModel{model, {}});
+}
+
+void Collider::meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const {
+    Hit hit;
+    if (!around_.scene->sweep_model(model, moving, displacement, hit)) return;
+    keep_first(model, hit, first,
+               {hit.t, model, (hit.flags & GPHYS_HIT_INSIDE) != 0, moving.center + displacement * hit.t, hit.point,
+                hit.normal, Vec3{}});
+}
+
+/// As seen from the model, which moves during the substep as well: both ends of the path are taken
+/// into its coordinates, each at its own time, and from there to where the scene has the model now.
+void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, Impact& first) const {
+    const gphys_transform& after = around_.scene->world(before.model);
+    const Transform now = widen(after);
+    const Transform at_begin = interpolate(before.world, after, around_.begin);
+    const Transform at_end = interpolate(before.world, after, around_.end);
+    const Vec3 from = now.apply(at_begin.inverse_apply(moving.center));
+    const Vec3 to = now.apply(at_end.inverse_apply(moving.center + displacement));
+    const Sphere seen{from, moving.radius};
+    Box box;
+    if (around_.scene->bounds(before.model, box) && !touch(box, path_box(seen, to - from))) return;
+    Hit hit;
+    if (!around_.scene->sweep_model(before.model, seen, to - from, hit)) return;
+    const auto at_the_end = [&](Vec3 p) { return at_end.apply(now.inverse_apply(p)); };
+    const Vec3 point = at_the_end(hit.point);
+    const double time = around_.step_time * (around_.end - around_.begin);
+    keep_first(before.model, hit, first,
+               {hit.t, before.model, (hit.flags & GPHYS_HIT_INSIDE) != 0, at_the_end(from + (to - from) * hit.t), point,
+                at_end.rotation * transpose_times(now.rotation, hit.normal),
+                (point - at_begin.apply(at_end.inverse_apply(point))) / time});
+}
+
+bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first) const {
+    const Sphere moving{from, body_.radius[particle]};
+    const Box box = path_box(moving, displacement);
+    first = {};
+    if (listed_) {
+        for (uint32_t i = 0; i < count_; ++i) {
+            const Near& near = near_[i];
+            if (!near.bounded || touch(near.box, box)) meet(near.model, moving, displacement, first);
+        }
+    } else {
+        around_.scene->for_each_in_box(box, body_.settings.layers, [&](gphys_model_id model) {
+            if (!has_moved(model)) meet(model, moving, displacement, first);
+        });
+    }
+    for (const PlacedModel& before : *around_.moved) {
+        if (around_.scene->layers(before.model) & body_.settings.layers) {
+            meet_moved(before, moving, displacement, first);
+        }
+    }
+    return first.model != 0;
+}
+
+Vec3 Collider::pushed_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
+    Vec3 point, normal;
+    double distance = 0;
+    if (!around_.scene->closest_point_model(impact.model, at, point, normal, distance)) return at;
+    return at + normal * std::max(0.0, body.radius[particle] - distance + skin(body.radius[particle], at));
+}
+
+double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement,
+                            const Impact& impact) const {
+    const double approach = -dot(displacement, impact.normal);
+    const double room = skin(body.radius[particle], from);
+    return approach * impact.t > room ? impact.t - room / approach : 0;
+}
+
+void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
+    body.touched = true;
+    Touch* const first = &body.touches[size_t{particle} * touches_per_particle];
+    for (Touch* touch = first; touch != first + touches_per_particle; ++touch) {
+        if (touch->model != 0 && touch->model != impact.model) continue;
+        *touch = {impact.model, around_.scene->tag(impact.model), narrow(impact.point), narrow(impact.normal)};
+        return;
+    }
+}
+
+Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, double friction) {
+    const Vec3 relative = velocity - impact.surface_velocity;
+    const double approach = -dot(relative, impact.normal);
+    if (approach <= 0) return velocity;
+    const double given = (1 + restitution) * approach;
+    const Vec3 sideways = relative + impact.normal * approach;
+    const double speed = length(sideways);
+    const double taken = speed > 0 ? std::min(1.0, friction * given / speed) : 0;
+    return velocity + impact.normal * given - sideways * taken;
+}
+
+void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet) const {
+    Vec3 at = from;
+    Vec3& velocity = body.velocity[particle];
+    for (int contact = 0; contact < most_contacts; ++contact) {
+        Impact impact;
+        if (!sweep(particle, at, displacement, impact)) {
+            at += displacement;
+            break;
+        }
+        record(body, particle, impact);
+        if (impact.inside) {
+            at = pushed_out(body, particle, at, impact);
+        } else {
+            const double t = stop_short(body, particle, at, displacement, impact);
+            at += displacement * t;
+            displacement *= 1 - t;
+        }
+        const double approach = -dot(velocity - impact.surface_velocity, impact.normal);
+        velocity =
+            after_impact(velocity, impact, approach > quiet ? body.settings.restitution : 0, body.settings.friction);
+        // What is left of the path goes along the surface, shortened by friction.
+        const double into = -dot(displacement, impact.normal);
+        if (into <= 0) continue;
+        const Vec3 along = displacement + impact.normal * into;
+        const double way = length(along);
+        const double hold = body.settings.friction * into;
+        displacement = way > hold ? along * (1 - hold / way) : Vec3{};
+    }
+    body.position[particle] = at;
+}
+
+Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to, double margin) {
+    Aabb all{from[0], from[0]};
+    double longest = 0, radius = 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        all.min = min(all.min, min(from[p], to[p]));
+        all.max = max(all.max, max(from[p], to[p]));
+        longest = std::max(longest, length_squared(to[p] - from[p]));
+        radius = std::max(radius, body.radius[p]);
+    }
+    const double room = 2 * radius + std::sqrt(longest) + margin;
+    return bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}});
+}
+
+void collide(Body& body, const Surroundings& around, double quiet) {
+    body.touched = false;
+    if (!around.scene || body.settings.layers == 0) return;
+    const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
+    if (collider.idle()) return;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (!body.pinned(p)) collider.slide(body, p, body.start[p], body.position[p] - body.start[p], quiet);
+    }
+}
+
+}  // namespace gphys

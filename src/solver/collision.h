@@ -1,0 +1,97 @@
+// Particles, which are small spheres, against the models of a scene.
+//
+// A particle only ever moves along a path that was swept clear, and stops short of what it meets by
+// a skin. It therefore never starts out touching, each sweep sees what is really ahead, and nothing
+// is passed through at any speed. A particle that is inside a model all the same (put there, or
+// caught by a model that jumped) is pushed out by the shortest way.
+#pragma once
+
+#include "../scene.h"
+#include "body.h"
+
+namespace gphys {
+
+struct PlacedModel {
+    gphys_model_id model;
+    gphys_transform world;
+
+    bool operator<(const PlacedModel& other) const { return model < other.model; }
+};
+
+/// What there is to collide with during one substep: the scene as it is, the models that have moved
+/// since the last step with their former places, and the part of the step that the substep covers.
+struct Surroundings {
+    const Scene* scene = nullptr;
+    const Vector<PlacedModel>* moved = nullptr;  // by model
+    double step_time = 0;                        // seconds that the models took to move
+    double begin = 0, end = 1;                   // fractions of the step
+};
+
+/// A placement between two others: positions and scales linearly, rotations along the shorter arc.
+Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction);
+
+struct Impact {
+    double t = infinity;  // fraction of the path
+    gphys_model_id model = 0;
+    bool inside = false;    // touching or within at the start
+    Vec3 carried;           // where the centre is at the impact, if it then stays with the model to the end
+    Vec3 point;             // on the model
+    Vec3 normal;            // unit, from the model to the particle
+    Vec3 surface_velocity;  // m/s
+};
+
+/// The models near one body during one substep.
+class Collider {
+public:
+    /// The box holds every path that will be asked for.
+    Collider(const Surroundings& around, const Body& body, const Box& box);
+
+    /// Whether there is nothing at all.
+    bool idle() const { return listed_ && count_ == 0 && around_.moved->empty(); }
+
+    /// The first model that the particle would meet; the lowest id of those met at once.
+    bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& impact) const;
+    /// Take the particle from one place as far along as it can go, sliding along what it meets with
+    /// friction, and change the velocity that it would arrive with accordingly. Speeds of approach
+    /// below `quiet` do not bounce. Records what was touched.
+    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet) const;
+    /// Out of a model that the particle is in.
+    Vec3 pushed_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
+    /// As far along the path as leaves the skin to what it ends at.
+    double stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, const Impact& impact) const;
+    void record(Body& body, uint32_t particle, const Impact& impact) const;
+
+private:
+    static constexpr uint32_t most_listed = 32;
+
+    struct Near {
+        gphys_model_id model;
+        bool bounded;
+        Box box;
+    };
+
+    bool has_moved(gphys_model_id model) const;
+    void meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
+    void meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, Impact& first) const;
+
+    const Surroundings& around_;
+    const Body& body_;
+    bool listed_ = true;  // otherwise there are too many, and the scene is asked for each particle
+    uint32_t count_ = 0;
+    Near near_[most_listed];
+};
+
+/// Velocity after an impact: `restitution` of the approach is given back, and friction takes at most
+/// friction times what the impact gave (Coulomb).
+Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, double friction);
+
+/// The box around all particles on their ways from start to position, and as far again.
+Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to, double margin);
+
+/// Of a body whose particles have just been moved from start to position.
+void collide(Body& body, const Surroundings& around, double quiet);
+
+/// free_flight.cpp: a body without constraints, moved and collided.
+void fly(Body& body, const Surroundings& around, Vec3 gravity, double h);
+
+}  // namespace gphys

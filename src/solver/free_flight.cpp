@@ -1,0 +1,113 @@
+// Bodies without constraints: each particle flies on its own, and the exact solution of its flight
+// is known, so that neither the length nor the number of the steps matters.
+#include "collision.h"
+
+namespace gphys {
+namespace {
+
+// Bounces of one particle in one substep; those beyond are so small that it lies still.
+constexpr int most_bounces = 8;
+
+// The integrals of exp(-z t) that the solution is made of, by their series where the closed form
+// would cancel: to z^5, after which the next term is below 1e-15.
+constexpr double small = 0.01;
+
+/// (1 - exp(-z)) / z
+double phi1(double z) {
+    if (z < small) return 1 - z / 2 * (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6))));
+    return -std::expm1(-z) / z;
+}
+/// (z - 1 + exp(-z)) / z^2
+double phi2(double z) {
+    if (z < small) return (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6 * (1 - z / 7))))) / 2;
+    return (z + std::expm1(-z)) / (z * z);
+}
+
+/// Motion under a constant acceleration and linear drag: dv/dt = acceleration - damping v.
+struct Flight {
+    Vec3 acceleration;
+    double damping;
+
+    Vec3 displacement(Vec3 v0, double s) const {
+        return v0 * (s * phi1(damping * s)) + acceleration * (s * s * phi2(damping * s));
+    }
+    Vec3 velocity(Vec3 v0, double s) const {
+        return v0 * std::exp(-damping * s) + acceleration * (s * phi1(damping * s));
+    }
+    /// When the flight has gone `distance` along `direction` for the first time: it has by `latest`.
+    double time_to(Vec3 v0, Vec3 direction, double distance, double latest) const {
+        double low = 0, high = latest;
+        // Each halving adds a bit, so 60 exhaust the 53 of a double.
+        for (int i = 0; i < 60; ++i) {
+            const double middle = low + (high - low) / 2;
+            (dot(displacement(v0, middle), direction) < distance ? low : high) = middle;
+        }
+        return high;
+    }
+};
+
+void fly_among(const Collider& collider, Body& body, uint32_t p, const Flight& flight, double h) {
+    Vec3& at = body.position[p];
+    Vec3& velocity = body.velocity[p];
+    double time = h;
+    for (int bounce = 0; bounce < most_bounces; ++bounce) {
+        const Vec3 displacement = flight.displacement(velocity, time);
+        Impact impact;
+        if (!collider.sweep(p, at, displacement, impact)) {
+            at += displacement;
+            velocity = flight.velocity(velocity, time);
+            return;
+        }
+        if (impact.inside) break;
+        const Vec3 towards = -impact.normal;
+        const double gone = dot(displacement, towards) * impact.t;
+        const double s = flight.time_to(velocity, towards, gone, time);
+        const Vec3 arrival = flight.velocity(velocity, s);
+        // A bounce that is over within two substeps is none: the particle has come to rest.
+        const double approach = dot(arrival - impact.surface_velocity, towards);
+        const double pressing = dot(flight.acceleration, towards) * h;
+        const bool bounces = body.settings.restitution * approach > std::max(0.0, pressing);
+        collider.record(body, p, impact);
+        at += displacement * collider.stop_short(body, p, at, displacement, impact);
+        velocity = after_impact(arrival, impact, bounces ? body.settings.restitution : 0, body.settings.friction);
+        time -= s;
+        if (!bounces) break;
+    }
+    const Vec3 displacement = flight.displacement(velocity, time);
+    velocity = flight.velocity(velocity, time);
+    collider.slide(body, p, at, displacement, length(flight.acceleration) * 2 * h);
+}
+
+}  // namespace
+
+void fly(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    const auto flight_of = [&](uint32_t p) {
+        return Flight{gravity + body.force[p] * body.inverse_mass[p], body.settings.damping};
+    };
+    double fastest = 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        body.start[p] = body.position[p];
+        body.predicted[p] = body.position[p];
+        if (body.pinned(p)) continue;
+        body.predicted[p] += flight_of(p).displacement(body.velocity[p], h);
+        keep_in_range(body.predicted[p], body.velocity[p]);
+        fastest = std::max(fastest, length_squared(body.velocity[p]));
+    }
+    if (around.scene && body.settings.layers != 0) {
+        const double margin = std::sqrt(fastest) * h;  // a bounce turns back up to this far
+        const Collider collider(around, body, swept_box(body, body.start, body.predicted, margin));
+        if (!collider.idle()) {
+            for (uint32_t p = 0; p < body.size(); ++p) {
+                if (!body.pinned(p)) fly_among(collider, body, p, flight_of(p), h);
+            }
+            return;
+        }
+    }
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p)) continue;
+        body.velocity[p] = flight_of(p).velocity(body.velocity[p], h);
+        body.position[p] = body.predicted[p];
+    }
+}
+
+}  // namespace gphys

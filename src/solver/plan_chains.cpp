@@ -1,0 +1,269 @@
+// Finding chains among constraints: the ones that a body consists of, for direct solving, or the
+// families of straight lines that cover a cloth.
+#include "body.h"
+
+namespace gphys {
+namespace {
+
+constexpr uint32_t none = 0xffffffff;
+
+uint32_t other_end(const DistanceConstraint& constraint, uint32_t particle) {
+    return constraint.a == particle ? constraint.b : constraint.a;
+}
+
+/// From an end of a chain to the other: visit(slot, next particle). Only if no particle has more
+/// than two constraints.
+template <class Visit>
+void walk_chain(const Body& body, uint32_t end, Visit&& visit) {
+    uint32_t slot = body.links[end].slots;
+    for (uint32_t particle = end;;) {
+        particle = other_end(body.constraints[slot], particle);
+        visit(slot, particle);
+        if (body.links[particle].degree == 1) return;
+        slot ^= body.links[particle].slots;
+    }
+}
+
+void clear_chains(Plan& plan) {
+    plan.chains.clear();
+    plan.particles.clear();
+    plan.rest.clear();
+    plan.compliance.clear();
+}
+
+void begin_chain(Plan& plan, uint32_t particle) {
+    plan.chains.push_back({static_cast<uint32_t>(plan.particles.size()), static_cast<uint32_t>(plan.rest.size()), 0});
+    plan.particles.push_back(particle);
+}
+
+void add_link(Plan& plan, const DistanceConstraint& constraint, uint32_t particle) {
+    plan.particles.push_back(particle);
+    plan.rest.push_back(constraint.rest);
+    plan.compliance.push_back(constraint.compliance);
+    ++plan.chains.back().link_count;
+}
+
+uint32_t longest_chain(const Plan& plan) {
+    uint32_t longest = 0;
+    for (const Chain& chain : plan.chains) longest = std::max(longest, chain.link_count);
+    return longest;
+}
+
+}  // namespace
+
+/// Chains are what is left of a graph without branches and rings: at most two constraints meet at
+/// a particle, and walking from all free ends passes every constraint (twice, from both ends).
+gphys_solve_method method_of(const Body& body) {
+    const uint32_t constraint_count = body.constraint_ids.size();
+    if (constraint_count == 0) return GPHYS_SOLVE_FREE;
+    for (const Links& links : body.links) {
+        if (links.degree > 2) return GPHYS_SOLVE_GRAPH;
+    }
+    uint64_t passed = 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.links[p].degree == 1) walk_chain(body, p, [&](uint32_t, uint32_t) { ++passed; });
+    }
+    return passed == 2 * uint64_t{constraint_count} ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
+}
+
+void plan_direct_chains(Body& body) {
+    Plan& plan = body.plan;
+    clear_chains(plan);
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.links[p].degree != 1) continue;
+        uint32_t last = p;
+        walk_chain(body, p, [&](uint32_t, uint32_t particle) { last = particle; });
+        if (last < p) continue;  // found from its other end
+        begin_chain(plan, p);
+        walk_chain(body, p,
+                   [&](uint32_t slot, uint32_t particle) { add_link(plan, body.constraints[slot], particle); });
+    }
+    plan.tension.assign(plan.rest.size(), 0.0);
+    plan.direct_rows.resize(longest_chain(plan) + 1);
+}
+
+namespace {
+
+/// For each constraint and each of its ends, the constraint that continues it straight on, or none.
+class StraightLines {
+public:
+    StraightLines(const Body& body, std::pmr::memory_resource* memory)
+        : body_(body), next_(2 * size_t{body.constraint_ids.slots()}, none, memory) {
+        pair_up(memory);
+    }
+
+    uint32_t next(uint32_t slot, uint32_t end_particle) const { return next_[index(slot, end_particle)]; }
+
+private:
+    /// Two constraints with a common particle; the lower straightness the straighter.
+    struct Pair {
+        double straightness;  // cosine of the angle between them: -1 is straight on
+        uint32_t particle, first, second;
+
+        bool operator<(const Pair& other) const {
+            if (straightness != other.straightness) return straightness < other.straightness;
+            if (particle != other.particle) return particle < other.particle;
+            return first != other.first ? first < other.first : second < other.second;
+        }
+    };
+
+    // A line bends by less than 45 degrees at a particle, and joins only constraints of one kind: a
+    // bend constraint is twice as long as the edges beside it, the edges of a mesh vary less.
+    static constexpr double least_straight = -0.70710678118654752;
+    static constexpr double most_ratio = 1.75;
+
+    size_t index(uint32_t slot, uint32_t particle) const {
+        return 2 * size_t{slot} + (body_.constraints[slot].b == particle);
+    }
+
+    Vec3 direction(uint32_t slot, uint32_t from) const {
+        const Vec3 along = body_.position[other_end(body_.constraints[slot], from)] - body_.position[from];
+        return along == Vec3{} ? along : normalized(along);
+    }
+
+    bool same_kind(const DistanceConstraint& a, const DistanceConstraint& b) const {
+        return a.compliance == b.compliance && a.rest <= most_ratio * b.rest && b.rest <= most_ratio * a.rest;
+    }
+
+    void pair_up(std::pmr::memory_resource* memory) {
+        Vector<uint32_t> begin(body_.size() + 1, 0, memory);
+        for (uint32_t p = 0; p < body_.size(); ++p) begin[p + 1] = begin[p] + body_.links[p].degree;
+        Vector<uint32_t> at(begin.back(), memory), filled(begin.begin(), begin.end() - 1, memory);
+        for (uint32_t slot = 0; slot < body_.constraint_ids.slots(); ++slot) {
+            if (!body_.constraint_ids.live(slot)) continue;
+            at[filled[body_.constraints[slot].a]++] = slot;
+            at[filled[body_.constraints[slot].b]++] = slot;
+        }
+        Vector<Pair> pairs(memory);
+        for (uint32_t p = 0; p < body_.size(); ++p) {
+            pairs.clear();
+            for (uint32_t i = begin[p]; i < begin[p + 1]; ++i) {
+                for (uint32_t j = i + 1; j < begin[p + 1]; ++j) {
+                    if (!same_kind(body_.constraints[at[i]], body_.constraints[at[j]])) continue;
+                    const double straightness = dot(direction(at[i], p), direction(at[j], p));
+                    if (straightness <= least_straight) pairs.push_back({straightness, p, at[i], at[j]});
+                }
+            }
+            std::sort(pairs.begin(), pairs.end());
+            for (const Pair& pair : pairs) {
+                uint32_t& after_first = next_[index(pair.first, p)];
+                uint32_t& after_second = next_[index(pair.second, p)];
+                if (after_first != none || after_second != none) continue;
+                after_first = pair.second;
+                after_second = pair.first;
+            }
+        }
+    }
+
+    const Body& body_;
+    Vector<uint32_t> next_;
+};
+
+/// Cover all constraints by lines, those with the lowest slots first. A line that meets itself ends
+/// there, for a chain passes no particle twice; what is left of it becomes another line.
+void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* memory) {
+    const StraightLines straight(body, memory);
+    Vector<uint8_t> used(body.constraint_ids.slots(), 0, memory);
+    Vector<uint32_t> seen(body.size(), none, memory);  // the line that passed a particle last
+    for (uint32_t seed = 0; seed < body.constraint_ids.slots(); ++seed) {
+        while (body.constraint_ids.live(seed) && !used[seed]) {
+            // Back to where the line begins, ...
+            uint32_t slot = seed, start = body.constraints[seed].a;
+            for (;;) {
+                const uint32_t before = straight.next(slot, start);
+                if (before == none || before == seed || used[before]) break;
+                slot = before;
+                start = other_end(body.constraints[slot], start);
+            }
+            // ... and along it.
+            const uint32_t line = static_cast<uint32_t>(lines.chains.size());
+            begin_chain(lines, start);
+            seen[start] = line;
+            for (uint32_t particle = start; slot != none && !used[slot];) {
+                particle = other_end(body.constraints[slot], particle);
+                if (seen[particle] == line) break;
+                seen[particle] = line;
+                used[slot] = 1;
+                add_link(lines, body.constraints[slot], particle);
+                slot = straight.next(slot, particle);
+            }
+        }
+    }
+}
+
+/// The lowest family whose chains leave all particles of the chain alone; masks has a bit per family.
+uint32_t free_family(const Plan& lines, const Chain& chain, const Vector<uint64_t>& masks) {
+    uint64_t taken = 0;
+    for (uint32_t i = 0; i <= chain.link_count; ++i) taken |= masks[lines.particles[chain.first_particle + i]];
+    uint32_t family = 0;
+    while (family < 64 && (taken >> family & 1)) ++family;
+    return family;
+}
+
+}  // namespace
+
+/// Colour the lines greedily so that those of one colour share no particle: rows, columns and
+/// diagonals of a grid become a family each. Lines that find 64 families taken wait for the next 64.
+void plan_chain_families(Body& body) {
+    Plan& plan = body.plan;
+    std::pmr::memory_resource* memory = plan.chains.get_allocator().resource();
+    Plan lines(memory);
+    collect_lines(body, lines, memory);
+
+    const uint32_t line_count = static_cast<uint32_t>(lines.chains.size());
+    Vector<uint32_t> family(line_count, none, memory);
+    Vector<uint64_t> masks(body.size(), 0, memory);
+    uint32_t family_count = 0;
+    for (bool waiting = true; waiting;) {
+        waiting = false;
+        const uint32_t base = family_count;
+        std::fill(masks.begin(), masks.end(), 0);
+        for (uint32_t line = 0; line < line_count; ++line) {
+            if (family[line] != none) continue;
+            const Chain& chain = lines.chains[line];
+            const uint32_t colour = free_family(lines, chain, masks);
+            if (colour == 64) {
+                waiting = true;
+                continue;
+            }
+            family[line] = base + colour;
+            family_count = std::max(family_count, base + colour + 1);
+            for (uint32_t i = 0; i <= chain.link_count; ++i) {
+                masks[lines.particles[chain.first_particle + i]] |= uint64_t{1} << colour;
+            }
+        }
+    }
+
+    Vector<uint32_t> order(line_count, memory);
+    for (uint32_t line = 0; line < line_count; ++line) order[line] = line;
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return family[a] < family[b]; });
+    clear_chains(plan);
+    for (const uint32_t line : order) {
+        const Chain& chain = lines.chains[line];
+        begin_chain(plan, lines.particles[chain.first_particle]);
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t link = chain.first_link + i;
+            add_link(plan, {0, 0, lines.rest[link], lines.compliance[link]},
+                     lines.particles[chain.first_particle + i + 1]);
+        }
+    }
+    plan.line_rows.resize(longest_chain(plan));
+}
+
+void update_plan(Body& body) {
+    Plan& plan = body.plan;
+    if (!plan.chains_current) {
+        plan.method = method_of(body);
+        if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_families(body);
+        plan.chains_current = true;
+        plan.reach_current = false;
+    }
+    if (!plan.reach_current) {
+        plan.reach_limits.clear();
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(body);
+        plan.reach_current = true;
+    }
+}
+
+}  // namespace gphys

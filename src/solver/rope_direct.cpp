@@ -1,0 +1,230 @@
+// Chains, solved as a whole: Newton's method on positions and tensions together, with geometric
+// stiffness (Tournier et al. 2015, "Stable constrained dynamics"; Deul et al. 2018, "Direct
+// position-based solver for stiff rods").
+//
+// A substep ends where, for each particle i and each link j from particle j to j + 1,
+//
+//     m_i (x_i - predicted_i) - t_i n_i + t_(i-1) n_(i-1) = 0      n_j the direction of link j
+//     |x_(j+1) - x_j| - rest_j - compliance_j / step^2 * t_j = 0   t_j its tension * step^2
+//
+// Linearised, with k_j = max(t_j, 0) / length_j and K_j = k_j (1 - n_j n_j^T), the block of particle
+// i and of the link that arrives at it is
+//
+//     [ m_i + K_(i-1) + K_i    n_(i-1) ]         coupled to the     [ -K_i   -n_i ]
+//     [ n_(i-1)^T              -r      ]         next block by      [  0       0  ]
+//
+// K, the geometric stiffness, is what keeps a taut rope straight while it swings: without it the
+// step overshoots sideways once the load is a thousand times a link's mass. The matrix is symmetric
+// and quasi-definite, so elimination without pivoting succeeds (Vanderbei 1995).
+#include "body.h"
+
+namespace gphys {
+namespace {
+
+// Newton's error squares itself in each iteration; two do for a swinging rope, four for a whip.
+constexpr int most_iterations = 4;
+// A link is settled within this part of its length: below it float32 output shows no difference.
+constexpr double settled = 1e-9;
+// The compliance that every link has, relative to the inverse masses at its ends. It decides what
+// the constraints leave open (a straight chain between two pins). A link then stretches by
+// regularisation * t (w_a + w_b), which is 1e-10 of how far one substep's forces could move it.
+constexpr double regularisation = 1e-10;
+
+struct Link {
+    Vec3 direction;        // unit
+    double error = 0;      // metres too long
+    double stiffness = 0;  // k
+    double softness = 1;   // r: of compliance and regularisation
+    bool acts = false;     // not between two pins
+
+    /// K v
+    Vec3 geometric(Vec3 v) const { return (v - direction * dot(direction, v)) * stiffness; }
+};
+
+/// Links of a chain as they stand, with the inverse square of the step beside them.
+struct ChainView {
+    const Body& body;
+    const Chain& chain;
+    double inverse_step_squared;
+
+    uint32_t particle(uint32_t i) const { return body.plan.particles[chain.first_particle + i]; }
+
+    Link link(uint32_t i) const {
+        const Plan& plan = body.plan;
+        const uint32_t a = particle(i), b = particle(i + 1), index = chain.first_link + i;
+        const double inverse_masses = body.inverse_mass[a] + body.inverse_mass[b];
+        Link out;
+        out.acts = inverse_masses > 0;
+        if (!out.acts) return out;
+        const Vec3 along = body.position[b] - body.position[a];
+        const double length = gphys::length(along);
+        // Coincident particles part along a fixed axis: any direction is as good.
+        out.direction = length > 0 ? along / length : Vec3{1, 0, 0};
+        out.error = length - plan.rest[index];
+        out.softness = plan.compliance[index] * inverse_step_squared + regularisation * inverse_masses;
+        // A link that is short at the moment must not become infinitely stiff sideways.
+        const double scale = std::max(length, plan.rest[index]);
+        if (plan.tension[index] > 0 && scale > 0) out.stiffness = plan.tension[index] / scale;
+        return out;
+    }
+};
+
+/// A symmetric 4x4 matrix as L D L^T.
+struct Factors {
+    double lower[4][4];
+    double inverse_pivot[4];
+
+    explicit Factors(const double (&m)[4][4]) {
+        double pivot[4];
+        for (int j = 0; j < 4; ++j) {
+            pivot[j] = m[j][j];
+            for (int k = 0; k < j; ++k) pivot[j] -= lower[j][k] * lower[j][k] * pivot[k];
+            inverse_pivot[j] = 1 / pivot[j];
+            for (int i = j + 1; i < 4; ++i) {
+                double sum = m[i][j];
+                for (int k = 0; k < j; ++k) sum -= lower[i][k] * lower[j][k] * pivot[k];
+                lower[i][j] = sum * inverse_pivot[j];
+            }
+        }
+    }
+
+    void solve(double& x0, double& x1, double& x2, double& x3) const {
+        x1 -= lower[1][0] * x0;
+        x2 -= lower[2][0] * x0 + lower[2][1] * x1;
+        x3 -= lower[3][0] * x0 + lower[3][1] * x1 + lower[3][2] * x2;
+        x3 *= inverse_pivot[3];
+        x2 = x2 * inverse_pivot[2] - lower[3][2] * x3;
+        x1 = x1 * inverse_pivot[1] - lower[2][1] * x2 - lower[3][1] * x3;
+        x0 = x0 * inverse_pivot[0] - lower[1][0] * x1 - lower[2][0] * x2 - lower[3][0] * x3;
+    }
+};
+
+Vec3 column(const DirectRow& row, int c) { return {row.next[0][c], row.next[1][c], row.next[2][c]}; }
+
+/// Eliminate from the first particle to the last. Writes one row per particle.
+void eliminate(const ChainView& view, DirectRow* rows) {
+    const Body& body = view.body;
+    Link arriving;        // none arrives at the first particle
+    bool joined = false;  // the particle before is free, so that its row couples to this one
+    for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
+        const uint32_t p = view.particle(i);
+        const Link leaving = i < view.chain.link_count ? view.link(i) : Link{};
+        const bool free = !body.pinned(p);
+        DirectRow& row = rows[i];
+
+        // The rows of this particle and of the link that arrives at it.
+        const Vec3 n = free && arriving.acts ? arriving.direction : Vec3{};
+        Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+        Vec3 force;
+        if (free) {
+            const double m = body.mass[p];
+            x = x * m + arriving.geometric(x) + leaving.geometric(x);
+            y = y * m + arriving.geometric(y) + leaving.geometric(y);
+            z = z * m + arriving.geometric(z) + leaving.geometric(z);
+            force = (body.predicted[p] - body.position[p]) * m;
+        }
+        double softness = -arriving.softness;
+        double violation = arriving.acts ? -arriving.error : 0;
+        Vec3 nx = n;
+        if (joined && arriving.acts) {
+            // Subtract what the particle before has already taken: coupling * its solved row.
+            const DirectRow& before = rows[i - 1];
+            const Vec3 d = arriving.direction;
+            const Vec3 value{before.value[0], before.value[1], before.value[2]};
+            const Vec3 link_column = column(before, 3);
+            if (free) {
+                x += arriving.geometric(column(before, 0));
+                y += arriving.geometric(column(before, 1));
+                z += arriving.geometric(column(before, 2));
+                nx += arriving.geometric(link_column);
+                force += arriving.geometric(value);
+            }
+            softness += dot(d, link_column);
+            violation += dot(d, value);
+        }
+        const double matrix[4][4] = {
+            {x.x, x.y, x.z, nx.x}, {x.y, y.y, y.z, nx.y}, {x.z, y.z, z.z, nx.z}, {nx.x, nx.y, nx.z, softness}};
+        const Factors factors(matrix);
+
+        row.value[0] = force.x, row.value[1] = force.y, row.value[2] = force.z, row.value[3] = violation;
+        factors.solve(row.value[0], row.value[1], row.value[2], row.value[3]);
+        const bool next_free = i < view.chain.link_count && !body.pinned(view.particle(i + 1));
+        for (int c = 0; c < 4; ++c) {
+            Vec3 coupling;
+            if (free && leaving.acts) {
+                if (c == 3)
+                    coupling = -leaving.direction;
+                else if (next_free)
+                    coupling = -leaving.geometric({c == 0 ? 1.0 : 0.0, c == 1 ? 1.0 : 0.0, c == 2 ? 1.0 : 0.0});
+            }
+            row.next[0][c] = coupling.x, row.next[1][c] = coupling.y, row.next[2][c] = coupling.z, row.next[3][c] = 0;
+            factors.solve(row.next[0][c], row.next[1][c], row.next[2][c], row.next[3][c]);
+        }
+        joined = free;
+        arriving = leaving;
+    }
+}
+
+/// Substitute from the last particle to the first; rows[i].value becomes the solution.
+void substitute(const Chain& chain, DirectRow* rows) {
+    for (uint32_t i = chain.link_count; i-- > 0;) {
+        for (int r = 0; r < 4; ++r) {
+            for (int c = 0; c < 4; ++c) rows[i].value[r] -= rows[i].next[r][c] * rows[i + 1].value[c];
+        }
+    }
+}
+
+/// No iteration moves a particle further than the chain is long, as placed and at rest together:
+/// no valid correction is, and what remains of an infeasible system after regularisation might be.
+double step_fraction(const ChainView& view, const DirectRow* rows) {
+    double reach = 0, longest = 0;
+    for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
+        if (i < view.chain.link_count) {
+            reach += distance(view.body.position[view.particle(i)], view.body.position[view.particle(i + 1)]) +
+                     view.body.plan.rest[view.chain.first_link + i];
+        }
+        const double* value = rows[i].value;
+        longest = std::max({longest, std::fabs(value[0]), std::fabs(value[1]), std::fabs(value[2])});
+    }
+    return longest > reach ? reach / longest : 1;
+}
+
+/// Whether every link of the chain is as long as its tension says.
+bool is_settled(const ChainView& view) {
+    for (uint32_t i = 0; i < view.chain.link_count; ++i) {
+        const Link link = view.link(i);
+        const uint32_t index = view.chain.first_link + i;
+        const double residual = link.error - link.softness * view.body.plan.tension[index];
+        if (link.acts && std::fabs(residual) > settled * view.body.plan.rest[index]) return false;
+    }
+    return true;
+}
+
+void solve_chain(Body& body, const Chain& chain, double step) {
+    const ChainView view{body, chain, 1 / (step * step)};
+    DirectRow* rows = body.plan.direct_rows.data();
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+        eliminate(view, rows);
+        substitute(chain, rows);
+        const double fraction = step_fraction(view, rows);
+        for (uint32_t i = 0; i <= chain.link_count; ++i) {
+            const double* value = rows[i].value;
+            const uint32_t p = view.particle(i);
+            if (!body.pinned(p)) body.position[p] += Vec3{value[0], value[1], value[2]} * fraction;
+            if (i > 0) body.plan.tension[chain.first_link + i - 1] = value[3];
+        }
+        if (iteration > 0 && is_settled(view)) return;
+    }
+}
+
+}  // namespace
+
+void solve_directly(Body& body, double step) {
+    // Tensions are kept in newtons, so that they are a good first guess whatever the next step is,
+    // and are times step^2 while they are solved for.
+    for (double& tension : body.plan.tension) tension *= step * step;
+    for (const Chain& chain : body.plan.chains) solve_chain(body, chain, step);
+    for (double& tension : body.plan.tension) tension /= step * step;
+}
+
+}  // namespace gphys

@@ -1,0 +1,105 @@
+// Bodies made of particles and distance constraints, and the step that moves them. A step reads:
+// forces -> integrate -> constraints -> collide -> publish, once per substep and body.
+//
+//   builders.cpp        bodies come and go
+//   state.cpp           their particles and constraints are read and changed
+//   step.cpp            the step: which body is moved how, attachments, the time scheme
+//   free_flight.cpp     bodies without constraints: exact flight and impacts
+//   plan_chains.cpp     which constraints form chains
+//   rope_direct.cpp     ropes: Newton on the whole chain
+//   cloth_families.cpp  cloth and graphs: families of chains
+//   reach_limits.cpp    how far cloth can be from its pins
+//   collision.cpp       particles against the scene
+//   stats.cpp           strain, energy, contacts
+#pragma once
+
+#include "../results.h"
+#include "../scene.h"
+#include "collision.h"
+
+namespace gphys {
+
+struct SolverSettings {
+    Vec3 gravity{0, -9.81, 0};
+    uint32_t substeps = 8;
+    double fixed_step = 1.0 / 60;
+    uint32_t max_steps = 8;
+};
+
+/// By body, particle, model.
+struct ContactOrder {
+    bool operator()(const gphys_contact& a, const gphys_contact& b) const {
+        if (a.body != b.body) return a.body < b.body;
+        return a.particle != b.particle ? a.particle < b.particle : a.model < b.model;
+    }
+};
+struct ConstraintOrder {
+    bool operator()(const gphys_constraint_info& a, const gphys_constraint_info& b) const { return a.id < b.id; }
+};
+
+class Solver {
+public:
+    Solver(const gphys_allocator* hooks, const SolverSettings& settings) : memory(hooks), settings_(settings) {}
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+
+    Memory memory;
+
+    void set_gravity(Vec3 gravity) { settings_.gravity = gravity; }
+    void set_substeps(uint32_t substeps) { settings_.substeps = substeps; }
+
+    // Bodies. Values have been checked. Whatever fails, by status or std::bad_alloc, changes nothing.
+
+    gphys_status add_particles(const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride,
+                               uint32_t count, gphys_body_id& out);
+    /// link_length 0: as placed.
+    gphys_status add_rope(const gphys_body_desc& desc, const gphys_vec3* positions, uint32_t stride, uint32_t count,
+                          double link_length, gphys_body_id& out);
+    gphys_status add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 edge_u, Vec3 edge_v, uint32_t columns,
+                           uint32_t rows, gphys_body_id& out);
+    gphys_status add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mesh, const Transform& placement,
+                                gphys_body_id& out);
+    gphys_status remove(gphys_body_id body);
+
+    /// GPHYS_OK, or the failure that names a stale id.
+    gphys_status check(gphys_body_id body) const;
+    void list(Smallest<gphys_body_id>& out) const;
+    /// Of a valid id.
+    Body& body(gphys_body_id id) { return bodies_[IdTable::slot_of(id)]; }
+    const Body& body(gphys_body_id id) const { return bodies_[IdTable::slot_of(id)]; }
+
+    /// May throw std::bad_alloc before anything has moved, not after.
+    void step(const Scene* scene, double dt);
+    /// `steps` are those made; `leftover` the fraction of a step still owed.
+    void advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover);
+
+    /// Of one body, or of all: 0.
+    gphys_solver_stats stats(gphys_body_id body) const;
+    void contacts(Smallest<gphys_contact, ContactOrder>& out) const;
+
+private:
+    gphys_status insert(Body&& body, gphys_body_id& out);
+    void prepare(const Scene* scene, double dt);
+    void look_around(const Scene& scene, double dt);
+
+    SolverSettings settings_;
+    double owed_ = 0;  // seconds that advance has not simulated yet
+    IdTable ids_{&memory};
+    Vector<Body> bodies_{&memory};  // by slot
+    /// Models near the bodies, where they stood at the last step, and those of them that moved since.
+    Vector<PlacedModel> seen_{&memory}, next_seen_{&memory}, moved_{&memory};
+};
+
+// state.cpp: one body.
+void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride);
+void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
+void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses, uint32_t stride);
+void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
+bool is_attached(const Body& body, uint32_t particle);
+void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
+/// rest < 0: the present distance.
+gphys_status add_distance(Body& body, uint32_t a, uint32_t b, double rest, double compliance, gphys_constraint_id& out);
+gphys_status remove_constraint(Body& body, gphys_constraint_id id);
+void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out);
+
+}  // namespace gphys

@@ -1,0 +1,118 @@
+// The particles and constraints of one body, as the caller changes them. Values have been checked.
+#include "../strided.h"
+#include "solver.h"
+
+namespace gphys {
+namespace {
+
+/// The caller has broken off the motion: the time scheme must not look back past this moment.
+void interrupt(Body& body) { body.earlier_step = 0; }
+
+bool before(const Attachment& attachment, uint32_t particle) { return attachment.particle < particle; }
+
+void hold(Body& body, uint32_t particle) {
+    body.inverse_mass[particle] = 0;
+    body.velocity[particle] = {};
+}
+
+void change_links(Body& body, uint32_t slot, int by) {
+    for (const uint32_t p : {body.constraints[slot].a, body.constraints[slot].b}) {
+        body.links[p].degree += static_cast<uint32_t>(by);
+        body.links[p].slots ^= slot;
+    }
+    body.plan.chains_current = false;
+    interrupt(body);
+}
+
+}  // namespace
+
+void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride) {
+    const Strided<gphys_vec3> from(positions, stride);
+    for (uint32_t i = 0; i < count; ++i) body.position[first + i] = widen(from[i]);
+    interrupt(body);
+}
+
+/// A pinned particle has no speed.
+void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride) {
+    const Strided<gphys_vec3> from(velocities, stride);
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!body.pinned(first + i)) body.velocity[first + i] = widen(from[i]);
+    }
+    interrupt(body);
+}
+
+void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses, uint32_t stride) {
+    const Strided<float> from(masses, stride);
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t p = first + i;
+        body.mass[p] = from[i];
+        if (!body.pinned(p)) body.inverse_mass[p] = 1 / body.mass[p];
+    }
+}
+
+void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned) {
+    for (uint32_t p = first; p < first + count; ++p) {
+        if (pinned) {
+            hold(body, p);
+        } else {
+            body.inverse_mass[p] = 1 / body.mass[p];
+        }
+    }
+    const auto begin = std::lower_bound(body.attachments.begin(), body.attachments.end(), first, before);
+    const auto end = std::lower_bound(begin, body.attachments.end(), first + count, before);
+    body.attachments.erase(begin, end);
+    body.plan.reach_current = false;
+    interrupt(body);
+}
+
+bool is_attached(const Body& body, uint32_t particle) {
+    const auto at = std::lower_bound(body.attachments.begin(), body.attachments.end(), particle, before);
+    return at != body.attachments.end() && at->particle == particle;
+}
+
+void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
+    const auto at = std::lower_bound(body.attachments.begin(), body.attachments.end(), particle, before);
+    const Attachment attachment{particle, model, local, {}, {}};
+    if (at != body.attachments.end() && at->particle == particle) {
+        *at = attachment;
+    } else {
+        body.attachments.insert(at, attachment);
+    }
+    hold(body, particle);
+    body.plan.reach_current = false;
+    interrupt(body);
+}
+
+gphys_status add_distance(Body& body, uint32_t a, uint32_t b, double rest, double compliance,
+                          gphys_constraint_id& out) {
+    if (!body.constraint_ids.reserve(1)) {
+        return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 constraints");
+    }
+    reserve_more(body.constraints, 1);
+    out = body.constraint_ids.add();
+    const uint32_t slot = IdTable::slot_of(out);
+    if (slot == body.constraints.size()) body.constraints.emplace_back();
+    body.constraints[slot] = {a, b, rest < 0 ? distance(body.position[a], body.position[b]) : rest, compliance};
+    change_links(body, slot, 1);
+    return GPHYS_OK;
+}
+
+gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
+    if (!body.constraint_ids.has(id)) {
+        return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
+    }
+    change_links(body, IdTable::slot_of(id), -1);
+    body.constraint_ids.remove(id);
+    body.rest_position.clear();
+    return GPHYS_OK;
+}
+
+void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out) {
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        if (!body.constraint_ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints[slot];
+        out.add({body.constraint_ids.id(slot), c.a, c.b, static_cast<float>(c.rest), static_cast<float>(c.compliance)});
+    }
+}
+
+}  // namespace gphys

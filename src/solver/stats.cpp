@@ -1,0 +1,76 @@
+// What can be said about bodies: strain, energy, contacts.
+#include "solver.h"
+
+namespace gphys {
+namespace {
+
+struct Totals {
+    uint32_t particles = 0, pinned = 0, constraints = 0, contacts = 0, rigid = 0;
+    double strain_max = 0, strain_squared = 0, kinetic = 0, potential = 0;
+};
+
+void add(const Body& body, Vec3 gravity, Totals& totals) {
+    totals.particles += body.size();
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        totals.pinned += body.pinned(p);
+        if (!body.pinned(p)) totals.kinetic += 0.5 * body.mass[p] * length_squared(body.velocity[p]);
+        totals.potential -= body.mass[p] * dot(gravity, body.position[p]);
+    }
+    totals.constraints += body.constraint_ids.size();
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        if (!body.constraint_ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints[slot];
+        const double stretch = distance(body.position[c.a], body.position[c.b]) - c.rest;
+        if (c.compliance > 0) {
+            totals.potential += 0.5 * stretch * stretch / c.compliance;
+        } else if (c.rest > 0) {
+            const double strain = std::fabs(stretch) / c.rest;
+            totals.strain_max = std::max(totals.strain_max, strain);
+            totals.strain_squared += strain * strain;
+            ++totals.rigid;
+        }
+    }
+    for (const Touch& touch : body.touches) totals.contacts += touch.model != 0;
+}
+
+/// What is beyond all floats stays at the largest: the cast would trap.
+float to_float(double value) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::min(std::max(value, -largest), largest));
+}
+
+}  // namespace
+
+gphys_solver_stats Solver::stats(gphys_body_id id) const {
+    Totals totals;
+    if (id != 0) {
+        add(body(id), settings_.gravity, totals);
+    } else {
+        for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+            if (ids_.live(slot)) add(bodies_[slot], settings_.gravity, totals);
+        }
+    }
+    const double strain_rms = totals.rigid > 0 ? std::sqrt(totals.strain_squared / totals.rigid) : 0;
+    return {totals.particles,
+            totals.pinned,
+            totals.constraints,
+            totals.contacts,
+            to_float(totals.strain_max),
+            to_float(strain_rms),
+            to_float(totals.kinetic),
+            to_float(totals.potential)};
+}
+
+void Solver::contacts(Smallest<gphys_contact, ContactOrder>& out) const {
+    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+        if (!ids_.live(slot)) continue;
+        const Vector<Touch>& touches = bodies_[slot].touches;
+        for (size_t i = 0; i < touches.size(); ++i) {
+            const Touch& t = touches[i];
+            const uint32_t particle = static_cast<uint32_t>(i / touches_per_particle);
+            if (t.model != 0) out.add({ids_.id(slot), particle, t.model, t.tag, t.point, t.normal});
+        }
+    }
+}
+
+}  // namespace gphys
