@@ -214,7 +214,7 @@ enum {
 #define GPHYS_ALL_LAYERS 0xffffffffu
 
 enum {
-    GPHYS_HIT_INSIDE = 1, /* the ray or the swept sphere started inside or touching */
+    GPHYS_HIT_INSIDE = 1, /* the ray or the swept sphere started inside or touching: t is 0 */
     GPHYS_HIT_BACK = 2    /* a surface was met from behind its normal */
 };
 
@@ -357,6 +357,8 @@ GPHYS_API gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const vo
                                                  uint32_t out_stride);
 
 /** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
+ *  A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+ *  then is met from no direction, the normal is zero.
  *  @return GPHYS_OK or GPHYS_NO_HIT */
 GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const void* shape, const gphys_segment* segment,
                                                 gphys_hit* out_hit);
@@ -364,7 +366,9 @@ GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const voi
 /** First contact of a sphere that moves by displacement (which may be zero) with a sphere,
  *  capsule, AABB, OBB, plane, triangle, frustum or mesh.
  *  @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
- *                  the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE.
+ *                  the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
+ *                  and where the centre itself is in a solid, the normal is opposite to the
+ *                  displacement (zero if that is zero).
  *  @return GPHYS_OK or GPHYS_NO_HIT */
 GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void* shape, const gphys_sphere* sphere,
                                                 const gphys_vec3* displacement, gphys_hit* out_hit);

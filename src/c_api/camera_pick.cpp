@@ -1,0 +1,79 @@
+// Picking and culling: a camera asks a scene.
+#include "../pick.h"
+
+#include "api.h"
+#include "handles.h"
+#include "lists.h"
+#include "shape_input.h"
+
+using namespace gphys;
+
+namespace {
+
+struct Pixel {
+    float x, y;
+};
+
+bool is_pixel(float x, float y) { return std::fabs(x) <= GPHYS_MAX_COORDINATE && std::fabs(y) <= GPHYS_MAX_COORDINATE; }
+
+/// A list of models, gathered by `find`.
+template <class Find>
+gphys_status list_models(gphys_model_id* out, uint32_t capacity, uint32_t* out_total, Find&& find) {
+    GPHYS_TRY(check_list(out, capacity, out_total));
+    return guarded([&] {
+        Smallest<gphys_model_id> models(out, capacity);
+        find(models);
+        return listed(models.finish(), capacity, out_total);
+    });
+}
+
+}  // namespace
+
+gphys_status gphys_camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x, float pixel_y,
+                               uint32_t layers, gphys_hit* out_hit) {
+    GPHYS_REQUIRE(camera && scene && out_hit, "camera, scene or out_hit is null");
+    GPHYS_REQUIRE(is_pixel(pixel_x, pixel_y), "pixel: not finite or out of range");
+    return guarded([&] { return pick(*unwrap(camera), *unwrap(scene), pixel_x, pixel_y, layers, *out_hit); });
+}
+
+gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_scene* scene, const float* pixels,
+                                     uint32_t pixel_stride, uint32_t count, uint32_t layers, gphys_hit* out_hits,
+                                     uint32_t out_stride) {
+    GPHYS_REQUIRE(camera && scene, "camera or scene is null");
+    if (count == 0) return GPHYS_OK;
+    GPHYS_REQUIRE(pixels && out_hits, "pixels or out_hits is null");
+    GPHYS_REQUIRE(valid_stride(pixel_stride, sizeof(Pixel)), "pixel_stride: must be 0 or a multiple of 4, at least 8");
+    GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof *out_hits), "out_stride: must be a multiple of 4, at least 52");
+    const Strided<Pixel> in(reinterpret_cast<const Pixel*>(pixels), pixel_stride);
+    const StridedOut<gphys_hit> out(out_hits, out_stride);
+    for (uint32_t i = 0; i < count; ++i) {
+        GPHYS_REQUIRE(is_pixel(in[i].x, in[i].y), "pixels: not finite or out of range");
+    }
+    return guarded([&] {
+        for (uint32_t i = 0; i < count; ++i) {
+            gphys_hit hit = no_hit();
+            pick(*unwrap(camera), *unwrap(scene), in[i].x, in[i].y, layers, hit);
+            out[i] = hit;
+        }
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0, float y0,
+                                         float x1, float y1, uint32_t layers, gphys_model_id* out_models,
+                                         uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE(camera && scene, "camera or scene is null");
+    GPHYS_REQUIRE(is_pixel(x0, y0) && is_pixel(x1, y1), "rectangle: not finite or out of range");
+    GPHYS_REQUIRE(x0 != x1 && y0 != y1, "rectangle: has no area");
+    return list_models(out_models, capacity, out_total, [&](Smallest<gphys_model_id>& models) {
+        pick_rectangle(*unwrap(camera), *unwrap(scene), x0, y0, x1, y1, layers, models);
+    });
+}
+
+gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* scene, uint32_t layers,
+                               gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE(camera && scene, "camera or scene is null");
+    return list_models(out_models, capacity, out_total, [&](Smallest<gphys_model_id>& models) {
+        cull(*unwrap(camera), *unwrap(scene), layers, models);
+    });
+}
