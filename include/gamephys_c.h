@@ -491,6 +491,10 @@ GPHYS_API gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys
  * A model's transform is relative to its parent, to the world without one. World transforms of
  * children are computed in double precision and rounded to float32; queries are exact with
  * respect to that rounded transform, which gphys_scene_get_world_transforms returns.
+ *
+ * In the world, a model's scale is from 1e-15 to 1e15 and its box within 2^52 of the origin. A
+ * change that would leave this range, for the model or for a descendant, is refused with
+ * GPHYS_ERROR_INVALID_ARGUMENT.
  * ------------------------------------------------------------------------------------------ */
 
 typedef uint32_t gphys_model_id;
@@ -564,7 +568,7 @@ GPHYS_API gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_mode
  *  its type: out_size is that room in bytes. For a mesh GPHYS_ERROR_UNSUPPORTED. */
 GPHYS_API gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id model, void* out_shape,
                                              uint32_t out_size);
-/** World box of a model; GPHYS_UNBOUNDED for a plane. */
+/** World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position. */
 GPHYS_API gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id model, gphys_aabb* out_bounds);
 /** World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out. */
 GPHYS_API gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds);

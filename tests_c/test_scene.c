@@ -1,0 +1,299 @@
+/* Models and their transforms through the public header: bad input is refused and changes nothing. */
+#include "test.h"
+
+static const gphys_aabb unit_box = {{-1, -1, -1}, {1, 1, 1}};
+static const gphys_transform identity = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+
+static gphys_scene* scene_of_two(gphys_model_id models[2]) {
+    gphys_scene* scene = NULL;
+    gphys_transform at = identity;
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, NULL, NULL, &models[0]), GPHYS_OK);
+    at.position.x = 10;
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, &at, NULL, &models[1]), GPHYS_OK);
+    return scene;
+}
+
+static void assert_invalid(gphys_status status) {
+    assert_int_equal(status, GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_true(gphys_last_error()[0] != 0);
+}
+
+/* The scene still holds just the two models, where they were. */
+static void assert_untouched(gphys_scene* scene, const gphys_model_id models[2]) {
+    gphys_model_id found[4];
+    gphys_transform transforms[2];
+    uint32_t total = 0;
+    assert_int_equal(gphys_scene_get_models(scene, found, 4, &total), GPHYS_OK);
+    assert_int_equal(total, 2);
+    assert_memory_equal(found, models, 2 * sizeof *found);
+    assert_int_equal(gphys_scene_get_transforms(scene, models, 2, transforms, sizeof *transforms), GPHYS_OK);
+    assert_memory_equal(&transforms[0], &identity, sizeof identity);
+    assert_true(transforms[1].position.x == 10);
+    assert_int_equal(gphys_scene_validate(scene), GPHYS_OK);
+}
+
+static void descs_have_defaults_and_a_size(void** state) {
+    gphys_scene_desc scene_desc;
+    gphys_model_desc model_desc;
+    gphys_scene* scene = NULL;
+    gphys_model_id model = 7;
+    struct {
+        gphys_model_desc known;
+        uint32_t unknown[2];
+    } newer;
+    (void)state;
+    assert_invalid(gphys_scene_desc_init(NULL, sizeof scene_desc));
+    assert_invalid(gphys_model_desc_init(NULL, sizeof model_desc));
+    assert_int_equal(gphys_scene_desc_init(&scene_desc, 3), GPHYS_ERROR_STRUCT_SIZE);
+    assert_int_equal(gphys_model_desc_init(&model_desc, 0), GPHYS_ERROR_STRUCT_SIZE);
+    assert_int_equal(gphys_scene_desc_init(&scene_desc, sizeof scene_desc), GPHYS_OK);
+    assert_int_equal(scene_desc.reserve_models, 0);
+    assert_null(scene_desc.allocator);
+    assert_int_equal(gphys_model_desc_init(&model_desc, sizeof model_desc), GPHYS_OK);
+    assert_int_equal(model_desc.layers, 1);
+    assert_int_equal(model_desc.parent, 0);
+    assert_int_equal(model_desc.tag, 0);
+
+    scene_desc.struct_size = 1;
+    assert_int_equal(gphys_scene_create(&scene_desc, &scene), GPHYS_ERROR_STRUCT_SIZE);
+    scene_desc.struct_size = sizeof scene_desc;
+    scene_desc.reserve_models = 1u << 24;
+    assert_int_equal(gphys_scene_create(&scene_desc, &scene), GPHYS_ERROR_CAPACITY);
+    assert_null(scene);
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+
+    model_desc.struct_size = 2;
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, NULL, &model_desc, &model),
+                     GPHYS_ERROR_STRUCT_SIZE);
+    /* A newer client's desc: taken while what this library does not know is zero. */
+    assert_int_equal(gphys_model_desc_init(&newer.known, sizeof newer), GPHYS_OK);
+    newer.unknown[1] = 1;
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, NULL, &newer.known, &model),
+                     GPHYS_ERROR_STRUCT_SIZE);
+    assert_int_equal(model, 7);
+    newer.unknown[1] = 0;
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, NULL, &newer.known, &model), GPHYS_OK);
+    gphys_scene_destroy(scene);
+}
+
+static void creation_checks_its_arguments(void** state) {
+    gphys_scene_desc desc;
+    gphys_allocator half = {NULL, NULL, NULL};
+    gphys_scene* scene = NULL;
+    (void)state;
+    gphys_scene_destroy(NULL);
+    assert_invalid(gphys_scene_create(NULL, NULL));
+    gphys_scene_desc_init(&desc, sizeof desc);
+    desc.allocator = &half;
+    assert_invalid(gphys_scene_create(&desc, &scene));
+    assert_null(scene);
+}
+
+static void add_refuses_what_is_no_model(void** state) {
+    gphys_model_id models[2], out = 99, outs[2] = {98, 97};
+    gphys_scene* scene = scene_of_two(models);
+    gphys_transform bad = identity;
+    gphys_aabb boxes[2];
+    gphys_model_desc desc;
+    gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, 1};
+    gphys_frustum frustum;
+    (void)state;
+    memset(&frustum, 0, sizeof frustum);
+    boxes[0] = boxes[1] = unit_box;
+    assert_invalid(gphys_scene_add(NULL, GPHYS_SHAPE_AABB, &unit_box, NULL, NULL, &out));
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, NULL, NULL, NULL, &out));
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_MESH, NULL, NULL, NULL, &out));
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, NULL, NULL, NULL));
+    assert_invalid(gphys_scene_add(scene, 0, &unit_box, NULL, NULL, &out));
+    assert_invalid(gphys_scene_add(scene, 12345, &unit_box, NULL, NULL, &out));
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_RAY, &ray, NULL, NULL, &out), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SEGMENT, &ray, NULL, NULL, &out), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_FRUSTUM, &frustum, NULL, NULL, &out), GPHYS_ERROR_UNSUPPORTED);
+    boxes[1].max.y = NAN;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &boxes[1], NULL, NULL, &out));
+    boxes[1].max.y = INFINITY;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &boxes[1], NULL, NULL, &out));
+    boxes[1].max.y = -2;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &boxes[1], NULL, NULL, &out));
+    assert_invalid(gphys_scene_add_batch(scene, GPHYS_SHAPE_AABB, boxes, sizeof *boxes, NULL, 0, 2, NULL, outs));
+    assert_invalid(gphys_scene_add_batch(scene, GPHYS_SHAPE_AABB, boxes, 20, NULL, 0, 1, NULL, outs));
+    assert_invalid(gphys_scene_add_batch(scene, GPHYS_SHAPE_AABB, boxes, 26, NULL, 0, 1, NULL, outs));
+    assert_invalid(gphys_scene_add_batch(scene, GPHYS_SHAPE_AABB, boxes, 0, &identity, 4, 1, NULL, outs));
+    assert_invalid(gphys_scene_add_batch(scene, GPHYS_SHAPE_AABB, boxes, 0, NULL, 0, 1, NULL, NULL));
+    bad.position.z = NAN;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, &bad, NULL, &out));
+    bad.position.z = 2e15f;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, &bad, NULL, &out));
+    bad = identity;
+    bad.scale = 0;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, &bad, NULL, &out));
+    bad.scale = -1;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, &bad, NULL, &out));
+    bad.scale = FLT_MIN;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, &bad, NULL, &out));
+    bad = identity;
+    bad.rotation.w = 2;
+    assert_invalid(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, &bad, NULL, &out));
+    gphys_model_desc_init(&desc, sizeof desc);
+    desc.parent = 0x01ffffff;
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, NULL, &desc, &out), GPHYS_ERROR_INVALID_ID);
+    assert_int_equal(out, 99);
+    assert_int_equal(outs[0], 98);
+    assert_untouched(scene, models);
+    assert_int_equal(gphys_scene_add_batch(scene, GPHYS_SHAPE_AABB, NULL, 24, NULL, 0, 0, NULL, NULL), GPHYS_OK);
+    assert_untouched(scene, models);
+    gphys_scene_destroy(scene);
+}
+
+static void stale_ids_are_refused_everywhere(void** state) {
+    gphys_model_id models[2], twice[2];
+    gphys_scene* scene = scene_of_two(models);
+    const gphys_model_id stale[4] = {0, 5, 0x02000000, 0xffffffff};
+    gphys_model_info info;
+    gphys_aabb box = {{7, 7, 7}, {7, 7, 7}};
+    gphys_transform transform = {{7, 7, 7}, {7, 7, 7, 7}, 7};
+    int i;
+    (void)state;
+    memset(&info, 7, sizeof info);
+    for (i = 0; i < 4; ++i) {
+        const gphys_model_id id = stale[i];
+        assert_int_equal(gphys_scene_has(scene, id), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_remove(scene, id), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_remove_subtree(scene, id), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_get_info(scene, id, &info), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_get_shape(scene, id, &box, sizeof box), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_get_bounds(scene, id, &box), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_set_layers(scene, id, 1), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_set_tag(scene, id, 1), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_set_parent(scene, id, 0, 0), GPHYS_ERROR_INVALID_ID);
+        if (id) assert_int_equal(gphys_scene_set_parent(scene, models[0], id, 0), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_set_transform(scene, id, &identity), GPHYS_ERROR_INVALID_ID);
+        twice[0] = models[1];
+        twice[1] = id;
+        assert_int_equal(gphys_scene_set_transforms(scene, twice, &identity, 0, 2), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_remove_batch(scene, twice, 2), GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_get_transforms(scene, &id, 1, &transform, sizeof transform),
+                         GPHYS_ERROR_INVALID_ID);
+        assert_int_equal(gphys_scene_get_world_transforms(scene, &id, 1, &transform, sizeof transform),
+                         GPHYS_ERROR_INVALID_ID);
+    }
+    assert_int_equal(info.tag, 0x07070707);
+    assert_true(box.min.x == 7);
+    assert_true(transform.scale == 7);
+    assert_untouched(scene, models);
+    gphys_scene_destroy(scene);
+}
+
+static void null_and_bad_strides_are_refused_everywhere(void** state) {
+    gphys_model_id models[2];
+    gphys_scene* scene = scene_of_two(models);
+    gphys_model_info info;
+    gphys_aabb box;
+    gphys_transform transform = identity;
+    gphys_octree_stats stats;
+    gphys_octree_box octree_box;
+    uint32_t total = 55;
+    (void)state;
+    assert_invalid(gphys_scene_has(NULL, models[0]));
+    assert_invalid(gphys_scene_remove(NULL, models[0]));
+    assert_invalid(gphys_scene_remove_batch(NULL, models, 2));
+    assert_invalid(gphys_scene_remove_batch(scene, NULL, 2));
+    assert_invalid(gphys_scene_remove_subtree(NULL, models[0]));
+    assert_invalid(gphys_scene_clear(NULL));
+    assert_invalid(gphys_scene_get_models(NULL, models, 2, &total));
+    assert_invalid(gphys_scene_get_models(scene, NULL, 2, &total));
+    assert_invalid(gphys_scene_get_models(scene, models, 2, NULL));
+    assert_invalid(gphys_scene_get_info(NULL, models[0], &info));
+    assert_invalid(gphys_scene_get_info(scene, models[0], NULL));
+    assert_invalid(gphys_scene_get_shape(NULL, models[0], &box, sizeof box));
+    assert_invalid(gphys_scene_get_shape(scene, models[0], NULL, sizeof box));
+    assert_invalid(gphys_scene_get_shape(scene, models[0], &box, sizeof box - 1));
+    assert_invalid(gphys_scene_get_bounds(NULL, models[0], &box));
+    assert_invalid(gphys_scene_get_bounds(scene, models[0], NULL));
+    assert_invalid(gphys_scene_get_scene_bounds(NULL, &box));
+    assert_invalid(gphys_scene_get_scene_bounds(scene, NULL));
+    assert_invalid(gphys_scene_set_layers(NULL, models[0], 1));
+    assert_invalid(gphys_scene_set_tag(NULL, models[0], 1));
+    assert_invalid(gphys_scene_set_parent(NULL, models[0], 0, 0));
+    assert_invalid(gphys_scene_set_parent(scene, models[0], 0, 2));
+    assert_invalid(gphys_scene_set_transform(NULL, models[0], &identity));
+    assert_invalid(gphys_scene_set_transform(scene, models[0], NULL));
+    transform.position.y = NAN;
+    assert_invalid(gphys_scene_set_transform(scene, models[0], &transform));
+    transform.position.y = -INFINITY;
+    assert_invalid(gphys_scene_set_transform(scene, models[0], &transform));
+    assert_invalid(gphys_scene_set_transforms(NULL, models, &identity, 0, 2));
+    assert_invalid(gphys_scene_set_transforms(scene, NULL, &identity, 0, 2));
+    assert_invalid(gphys_scene_set_transforms(scene, models, NULL, 0, 2));
+    assert_invalid(gphys_scene_set_transforms(scene, models, &identity, 28, 2));
+    assert_invalid(gphys_scene_get_transforms(NULL, models, 1, &transform, sizeof transform));
+    assert_invalid(gphys_scene_get_transforms(scene, NULL, 1, &transform, sizeof transform));
+    assert_invalid(gphys_scene_get_transforms(scene, models, 1, NULL, sizeof transform));
+    assert_invalid(gphys_scene_get_transforms(scene, models, 1, &transform, 0));
+    assert_invalid(gphys_scene_get_world_transforms(scene, models, 1, &transform, 33));
+    assert_invalid(gphys_scene_get_octree_stats(NULL, &stats));
+    assert_invalid(gphys_scene_get_octree_stats(scene, NULL));
+    assert_invalid(gphys_scene_get_octree_boxes(NULL, &octree_box, 1, &total));
+    assert_invalid(gphys_scene_get_octree_boxes(scene, NULL, 1, &total));
+    assert_invalid(gphys_scene_get_octree_boxes(scene, &octree_box, 1, NULL));
+    assert_invalid(gphys_scene_validate(NULL));
+    assert_int_equal(total, 55);
+    assert_untouched(scene, models);
+    gphys_scene_destroy(scene);
+}
+
+static void what_was_set_is_what_one_gets(void** state) {
+    gphys_model_id models[2], found[1];
+    gphys_scene* scene = scene_of_two(models);
+    gphys_model_info info;
+    gphys_aabb box;
+    gphys_octree_stats stats;
+    gphys_octree_box boxes[8];
+    uint32_t total = 0;
+    (void)state;
+    assert_int_equal(gphys_scene_set_layers(scene, models[1], 6), GPHYS_OK);
+    assert_int_equal(gphys_scene_set_tag(scene, models[1], 0xabcdef), GPHYS_OK);
+    assert_int_equal(gphys_scene_set_parent(scene, models[1], models[0], 1), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_info(scene, models[1], &info), GPHYS_OK);
+    assert_int_equal(info.type, GPHYS_SHAPE_AABB);
+    assert_int_equal(info.layers, 6);
+    assert_int_equal(info.tag, 0xabcdef);
+    assert_int_equal(info.parent, models[0]);
+    assert_int_equal(info.child_count, 0);
+    assert_int_equal(gphys_scene_get_info(scene, models[0], &info), GPHYS_OK);
+    assert_int_equal(info.child_count, 1);
+    assert_int_equal(gphys_scene_get_shape(scene, models[0], &box, sizeof box), GPHYS_OK);
+    assert_memory_equal(&box, &unit_box, sizeof box);
+    assert_int_equal(gphys_scene_get_bounds(scene, models[1], &box), GPHYS_OK);
+    assert_true(box.min.x == 9 && box.max.x == 11 && box.min.y == -1);
+    assert_int_equal(gphys_scene_get_scene_bounds(scene, &box), GPHYS_OK);
+    assert_true(box.min.x == -1 && box.max.x == 11);
+
+    assert_int_equal(gphys_scene_get_models(scene, NULL, 0, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 2);
+    assert_int_equal(gphys_scene_get_models(scene, found, 1, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(found[0], models[0]);
+    assert_int_equal(gphys_scene_get_octree_stats(scene, &stats), GPHYS_OK);
+    assert_int_equal(stats.item_count, 2);
+    assert_int_equal(stats.unbounded_count, 0);
+    assert_int_equal(gphys_scene_get_octree_boxes(scene, boxes, 8, &total), GPHYS_OK);
+    assert_int_equal(total, stats.node_count);
+    assert_int_equal(boxes[0].depth, 0);
+    assert_int_equal(gphys_scene_clear(scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_models(scene, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    gphys_scene_destroy(scene);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(descs_have_defaults_and_a_size),
+        cmocka_unit_test(creation_checks_its_arguments),
+        cmocka_unit_test(add_refuses_what_is_no_model),
+        cmocka_unit_test(stale_ids_are_refused_everywhere),
+        cmocka_unit_test(null_and_bad_strides_are_refused_everywhere),
+        cmocka_unit_test(what_was_set_is_what_one_gets),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

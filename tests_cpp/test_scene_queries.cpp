@@ -1,0 +1,326 @@
+#include <algorithm>
+#include <cstdlib>
+
+#include "c_api/handles.h"
+#include "scene.h"
+#include "scene_fixture.h"
+#include "scene_reference.h"
+
+using namespace gphys;
+using test::PlacedModel;
+using test::RandomScene;
+
+namespace {
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool seen(const PlacedModel& model, uint32_t layers) { return (model.layers & layers) != 0; }
+
+uint32_t random_layers(RandomScene& world) { return world.random.index(3) ? GPHYS_ALL_LAYERS : world.random.index(8); }
+
+gphys_ray random_ray(RandomScene& world) {
+    gphys_ray ray;
+    ray.origin = world.point(world.random.index(10) == 0 ? 1e5f : 15);
+    const gphys_vec3 target = world.point(12);
+    switch (world.random.index(4)) {
+        case 0:
+            ray.direction = {0, 0, 0};
+            (&ray.direction.x)[world.random.index(3)] = world.random.index(2) ? 1.f : -2.f;
+            break;
+        default:
+            ray.direction = {target.x - ray.origin.x, target.y - ray.origin.y, target.z - ray.origin.z};
+            if (ray.direction.x == 0 && ray.direction.y == 0 && ray.direction.z == 0) ray.direction.y = 1;
+    }
+    ray.t_max = world.random.index(2) ? INFINITY : world.random.uniform_float(0, 2);
+    return ray;
+}
+
+bool expected_first(const RandomScene& world, const Ray& ray, uint32_t layers, gphys_hit& out) {
+    Hit first;
+    const PlacedModel* winner = nullptr;
+    for (const PlacedModel& model : world.models) {
+        Hit hit;
+        if (!seen(model, layers) || !raycast(model, ray, hit) || (winner && hit.t >= first.t)) continue;
+        first = hit;
+        winner = &model;
+    }
+    if (winner) out = to_hit(first, winner->id, winner->tag);
+    return winner != nullptr;
+}
+
+// One random query of each kind: each returns whether the scene agrees with the linear scan.
+
+bool raycast_agrees(RandomScene& world) {
+    const gphys_ray ray = random_ray(world);
+    const uint32_t layers = random_layers(world);
+    gphys_hit expected{}, found{};
+    const bool hit = expected_first(world, widen(ray), layers, expected);
+    const gphys_status status = gphys_scene_raycast(world.scene, &ray, layers, &found);
+    return status == (hit ? GPHYS_OK : GPHYS_NO_HIT) && same_bits(expected, found);
+}
+
+bool segment_agrees(RandomScene& world) {
+    const gphys_segment segment{world.point(15), world.point(15)};
+    const uint32_t layers = random_layers(world);
+    gphys_hit expected{}, found{};
+    const bool hit = expected_first(world, ray_along(widen(segment)), layers, expected);
+    const gphys_status status = gphys_scene_segment_test(world.scene, &segment, layers, &found);
+    return status == (hit ? GPHYS_OK : GPHYS_NO_HIT) && same_bits(expected, found);
+}
+
+bool raycast_any_agrees(RandomScene& world) {
+    const gphys_ray ray = random_ray(world);
+    const uint32_t layers = random_layers(world);
+    gphys_hit unused;
+    int32_t found = -1;
+    REQUIRE(gphys_scene_raycast_any(world.scene, &ray, layers, &found) == GPHYS_OK);
+    return found == (expected_first(world, widen(ray), layers, unused) ? 1 : 0);
+}
+
+bool raycast_all_agrees(RandomScene& world) {
+    const gphys_ray ray = random_ray(world);
+    const uint32_t layers = random_layers(world);
+    std::vector<gphys_hit> expected;
+    for (const PlacedModel& model : world.models) {
+        Hit hit;
+        if (seen(model, layers) && raycast(model, widen(ray), hit))
+            expected.push_back(to_hit(hit, model.id, model.tag));
+    }
+    std::stable_sort(expected.begin(), expected.end(),
+                     [](const gphys_hit& a, const gphys_hit& b) { return a.t < b.t; });  // models are in order of id
+    const uint32_t capacity = world.random.index(2) ? 1000 : world.random.index(4);
+    std::vector<gphys_hit> found(capacity);
+    uint32_t total = 0;
+    const gphys_status status = gphys_scene_raycast_all(world.scene, &ray, layers, found.data(), capacity, &total);
+    const size_t kept = std::min<size_t>(capacity, expected.size());
+    return total == expected.size() && status == (total > capacity ? GPHYS_INCOMPLETE : GPHYS_OK) &&
+           std::equal(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(kept), found.begin(),
+                      same_bits<gphys_hit>);
+}
+
+bool overlap_agrees(RandomScene& world) {
+    RandomScene::AnyShape query;
+    if (world.random.index(5) == 0) {
+        query.hold(GPHYS_SHAPE_FRUSTUM, world.frustum());
+    } else {
+        query = world.primitive(12);
+    }
+    Shape widened;
+    switch (query.type) {
+        case GPHYS_SHAPE_SPHERE:
+            widened = widen(*reinterpret_cast<const gphys_sphere*>(query.bytes));
+            break;
+        case GPHYS_SHAPE_CAPSULE:
+            widened = widen(*reinterpret_cast<const gphys_capsule*>(query.bytes));
+            break;
+        case GPHYS_SHAPE_AABB:
+            widened = widen(*reinterpret_cast<const gphys_aabb*>(query.bytes));
+            break;
+        case GPHYS_SHAPE_OBB:
+            widened = widen(*reinterpret_cast<const gphys_obb*>(query.bytes));
+            break;
+        case GPHYS_SHAPE_PLANE:
+            widened = widen(*reinterpret_cast<const gphys_plane*>(query.bytes));
+            break;
+        case GPHYS_SHAPE_TRIANGLE:
+            widened = widen(*reinterpret_cast<const gphys_triangle*>(query.bytes));
+            break;
+        default:
+            widened = widen(*reinterpret_cast<const gphys_frustum*>(query.bytes));
+    }
+    const uint32_t layers = random_layers(world);
+    std::vector<gphys_model_id> expected;
+    for (const PlacedModel& model : world.models) {
+        if (seen(model, layers) && overlaps(model, widened)) expected.push_back(model.id);
+    }
+    std::vector<gphys_model_id> found(1000);
+    uint32_t total = 0;
+    REQUIRE(gphys_scene_overlap(world.scene, query.type, query.bytes, layers, found.data(), 1000, &total) == GPHYS_OK);
+    found.resize(total);
+    return found == expected;
+}
+
+bool nearest_agrees(RandomScene& world) {
+    const gphys_vec3 point = world.point(15);
+    const uint32_t layers = random_layers(world);
+    const float within = world.random.index(2) ? INFINITY : world.size(4);
+    gphys_nearest expected{}, found{};
+    double least = double{within} * within;
+    for (const PlacedModel& model : world.models) {
+        Vec3 closest;
+        uint32_t triangle;
+        if (!seen(model, layers)) continue;
+        const double square = closest_point(model, widen(point), closest, triangle);
+        if (square > least || (expected.model != 0 && square == least)) continue;
+        least = square;
+        expected = to_nearest(closest, std::sqrt(square), triangle, model.id, model.tag);
+    }
+    const gphys_status status = gphys_scene_nearest(world.scene, &point, within, layers, &found);
+    return status == (expected.model ? GPHYS_OK : GPHYS_NO_HIT) && same_bits(expected, found);
+}
+
+bool sweep_agrees(RandomScene& world) {
+    const gphys_sphere sphere{world.point(15), world.size(1)};
+    const gphys_vec3 displacement = world.random.index(20) ? world.point(20) : gphys_vec3{};
+    const uint32_t layers = random_layers(world);
+    gphys_hit expected{}, found{};
+    Hit first;
+    for (const PlacedModel& model : world.models) {
+        Hit hit;
+        if (!seen(model, layers) || !sweep(model, widen(sphere), widen(displacement), hit)) continue;
+        if (expected.model != 0 && hit.t >= first.t) continue;
+        first = hit;
+        expected = to_hit(hit, model.id, model.tag);
+    }
+    const gphys_status status = gphys_scene_sweep_sphere(world.scene, &sphere, &displacement, layers, &found);
+    return status == (expected.model ? GPHYS_OK : GPHYS_NO_HIT) && same_bits(expected, found);
+}
+
+bool cull_agrees(RandomScene& world) {
+    const Frustum frustum = widen(world.frustum());
+    const uint32_t layers = random_layers(world);
+    std::vector<gphys_model_id> expected, found(1000);
+    for (const PlacedModel& model : world.models) {
+        if (!seen(model, layers)) continue;
+        gphys_aabb box;
+        const gphys_status bounded = gphys_scene_get_bounds(world.scene, model.id, &box);
+        const Shape shape = bounded == GPHYS_UNBOUNDED ? std::get<Shape>(model.shape) : Shape(widen(box));
+        if (overlaps(shape, Shape(frustum))) expected.push_back(model.id);
+    }
+    Smallest<gphys_model_id> list(found.data(), 1000);
+    unwrap(world.scene)->cull(frustum, layers, list);
+    found.resize(list.finish());
+    return found == expected;
+}
+
+bool candidates_agree(RandomScene& world) {
+    const gphys_vec3 corner = world.point(15);
+    const float width = world.size(6);
+    const Box box{{corner.x, corner.y, corner.z}, {corner.x + width, corner.y + width, corner.z + width}};
+    const uint32_t layers = random_layers(world);
+    std::vector<gphys_model_id> expected, found;
+    for (const PlacedModel& model : world.models) {
+        gphys_aabb bounds;
+        const bool unbounded = gphys_scene_get_bounds(world.scene, model.id, &bounds) == GPHYS_UNBOUNDED;
+        if (seen(model, layers) &&
+            (unbounded || (bounds.min.x <= box.max[0] && bounds.max.x >= box.min[0] && bounds.min.y <= box.max[1] &&
+                           bounds.max.y >= box.min[1] && bounds.min.z <= box.max[2] && bounds.max.z >= box.min[2]))) {
+            expected.push_back(model.id);
+        }
+    }
+    unwrap(world.scene)->for_each_in_box(box, layers, [&](gphys_model_id id) { found.push_back(id); });
+    std::sort(found.begin(), found.end());
+    return found == expected;
+}
+
+struct Kind {
+    const char* name;
+    bool (*agrees)(RandomScene&);
+};
+
+constexpr Kind kinds[] = {{"raycast", raycast_agrees},
+                          {"segment", segment_agrees},
+                          {"raycast_any", raycast_any_agrees},
+                          {"raycast_all", raycast_all_agrees},
+                          {"overlap", overlap_agrees},
+                          {"nearest", nearest_agrees},
+                          {"sweep", sweep_agrees},
+                          {"cull", cull_agrees},
+                          {"candidates", candidates_agree}};
+
+void compare_with_linear_scan(int phases, int queries_per_phase, uint64_t seed) {
+    RandomScene world(seed);
+    for (int i = 0; i < 80; ++i) world.add();
+    for (int phase = 0; phase < phases; ++phase) {
+        world.on_grid = phase % 2 == 1;
+        for (int i = 0; i < 40; ++i) world.change();
+        REQUIRE(gphys_scene_validate(world.scene) == GPHYS_OK);
+        world.look();
+        for (const Kind& kind : kinds) {
+            int differences = 0;
+            for (int i = 0; i < queries_per_phase; ++i) differences += kind.agrees(world) ? 0 : 1;
+            INFO(kind.name << ", phase " << phase << " of seed " << seed);
+            REQUIRE(differences == 0);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("each kind of query equals the linear scan, bit for bit, while models come, move and go") {
+    compare_with_linear_scan(30, 300, 20);
+}
+
+TEST_CASE("a million queries of each kind equal the linear scan", "[.long]") {
+    compare_with_linear_scan(1000, 1000, 21);
+}
+
+TEST_CASE("queries allocate nothing") {
+    test::SceneFixture s;
+    test::Random random(22);
+    for (int i = 0; i < 500; ++i) {
+        s.add_box({random.point(20), random.rotation(), 1});
+        s.add_sphere(1, {random.point(20), random.rotation(), 1});
+    }
+    const size_t before = s.memory.allocations;
+    gphys_hit hits[100];
+    gphys_nearest nearest;
+    gphys_model_id models[100];
+    uint32_t total = 0, offsets[2];
+    int32_t any = 0;
+    for (int i = 0; i < 200; ++i) {
+        const gphys_ray ray{random.point(30), random.point(1), INFINITY};
+        const gphys_segment segment{random.point(30), random.point(30)};
+        const gphys_sphere sphere{random.point(20), 2};
+        const gphys_vec3 step = random.point(20);
+        gphys_scene_raycast(s.scene, &ray, 1, hits);
+        gphys_scene_raycast_any(s.scene, &ray, 1, &any);
+        gphys_scene_raycast_all(s.scene, &ray, 1, hits, 100, &total);
+        gphys_scene_raycast_all_batch(s.scene, &ray, 0, 1, 1, hits, 100, offsets);
+        gphys_scene_segment_test(s.scene, &segment, 1, hits);
+        gphys_scene_overlap(s.scene, GPHYS_SHAPE_SPHERE, &sphere, 1, models, 100, &total);
+        gphys_scene_nearest(s.scene, &sphere.center, INFINITY, 1, &nearest);
+        gphys_scene_sweep_sphere(s.scene, &sphere, &step, 1, hits);
+        gphys_scene_get_models(s.scene, models, 100, &total);
+    }
+    CHECK(s.memory.allocations == before);
+}
+
+TEST_CASE("a batch answers each item as the single call does") {
+    RandomScene world(23);
+    for (int i = 0; i < 100; ++i) world.add();
+    constexpr uint32_t count = 500;
+    std::vector<gphys_ray> rays(count);
+    for (gphys_ray& ray : rays) ray = random_ray(world);
+    std::vector<gphys_hit> hits(count), lists(20 * count);
+    std::vector<int32_t> any(count);
+    std::vector<uint32_t> offsets(count + 1);
+    REQUIRE(gphys_scene_raycast_batch(world.scene, rays.data(), sizeof(gphys_ray), count, 3, hits.data(),
+                                      sizeof(gphys_hit)) == GPHYS_OK);
+    REQUIRE(gphys_scene_raycast_any_batch(world.scene, rays.data(), sizeof(gphys_ray), count, 3, any.data(), 4) ==
+            GPHYS_OK);
+    REQUIRE(gphys_scene_raycast_all_batch(world.scene, rays.data(), sizeof(gphys_ray), count, 3, nullptr, 0,
+                                          offsets.data()) == GPHYS_INCOMPLETE);
+    lists.resize(offsets[count]);
+    const uint32_t cut = offsets[count] / 2;
+    std::vector<gphys_hit> half(cut);
+    REQUIRE(gphys_scene_raycast_all_batch(world.scene, rays.data(), sizeof(gphys_ray), count, 3, half.data(), cut,
+                                          offsets.data()) == GPHYS_INCOMPLETE);
+    REQUIRE(gphys_scene_raycast_all_batch(world.scene, rays.data(), sizeof(gphys_ray), count, 3, lists.data(),
+                                          offsets[count], offsets.data()) == GPHYS_OK);
+    CHECK(std::equal(half.begin(), half.end(), lists.begin(), same_bits<gphys_hit>));
+    for (uint32_t i = 0; i < count; ++i) {
+        gphys_hit hit{}, list[200];
+        uint32_t total = 0;
+        const bool found = gphys_scene_raycast(world.scene, &rays[i], 3, &hit) == GPHYS_OK;
+        if (found) REQUIRE(same_bits(hit, hits[i]));
+        if (!found) REQUIRE((hits[i].model == 0 && hits[i].t == INFINITY && hits[i].point.x == 0));
+        REQUIRE(any[i] == (found ? 1 : 0));
+        REQUIRE(gphys_scene_raycast_all(world.scene, &rays[i], 3, list, 200, &total) == GPHYS_OK);
+        REQUIRE(total == offsets[i + 1] - offsets[i]);
+        REQUIRE(std::equal(list, list + total, lists.begin() + offsets[i], same_bits<gphys_hit>));
+    }
+}
