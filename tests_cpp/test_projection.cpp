@@ -191,6 +191,26 @@ TEST_CASE("what is behind, or at infinity, has no image and no place") {
     }
 }
 
+TEST_CASE("a far plane at infinity is found there in spite of rounding, in any user matrix") {
+    test::Random random(5);
+    for (const DepthRange& depth_range : depth_ranges()) {
+        for (int i = 0; i < 500; ++i) {
+            // Off-centre and, as homogeneous coordinates allow, scaled as a whole.
+            Mat4 m = Perspective{0.8, 0.6, random.uniform(0.01, 1), infinity}.matrix(depth_range);
+            m(0, 2) = random.uniform(-1, 1);
+            m(1, 2) = random.uniform(-1, 1);
+            const double scale = random.uniform(0.1, 10);
+            for (double& element : m.m) element *= scale;
+            const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+            Vec3 point;
+            REQUIRE_FALSE(user(m).unproject(depth_range, {x, y, depth_range.far_depth}, point));
+            Ray ray;
+            REQUIRE(user(m).cast(depth_range, x, y, ray));
+            REQUIRE(ray.t_max == infinity);
+        }
+    }
+}
+
 TEST_CASE("a cast ray runs along the points of its image and ends on the far plane") {
     test::Random random(3);
     for (const DepthRange& depth_range : depth_ranges()) {
