@@ -273,6 +273,34 @@ TEST_CASE("raycast: boxes agree with slabs in quadruple precision", "[raycast]")
     CHECK_COMPARISON(general, 0x1p-27);
 }
 
+TEST_CASE("raycast: the edge of a box is met or missed by less than a rounding", "[raycast]") {
+    const NoTraps watch;
+    Random random(8);
+    int wrong = 0, rounded_alike = 0;
+    for (int i = 0; i < cases / 10; ++i) {
+        // n / d and m / e are neighbours among fractions: n e - m d = 1 (Euclid).
+        const int64_t d = (1 << 29) + random.index(1 << 29), e = (1 << 29) + random.index(1 << 29);
+        int64_t n = 0, next_n = 1, m = 1, next_m = 0, rest = d, divisor = e;
+        while (divisor != 0) {
+            const int64_t quotient = rest / divisor;
+            rest -= quotient * divisor, n -= quotient * next_n, m -= quotient * next_m;
+            std::swap(rest, divisor), std::swap(n, next_n), std::swap(m, next_m);
+        }
+        if (rest != 1) continue;
+        m = -m;
+        while (n <= 0 || m <= 0) n += d, m += e;
+        const double x = static_cast<double>(n), y = static_cast<double>(m);
+        const Vec3 direction{static_cast<double>(d), static_cast<double>(e), 0};
+        // Enters at x, leaves at y, 1 / (d e) too late; and the other way round, just in time.
+        Hit hit;
+        wrong += raycast(Aabb{{x, -1, -1}, {4 * x, y, 1}}, Ray{{0, 0, 0}, direction}, hit);
+        wrong += !raycast(Aabb{{-1, y, -1}, {x, 4 * y, 1}}, Ray{{0, 0, 0}, direction}, hit);
+        rounded_alike += x / direction.x == y / direction.y;
+    }
+    CHECK(wrong == 0);
+    CHECK(rounded_alike > cases / 20);
+}
+
 // The rotation into the box's axes costs a few roundings of the distance D, so answers within
 // 2^-40 of it may differ, and t is off by some 2^-49 D / (t |direction| cos(angle to the face)).
 TEST_CASE("raycast: turned boxes agree with slabs in quadruple precision", "[raycast]") {
@@ -329,6 +357,23 @@ TEST_CASE("raycast: spheres agree with the quadratic formula in quadruple precis
         general.add(found, hit, ray, sphere_interval(sphere.center, sphere.radius, ray));
     }
     CHECK_COMPARISON(general, 0x1p-5);
+    // From just above the surface towards the rim c and the discriminant are small differences.
+    int false_answers = 0;
+    double worst_ulps = 0;
+    for (int i = 0; i < cases; ++i) {
+        const Sphere sphere{{0, -1, 0}, 1};
+        const double height = std::pow(10, random.uniform(-14, 0));
+        const double steepness = 1 + std::pow(10, random.uniform(-12, 2));
+        const Ray ray{{0, height, 0}, {1, -std::sqrt(height * (2 + height)) * steepness, 0}};
+        const Interval truth = sphere_interval(sphere.center, sphere.radius, ray);
+        Hit hit;
+        const bool found = raycast(sphere, ray, hit);
+        false_answers += found != hits(truth, ray);
+        if (found) worst_ulps = std::max(worst_ulps, float_ulps(hit.t, truth.first));
+    }
+    INFO("worst t error at the rim " << worst_ulps << " ulp");
+    CHECK(false_answers == 0);
+    CHECK(worst_ulps <= 0x1p-5);
 }
 
 TEST_CASE("raycast: capsules agree with cylinder and balls in quadruple precision", "[raycast]") {
