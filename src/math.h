@@ -120,14 +120,13 @@ constexpr gphys_quat narrow(Quat q) {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
 }
 
-/// Largest float <= v and smallest float >= v. |v| must be below the largest float.
+/// Largest float <= v and smallest float >= v; what is beyond all floats becomes the last of them,
+/// as the cast would trap.
 inline float round_down(double v) {
-    const float f = static_cast<float>(v);
-    return f <= v ? f : std::nextafterf(f, -std::numeric_limits<float>::infinity());
+    constexpr double last = std::numeric_limits<float>::max();
+    const float f = static_cast<float>(std::clamp(v, -last, last));
+    return f <= v || v < -last ? f : std::nextafterf(f, -std::numeric_limits<float>::infinity());
 }
-inline float round_up(double v) {
-    const float f = static_cast<float>(v);
-    return f >= v ? f : std::nextafterf(f, std::numeric_limits<float>::infinity());
-}
+inline float round_up(double v) { return -round_down(-v); }
 
 }  // namespace gphys

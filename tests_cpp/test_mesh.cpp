@@ -365,6 +365,21 @@ TEST_CASE("a mesh's triangles are found by the radius of a sphere and the shift 
     REQUIRE_FALSE(mesh->overlaps(Plane{{1, 0, 0}, 4.001}));
 }
 
+TEST_CASE("shapes beyond the range of float find the triangles of a mesh") {
+    // The world as seen from inside a model of almost no size.
+    const MeshHolder mesh = hold(test::sphere(2));
+    std::feclearexcept(FE_ALL_EXCEPT);
+    for (double far : {1e20, 1e38, 1e45, 1e60}) {
+        REQUIRE(mesh->overlaps(Sphere{{far, 0, 0}, 2 * far}));
+        REQUIRE(mesh->overlaps(Aabb{{-far, -far, -far}, {far, far, far}}));
+        REQUIRE(mesh->overlaps(Obb{{far, 0, 0}, {2 * far, far, far}, {}}));
+        REQUIRE(mesh->overlaps(Capsule{{-far, 0, 0}, {far, 0, 0}, 1}));
+        REQUIRE_FALSE(mesh->overlaps(Sphere{{far, 0, 0}, far / 2}));
+        REQUIRE_FALSE(mesh->overlaps(Aabb{{far, far, far}, {2 * far, far, far}}));
+    }
+    REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+}
+
 TEST_CASE("a mesh lives until the last hold is given up, and returns all its memory") {
     struct Balance {
         long bytes = 0, allocations = 0, fail_at = -1;
