@@ -1,4 +1,4 @@
-// A slow twin of every solid: its corners, edges and faces in long double and a radius around them.
+// A slow twin of every solid: its corners, edges and faces, and a radius around them.
 // The gap of two of them is the largest gap along any unit axis (support functions), and the axis
 // that shows it belongs to a pair of features: corner, edge or face of one and of the other. So
 // trying all of those is an independent reference for overlap and distance.
@@ -12,25 +12,16 @@
 
 namespace test {
 
-struct Long3 {
-    long double x = 0, y = 0, z = 0;
-};
-inline Long3 longer(gphys::Vec3 v) { return {v.x, v.y, v.z}; }
-inline Long3 operator+(Long3 a, Long3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Long3 operator-(Long3 a, Long3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Long3 operator*(Long3 a, long double s) { return {a.x * s, a.y * s, a.z * s}; }
-inline long double dot(Long3 a, Long3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Long3 cross(Long3 a, Long3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-inline long double length(Long3 a) { return std::sqrt(dot(a, a)); }
+using gphys::Vec3;
 
 struct Hull {
-    std::vector<Long3> corners;
+    std::vector<Vec3> corners;
     std::vector<std::array<int, 2>> edges;
     std::vector<std::array<int, 3>> faces;  // three corners of each face's plane
-    long double radius = 0;
+    double radius = 0;
 
     /// Corners numbered as gphys_frustum_corners does: near then far, each around.
-    static Hull hexahedron(const Long3 (&corner)[8]) {
+    static Hull hexahedron(const Vec3 (&corner)[8]) {
         Hull hull;
         hull.corners.assign(corner, corner + 8);
         for (int i = 0; i < 4; ++i) {
@@ -46,24 +37,21 @@ struct Hull {
     }
 };
 
-inline Hull hull(const gphys::Sphere& s) { return {{longer(s.center)}, {}, {}, s.radius}; }
-inline Hull hull(const gphys::Capsule& c) { return {{longer(c.a), longer(c.b)}, {{0, 1}}, {}, c.radius}; }
-inline Hull hull(const gphys::Triangle& t) {
-    return {{longer(t.a), longer(t.b), longer(t.c)}, {{0, 1}, {1, 2}, {2, 0}}, {{0, 1, 2}}, 0};
-}
+inline Hull hull(const gphys::Sphere& s) { return {{s.center}, {}, {}, s.radius}; }
+inline Hull hull(const gphys::Capsule& c) { return {{c.a, c.b}, {{0, 1}}, {}, c.radius}; }
+inline Hull hull(const gphys::Triangle& t) { return {{t.a, t.b, t.c}, {{0, 1}, {1, 2}, {2, 0}}, {{0, 1, 2}}, 0}; }
 inline Hull hull(const gphys::Obb& b) {
     constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                 {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
-    Long3 corner[8];
+    Vec3 corner[8];
     for (int i = 0; i < 8; ++i) {
-        corner[i] = longer(b.center) + longer(b.axes.x) * (sign[i][0] * static_cast<long double>(b.half.x)) +
-                    longer(b.axes.y) * (sign[i][1] * static_cast<long double>(b.half.y)) +
-                    longer(b.axes.z) * (sign[i][2] * static_cast<long double>(b.half.z));
+        corner[i] = b.center + b.axes.x * (sign[i][0] * b.half.x) + b.axes.y * (sign[i][1] * b.half.y) +
+                    b.axes.z * (sign[i][2] * b.half.z);
     }
     return Hull::hexahedron(corner);
 }
 inline Hull hull(const gphys::Aabb& b) {
-    Long3 corner[8];
+    Vec3 corner[8];
     constexpr int high[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
     for (int i = 0; i < 8; ++i) {
         corner[i] = {high[i][0] ? b.max.x : b.min.x, high[i][1] ? b.max.y : b.min.y, high[i][2] ? b.max.z : b.min.z};
@@ -77,7 +65,7 @@ struct View {
     Hull hull;
 };
 /// Looking along axes.z from the origin. An infinite one has no far plane; its hull ends at `far`.
-inline View view(gphys::Vec3 origin, const gphys::Mat3& axes, double width, double height, double near, double far,
+inline View view(Vec3 origin, const gphys::Mat3& axes, double width, double height, double near, double far,
                  bool infinite) {
     View v;
     v.frustum.origin = origin;
@@ -88,20 +76,20 @@ inline View view(gphys::Vec3 origin, const gphys::Mat3& axes, double width, doub
     p[GPHYS_FRUSTUM_RIGHT] = {-axes.x + axes.z * width, 0};
     p[GPHYS_FRUSTUM_BOTTOM] = {axes.y + axes.z * height, 0};
     p[GPHYS_FRUSTUM_TOP] = {-axes.y + axes.z * height, 0};
-    Long3 corner[8];
+    Vec3 corner[8];
     for (int i = 0; i < 8; ++i) {
-        const long double depth = i < 4 ? near : far;
-        const long double x = (i % 4 == 1 || i % 4 == 2 ? 1 : -1) * width * depth,
-                          y = (i % 4 >= 2 ? 1 : -1) * height * depth;
-        corner[i] = longer(origin) + longer(axes.x) * x + longer(axes.y) * y + longer(axes.z) * depth;
+        const double depth = i < 4 ? near : far;
+        const double x = (i % 4 == 1 || i % 4 == 2 ? 1 : -1) * width * depth,
+                     y = (i % 4 >= 2 ? 1 : -1) * height * depth;
+        corner[i] = origin + axes.x * x + axes.y * y + axes.z * depth;
     }
     v.hull = Hull::hexahedron(corner);
     return v;
 }
 
 struct Gap {
-    long double gap = -INFINITY;  // > 0: the distance; < 0: overlapping
-    Long3 axis;                   // unit, from a to b
+    double gap = -INFINITY;  // > 0: the distance; < 0: overlapping
+    Vec3 axis;               // unit, from a to b
 };
 
 class GapSearch {
@@ -116,12 +104,12 @@ public:
         }
         // Round shapes touch corners and edges from any side. So do segments that are parallel.
         if (a_.radius > 0 || b_.radius > 0 || a_.faces.empty() || b_.faces.empty()) {
-            for (Long3 p : a_.corners) {
-                for (Long3 q : b_.corners) try_axis(q - p);
-                for (const auto& e : b_.edges) try_axis(foot(b_, e, p) - p);
+            for (Vec3 p : a_.corners) {
+                for (Vec3 q : b_.corners) try_axis(q - p);
+                for (const auto& e : b_.edges) try_axis(to_foot(b_, e, p));
             }
-            for (Long3 q : b_.corners) {
-                for (const auto& e : a_.edges) try_axis(foot(a_, e, q) - q);
+            for (Vec3 q : b_.corners) {
+                for (const auto& e : a_.edges) try_axis(to_foot(a_, e, q));
             }
             try_axis({1, 0, 0});
         }
@@ -130,27 +118,28 @@ public:
     }
 
 private:
-    static Long3 normal(const Hull& h, const std::array<int, 3>& f) {
+    static Vec3 normal(const Hull& h, const std::array<int, 3>& f) {
         return cross(h.corners[f[1]] - h.corners[f[0]], h.corners[f[2]] - h.corners[f[0]]);
     }
-    static Long3 direction(const Hull& h, const std::array<int, 2>& e) { return h.corners[e[1]] - h.corners[e[0]]; }
-    static Long3 foot(const Hull& h, const std::array<int, 2>& e, Long3 p) {
-        const Long3 along = direction(h, e);
-        const long double square = dot(along, along);
-        return square > 0 ? h.corners[e[0]] + along * (dot(p - h.corners[e[0]], along) / square) : h.corners[e[0]];
+    static Vec3 direction(const Hull& h, const std::array<int, 2>& e) { return h.corners[e[1]] - h.corners[e[0]]; }
+    /// From p to its foot on the edge's line, without going through absolute coordinates.
+    static Vec3 to_foot(const Hull& h, const std::array<int, 2>& e, Vec3 p) {
+        const Vec3 along = direction(h, e), from_p = h.corners[e[0]] - p;
+        const double square = length_squared(along);
+        return square > 0 ? from_p - along * (dot(from_p, along) / square) : from_p;
     }
-    void try_axis(Long3 axis) {
-        const long double size = length(axis);
+    void try_axis(Vec3 axis) {
+        const double size = length(axis);
         if (size == 0) return;
         axis = axis * (1 / size);
         // Relative to a corner, so that an offset costs no digits.
-        long double a_low = 0, a_high = 0, b_low = INFINITY, b_high = -INFINITY;
-        for (Long3 p : a_.corners) {
-            const long double d = dot(p - a_.corners[0], axis);
+        double a_low = 0, a_high = 0, b_low = INFINITY, b_high = -INFINITY;
+        for (Vec3 p : a_.corners) {
+            const double d = dot(p - a_.corners[0], axis);
             a_low = std::min(a_low, d), a_high = std::max(a_high, d);
         }
-        for (Long3 q : b_.corners) {
-            const long double d = dot(q - a_.corners[0], axis);
+        for (Vec3 q : b_.corners) {
+            const double d = dot(q - a_.corners[0], axis);
             b_low = std::min(b_low, d), b_high = std::max(b_high, d);
         }
         if (b_low - a_high > best_.gap) best_ = {b_low - a_high, axis};

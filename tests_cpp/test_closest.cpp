@@ -2,6 +2,7 @@
 // 128-bit float arithmetic, and closest points beside a slow minimiser.
 #include "intersect.h"
 
+#include "convex_hull.h"
 #include "test.h"
 
 using namespace gphys;
@@ -71,5 +72,166 @@ TEST_CASE("a box contains its own corners") {
         REQUIRE(contains(box, box.min, 0));
         REQUIRE(contains(box, box.max, 0));
         REQUIRE(contains(box, {box.min.x, box.max.y, box.min.z}, 0));
+    }
+}
+
+namespace {
+
+/// What is wrong with an answer, measured with the slow twin: its distance from the reference point.
+void check_closest(const test::Hull& hull, Vec3 point, Vec3 answer, double scale) {
+    const test::Gap gap = test::gap(test::Hull{{point}, {}, {}, 0}, hull);
+    // The contract is 1 ulp of a float, 2^-23 of the largest coordinate; double leaves 2^-44 or
+    // less wherever the closest point is not itself ill-defined.
+    const double tolerance = 0x1p-24 * scale;
+    if (gap.gap <= 0) {
+        REQUIRE(length(answer - point) <= tolerance);
+    } else {
+        const Vec3 expected = point + gap.axis * gap.gap;
+        REQUIRE(length(answer - expected) <= tolerance);
+        // Distances are well-defined everywhere.
+        const double distance = length(answer - point);
+        REQUIRE(std::fabs(distance - gap.gap) <= 0x1p-40 * scale);
+    }
+}
+
+Vec3 spread(test::Random& random, double size) {
+    return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+Vec3 in_float(Vec3 v) { return widen(narrow(v)); }
+
+}  // namespace
+
+TEST_CASE("closest points agree with support functions for every solid") {
+    test::Random random(2);
+    for (int i = 0; i < 20000; ++i) {
+        // Near and at 1e6, where a float has a sixteenth of a metre.
+        const double offset = i % 2 ? 1e6 : 0, scale = offset + 4;
+        const Vec3 at = Vec3{offset, -offset / 2, offset / 4};
+        const Vec3 point = in_float(at + spread(random, 3)), center = in_float(at + spread(random, 1));
+        const Vec3 half{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+        const Mat3 axes = rotation_matrix(widen(random.rotation()));
+        const Sphere sphere{center, random.uniform(0, 1)};
+        const Capsule capsule{center, in_float(at + spread(random, 1)), random.uniform(0, 1)};
+        const Aabb box = box_at(center, half);
+        const Obb turned{center, half, axes};
+        const Triangle triangle{center, in_float(at + spread(random, 1)), in_float(at + spread(random, 1))};
+        check_closest(test::hull(sphere), point, closest_point(sphere, point), scale);
+        check_closest(test::hull(capsule), point, closest_point(capsule, point), scale);
+        check_closest(test::hull(box), point, closest_point(box, point), scale);
+        check_closest(test::hull(turned), point, closest_point(turned, point), scale);
+        check_closest(test::hull(triangle), point, closest_point(triangle, point), scale);
+        const double near = random.uniform(.01, .5);
+        const bool infinite = random.index(2);
+        const test::View view = test::view(center, axes, random.uniform(.1, 2), random.uniform(.1, 2), near,
+                                           infinite ? 100 : near + random.uniform(.01, 2), infinite);
+        Vec3 answer;
+        REQUIRE(closest_point(view.frustum, point, answer));
+        check_closest(view.hull, point, answer, scale);
+    }
+}
+
+TEST_CASE("the closest point of a sliver is right although its normal is all cancellation") {
+    test::Random random(3);
+    for (int i = 0; i < 50000; ++i) {
+        const Vec3 a = in_float(spread(random, 1)), b = in_float(spread(random, 1));
+        // On the line a b but for the rounding to float: a height of 1e-7 or less.
+        const Vec3 c = in_float(a + (b - a) * random.uniform(-.5, 1.5));
+        const Triangle sliver{a, b, c};
+        const Vec3 point = in_float(spread(random, 2));
+        const Vec3 answer = closest_point(sliver, point);
+        // The sliver is, to 1e-7, its longest edge.
+        double best = infinity;
+        for (const Segment& edge : {Segment{a, b}, Segment{b, c}, Segment{c, a}}) {
+            best = std::min(best, distance(closest_point(edge, point), point));
+        }
+        REQUIRE(distance(answer, point) <= best + 1e-15);
+        REQUIRE(distance(answer, point) >= best - 2e-7);
+        check_closest(test::hull(sliver), point, answer, 2);
+    }
+}
+
+TEST_CASE("a point in a solid is its own closest point, bit for bit") {
+    test::Random random(4);
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 point = widen(random.point(1));
+        const Obb box{widen(random.point(1)), {1, 1, 1}, rotation_matrix(widen(random.rotation()))};
+        if (contains(box, point, 0)) REQUIRE(distance(closest_point(box, point), point) <= 1e-15);
+        const Sphere sphere{widen(random.point(1)), 1};
+        if (contains(sphere, point, 0)) REQUIRE(closest_point(sphere, point) == point);
+        const Capsule capsule{widen(random.point(1)), widen(random.point(1)), .5};
+        if (contains(capsule, point, 0)) REQUIRE(closest_point(capsule, point) == point);
+    }
+}
+
+TEST_CASE("closest points of segments agree with support functions, nearly parallel or not") {
+    test::Random random(5);
+    for (int i = 0; i < 50000; ++i) {
+        const double offset = i % 2 ? 1e6 : 0;
+        const Vec3 at{offset, offset, -offset};
+        const Segment a{in_float(at + spread(random, 1)), in_float(at + spread(random, 1))};
+        Segment b{in_float(at + spread(random, 1)), in_float(at + spread(random, 1))};
+        if (i % 3 == 0) b.b = in_float(b.a + (a.b - a.a) * random.uniform(-2, 2));
+        if (i % 7 == 0) b.b = b.a;
+        Vec3 on_a, on_b;
+        closest_points(a, b, on_a, on_b);
+        const test::Hull hull_a{{a.a, a.b}, {{0, 1}}, {}, 0};
+        const test::Hull hull_b{{b.a, b.b}, {{0, 1}}, {}, 0};
+        const double expected = std::max<double>(test::gap(hull_a, hull_b).gap, 0);
+        // Points are rounded to 2^-53 of their coordinates, a few times. A gap along an axis never
+        // exceeds the distance, but the twin's axis is itself rounded: by an angle of 2^-52 over that
+        // of nearly parallel segments, or over the distance of an end. The ends give another limit.
+        const double rounding = 0x1p-50 * (offset + 4);
+        const double angle = length(cross(a.b - a.a, b.b - b.a)) / (1e-300 + distance(a.a, a.b) * distance(b.a, b.b));
+        const double answer = distance(on_a, on_b);
+        REQUIRE(answer >= expected - rounding);
+        const double lever = std::min(angle, answer);
+        REQUIRE((lever == 0 || answer <= expected + rounding + 0x1p-48 / lever));
+        for (const Vec3& end : {a.a, a.b}) REQUIRE(answer <= distance(end, closest_point(b, end)) + rounding);
+        for (const Vec3& end : {b.a, b.b}) REQUIRE(answer <= distance(end, closest_point(a, end)) + rounding);
+        REQUIRE(distance(closest_point(a, on_a), on_a) <= rounding);
+        REQUIRE(distance(closest_point(b, on_b), on_b) <= rounding);
+    }
+}
+
+TEST_CASE("parallel segments answer with the first point along the first") {
+    Vec3 on_a, on_b;
+    closest_points({{0, 0, 0}, {4, 0, 0}}, {{3, 1, 0}, {1, 1, 0}}, on_a, on_b);
+    REQUIRE(on_a == Vec3{1, 0, 0});
+    REQUIRE(on_b == Vec3{1, 1, 0});
+    closest_points({{0, 0, 0}, {4, 0, 0}}, {{-3, 1, 0}, {9, 1, 0}}, on_a, on_b);
+    REQUIRE(on_a == Vec3{0, 0, 0});
+    closest_points({{0, 0, 0}, {4, 0, 0}}, {{9, 1, 0}, {6, 1, 0}}, on_a, on_b);
+    REQUIRE(on_a == Vec3{4, 0, 0});
+    REQUIRE(on_b == Vec3{6, 1, 0});
+}
+
+TEST_CASE("planes and rays answer with the foot of the perpendicular") {
+    test::Random random(6);
+    for (int i = 0; i < 20000; ++i) {
+        const Plane plane{widen(random.point(3)), random.uniform(-5, 5)};
+        const Vec3 point = widen(random.point(10)), foot = closest_point(plane, point);
+        REQUIRE(std::fabs(dot(plane.normal, foot) - plane.distance) <= 1e-13);
+        REQUIRE(length(cross(point - foot, plane.normal)) <= 1e-13);
+        const Ray ray{widen(random.point(3)), widen(random.point(3)), random.uniform(0, 3)};
+        const Vec3 on_ray = closest_point(ray, point);
+        const Segment same{ray.origin, ray.origin + ray.direction * ray.t_max};
+        REQUIRE(distance(on_ray, closest_point(same, point)) <= 1e-13);
+    }
+}
+
+TEST_CASE("lengths from 1e-30 to 1e15 neither overflow nor vanish") {
+    for (double size : {1e-30, 1e-10, 1.0, 1e15}) {
+        const Triangle triangle{{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
+        const Vec3 foot{size / 4, size / 4, 0};
+        REQUIRE(distance(closest_point(triangle, foot + Vec3{0, 0, size}), foot) <= 0x1p-51 * size);
+        REQUIRE(contains(triangle, {size / 4, size / 4, 0}, 0));
+        REQUIRE_FALSE(contains(triangle, {size / 4, size / 4, 1e-45}, 0));
+        REQUIRE(contains(Sphere{{0, 0, 0}, size}, {0, size, 0}, 0));
+        REQUIRE_FALSE(contains(Sphere{{0, 0, 0}, size}, {1e-45, size, 0}, 0));
+        REQUIRE(contains(Capsule{{0, 0, 0}, {1e15, 0, 0}, size}, {5e14, size, 0}, 0));
+        REQUIRE_FALSE(contains(Capsule{{0, 0, 0}, {1e15, 0, 0}, size}, {5e14, size, 1e-40}, 0));
+        REQUIRE(overlaps(triangle, Triangle{{size / 4, size / 4, 0}, {1e15, 1e15, 1e15}, {0, 0, 1e15}}));
+        REQUIRE_FALSE(overlaps(triangle, Triangle{{size / 4, size / 4, 1e-45}, {1e15, 1e15, 1e15}, {0, 0, 1e15}}));
     }
 }
