@@ -12,7 +12,8 @@ if [ -z "$mesh" ]; then
     mesh=/usr/share/assimp/models/Collada/duck.dae
 fi
 
-cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_EXAMPLES=ON
+cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_TESTS=OFF -DGAMEPHYS_EXAMPLES=ON \
+    -DGAMEPHYS_BENCH=OFF
 cmake --build build/release --target viewer
 mkdir -p build/demo
 build/release/examples/viewer "$mesh" --out build/demo
