@@ -17,6 +17,9 @@ const char* Scene::defect() const {
     if (const char* wrong = octree_.defect()) return wrong;
     if (ids_.slots() > models_.size()) return "there are more slots than models";
 
+    constexpr gphys_shape_type types[] = {GPHYS_SHAPE_SPHERE, GPHYS_SHAPE_CAPSULE,  GPHYS_SHAPE_AABB, GPHYS_SHAPE_OBB,
+                                          GPHYS_SHAPE_PLANE,  GPHYS_SHAPE_TRIANGLE, GPHYS_SHAPE_MESH};
+    uint32_t shapes[GPHYS_SHAPE_MESH + 1] = {};
     uint32_t bounded = 0, unbounded = 0, families = 0, linked_children = 0, counted_children = 0;
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
         if (!ids_.live(slot)) {
@@ -26,6 +29,7 @@ const char* Scene::defect() const {
         const Model& model = models_[slot];
         if (model.moving || model.carried) return "a mark of a move was left behind";
 
+        ++shapes[model.type()];
         Box box;
         if (place(model, box)) return "a model stands where the scene cannot hold it";
         const bool is_plane = model.type() == GPHYS_SHAPE_PLANE;
@@ -59,6 +63,10 @@ const char* Scene::defect() const {
         }
         if (children != record.child_count) return "children are miscounted";
         counted_children += children;
+    }
+    for (const gphys_shape_type type : types) {
+        const uint32_t stored = with_pool(*this, type, [](const auto& pool) { return pool.size(); });
+        if (stored != shapes[type]) return "a shape is stored for no model";
     }
     if (bounded != octree_.size()) return "the octree holds more than the models";
     if (unbounded != unbounded_.size()) return "the list of unbounded models holds more than them";

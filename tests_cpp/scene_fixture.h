@@ -29,7 +29,7 @@ private:
     }
     static void release(void* user, void* memory, size_t size, size_t alignment) {
         static_cast<CountedMemory*>(user)->live_bytes -= size;
-        ::operator delete(memory, size, std::align_val_t(alignment));
+        ::operator delete(memory, std::align_val_t(alignment));
     }
 };
 
