@@ -89,7 +89,7 @@ public:
     bool cull(const gphys_frustum& frustum, uint64_t& total) override {
         models_seen_.resize(models_.size());
         uint32_t seen = 0;
-        check(gphys_scene_overlap(scene_, GPHYS_SHAPE_FRUSTUM, &frustum, GPHYS_ALL_LAYERS, models_seen_.data(),
+        check(gphys_scene_cull(scene_, &frustum, GPHYS_ALL_LAYERS, models_seen_.data(),
                                   static_cast<uint32_t>(models_seen_.size()), &seen));
         total = seen;
         return true;

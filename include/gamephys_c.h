@@ -647,6 +647,12 @@ GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys
                                                  uint32_t shape_stride, uint32_t count, uint32_t layers,
                                                  gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets);
 
+/** Ids of all models whose world box touches a frustum, ascending: a superset of what is seen, for
+ *  drawing; cheaper than gphys_scene_overlap, which tests the shapes. Kept when too many: the
+ *  lowest. */
+GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
+                                        gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
+
 /** The model nearest to a point, and its closest point.
  *  @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
  *  @return GPHYS_OK or GPHYS_NO_HIT */

@@ -192,6 +192,19 @@ gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_typ
     });
 }
 
+gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
+                              gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(frustum, "frustum is null");
+        GPHYS_REQUIRE_VALID(*frustum);
+        GPHYS_TRY(check_list(out_models, capacity, out_total));
+        Smallest<gphys_model_id> models(out_models, capacity);
+        unwrap(scene)->cull(widen(*frustum), layers, models);
+        return listed(models.finish(), capacity, out_total);
+    });
+}
+
 gphys_status gphys_scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance, uint32_t layers,
                                  gphys_nearest* out_nearest) {
     return guarded([&]() -> gphys_status {
