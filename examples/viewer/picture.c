@@ -1,4 +1,4 @@
-/* A picture: for each sample the first hit, then one ray to the sun and one into the half space
+/* A picture: for each sample the first hit, then one ray to the sun and a few into the half space
  * above the surface, all in batches of a few rows. */
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +13,8 @@
 typedef gphys_vec3 vec3;
 typedef vec3 colour;
 
-static const vec3 sun = {0.52f, 0.74f, 0.43f}; /* unit */
+enum { AMBIENT = 4 };                             /* rays that ask how open a place is */
+static const vec3 sun = {-0.62f, 0.70f, -0.354f}; /* unit */
 static const colour sun_light = {2.5f, 2.3f, 2.0f}, sky_light = {0.55f, 0.68f, 0.9f};
 static const float offset = 2e-3f; /* metres above a surface at which its secondary rays start */
 
@@ -123,18 +124,21 @@ static void shade_band(const world* w, const band* b, uint32_t samples, uint32_t
           "raycast batch");
     for (uint32_t i = 0; i < samples; ++i) {
         const gphys_hit* hit = &b->hits[i];
-        b->to_sun[i] = b->ambient[i] = nowhere;
+        b->to_sun[i] = nowhere;
+        for (int k = 0; k < AMBIENT; ++k) b->ambient[AMBIENT * i + k] = nowhere;
         if (!hit->model) continue;
         b->normals[i] = smooth_normal(w, hit, b->eye[i].direction);
         const vec3 start = plus(hit->point, times(hit->normal, offset));
         b->to_sun[i] = (gphys_ray){start, sun, 100};
-        b->ambient[i] = (gphys_ray){start, above(b->normals[i], random), 1.5f};
+        for (int k = 0; k < AMBIENT; ++k) {
+            b->ambient[AMBIENT * i + k] = (gphys_ray){start, above(b->normals[i], random), 1.5f};
+        }
     }
     check(gphys_scene_raycast_any_batch(w->scene, b->to_sun, sizeof *b->to_sun, samples, LAYER_SHOWN, b->in_shadow,
                                         sizeof *b->in_shadow),
           "shadow batch");
-    check(gphys_scene_raycast_any_batch(w->scene, b->ambient, sizeof *b->ambient, samples, LAYER_SHOWN, b->closed_in,
-                                        sizeof *b->closed_in),
+    check(gphys_scene_raycast_any_batch(w->scene, b->ambient, sizeof *b->ambient, AMBIENT * samples, LAYER_SHOWN,
+                                        b->closed_in, sizeof *b->closed_in),
           "ambient batch");
 }
 
@@ -144,7 +148,8 @@ static colour sample_colour(const band* b, uint32_t i, const highlight* marks) {
     if (!hit->model) return behind;
     const colour base = surface(hit, marks);
     const float lit = b->in_shadow[i] ? 0 : fmaxf(dot(b->normals[i], sun), 0);
-    const float open = b->closed_in[i] ? 0.25f : 1;
+    float open = 1;
+    for (int k = 0; k < AMBIENT; ++k) open -= 0.8f / AMBIENT * (float)b->closed_in[AMBIENT * i + k];
     const colour light =
         plus(times(sun_light, 0.4f * lit), times(sky_light, 0.55f * open * (0.7f + 0.3f * b->normals[i].y)));
     const colour seen = {base.x * light.x, base.y * light.y, base.z * light.z};
@@ -177,10 +182,13 @@ uint64_t take_picture(const world* w, const gphys_camera* camera, uint32_t width
                       const highlight* marks, const char* path) {
     enum { ROWS = 8 }; /* pixel rows of a band */
     const uint32_t across = 2 * width, samples = across * 2 * ROWS;
-    band b = {allocate(samples, sizeof *b.eye),      allocate(samples, sizeof *b.to_sun),
-              allocate(samples, sizeof *b.ambient),  allocate(samples, sizeof *b.hits),
-              allocate(samples, sizeof *b.normals),  allocate(samples, sizeof *b.in_shadow),
-              allocate(samples, sizeof *b.closed_in)};
+    band b = {allocate(samples, sizeof *b.eye),
+              allocate(samples, sizeof *b.to_sun),
+              allocate(AMBIENT * samples, sizeof *b.ambient),
+              allocate(samples, sizeof *b.hits),
+              allocate(samples, sizeof *b.normals),
+              allocate(samples, sizeof *b.in_shadow),
+              allocate(AMBIENT * samples, sizeof *b.closed_in)};
     unsigned char* pixels = allocate((size_t)width * height, 3);
     uint32_t random = 2463534242u;
     uint64_t rays = 0;
@@ -188,7 +196,7 @@ uint64_t take_picture(const world* w, const gphys_camera* camera, uint32_t width
         const uint32_t rows = height - y < ROWS ? height - y : ROWS;
         check(gphys_camera_pick_rays(camera, 0, 2 * y, across, 2 * rows, b.eye, sizeof *b.eye), "pick rays");
         shade_band(w, &b, across * 2 * rows, &random);
-        rays += 3ull * across * 2 * rows;
+        rays += (2ull + AMBIENT) * across * 2 * rows;
         for (uint32_t row = 0; row < rows; ++row) {
             for (uint32_t x = 0; x < width; ++x) {
                 const uint32_t first = 2 * row * across + 2 * x;

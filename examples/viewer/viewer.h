@@ -61,7 +61,7 @@ typedef struct highlight {
 } highlight;
 
 /* Cast the rays of the camera's viewport (width * height pixels, 2 by 2 samples each) with a shadow
- * and an ambient ray for each hit, and write a PNG. Returns the number of rays cast. */
+ * ray and a few ambient rays for each hit, and write a PNG. Returns the number of rays cast. */
 uint64_t take_picture(const world* w, const gphys_camera* camera, uint32_t width, uint32_t height,
                       const highlight* marks, const char* path);
 

@@ -7,7 +7,7 @@
 
 enum { POST_COUNT = 8, ROPE_LINKS = 48 };
 
-static const float post_ring = 3.4f, post_height = 2.2f, rope_radius = 0.025f;
+static const float post_ring = 3.6f, post_height = 2.2f, rope_radius = 0.025f;
 static const gphys_transform identity = {{0, 0, 0}, {0, 0, 0, 1}, 1};
 
 /* The same numbers in each run. */
@@ -98,7 +98,7 @@ static void add_cloth(world* w) {
     desc.damping = 0.4f;
     desc.friction = 0.6f;
     desc.layers = LAYER_SOLID;
-    const gphys_vec3 corner = {-1.7f, 3.0f, -1.7f}, u = {3.4f, 0, 0}, v = {0, 0, 3.4f};
+    const gphys_vec3 corner = {-2, 2.95f, -2}, u = {4, 0, 0}, v = {0, 0, 4};
     check(gphys_solver_add_cloth(w->solver, &desc, &corner, &u, &v, CLOTH_SIDE, CLOTH_SIDE, &w->cloth_body), "cloth");
 
     triangle_mesh* cloth = &w->cloth;
