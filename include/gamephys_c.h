@@ -647,9 +647,10 @@ GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys
                                                  uint32_t shape_stride, uint32_t count, uint32_t layers,
                                                  gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets);
 
-/** Ids of all models whose world box touches a frustum, ascending: a superset of what is seen, for
- *  drawing; cheaper than gphys_scene_overlap, which tests the shapes. Kept when too many: the
- *  lowest. */
+/** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
+ *  own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
+ *  per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
+ *  too many: the lowest. */
 GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
                                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 
@@ -847,8 +848,7 @@ GPHYS_API gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, c
                                                    float y0, float x1, float y1, uint32_t layers,
                                                    gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 
-/** Ids of all models whose world box touches the frustum, ascending: a superset of what is seen,
- *  for drawing. gphys_scene_overlap with the camera's frustum tests the shapes themselves. */
+/** gphys_scene_cull with the camera's frustum. */
 GPHYS_API gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* scene, uint32_t layers,
                                          gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 

@@ -93,7 +93,8 @@ public:
     void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
-    /// By world boxes, not shapes: a superset of what the frustum sees.
+    /// World boxes that lie outside none of the six planes and of the frustum's own box, in
+    /// arithmetic rounded outward: a superset of what the frustum sees.
     void cull(const Frustum& frustum, uint32_t layers, Smallest<gphys_model_id>& out) const;
     /// Candidates: models whose world box touches the box, and all unbounded ones. visit(id).
     template <class Visit>

@@ -2,6 +2,7 @@
 // the exact shape of each candidate, and tells the octree what is not worth visiting any more.
 #include <cmath>
 
+#include "halfspaces.h"
 #include "scene.h"
 
 namespace gphys {
@@ -198,9 +199,12 @@ void Scene::cull(const Frustum& frustum, uint32_t layers, Smallest<gphys_model_i
             out.add(ids_.id(slot));
         }
     }
-    octree_.frustum(frustum, [&](uint32_t slot, bool wholly_inside) {
-        if ((models_[slot].layers & layers) &&
-            (wholly_inside || overlaps(Shape(as_aabb(octree_.box(slot))), Shape(frustum)))) {
+    // The three axes of the boxes stand beside the six planes: without them a box behind the
+    // viewer that crosses the planes of two sides would count.
+    Box around;
+    const bool bounded = gphys::bounds(frustum, around);
+    octree_.frustum(frustum, [&](uint32_t slot, bool) {
+        if ((models_[slot].layers & layers) && (!bounded || overlaps(octree_.box(slot), around))) {
             out.add(ids_.id(slot));
         }
         return true;

@@ -20,6 +20,14 @@ static gphys_scene* three_models(gphys_model_id models[3]) {
     return scene;
 }
 
+/* What is seen from the origin along +x, up to x = 7 and 2 to each side. */
+static gphys_frustum box_ahead(void) {
+    const gphys_frustum box = {
+        {0, 0, 0},
+        {{{1, 0, 0}, 0}, {{-1, 0, 0}, -7}, {{0, 0, 1}, -2}, {{0, 0, -1}, -2}, {{0, 1, 0}, -2}, {{0, -1, 0}, -2}}};
+    return box;
+}
+
 static void assert_invalid(gphys_status status) { assert_int_equal(status, GPHYS_ERROR_INVALID_ARGUMENT); }
 
 static void layers_choose_what_is_seen(void** state) {
@@ -28,6 +36,7 @@ static void layers_choose_what_is_seen(void** state) {
     const gphys_segment segment = {{0, 0, 0}, {8, 0, 0}};
     const gphys_vec3 origin = {0, 0, 0}, step = {20, 0, 0};
     const gphys_sphere sphere = {{0, 0, 0}, 1}, large = {{0, 0, 0}, 20};
+    const gphys_frustum ahead = box_ahead();
     gphys_model_id models[3], found[3];
     gphys_scene* scene = three_models(models);
     gphys_hit hit;
@@ -62,6 +71,10 @@ static void layers_choose_what_is_seen(void** state) {
     assert_int_equal(gphys_scene_nearest(scene, &origin, 3.99f, 1, &nearest), GPHYS_NO_HIT);
     assert_int_equal(gphys_scene_sweep_sphere(scene, &sphere, &step, 2, &hit), GPHYS_OK);
     assert_true(hit.model == models[1] && hit.t == 0.4f && hit.point.x == 9);
+    assert_int_equal(gphys_scene_cull(scene, &ahead, 3, found, 3, &total), GPHYS_OK);
+    assert_true(total == 1 && found[0] == models[0]);
+    assert_int_equal(gphys_scene_cull(scene, &ahead, 2, found, 3, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
     assert_int_equal(gphys_scene_overlap(scene, GPHYS_SHAPE_SPHERE, &large, 6, found, 3, &total), GPHYS_OK);
     assert_int_equal(total, 2);
     assert_true(found[0] == models[1] && found[1] == models[2]);
@@ -144,6 +157,8 @@ static void bad_input_is_refused_and_outputs_stay(void** state) {
                                    {{0, 0, 0}, {1, 0, 0}, NAN}};
     const gphys_segment segment = {{0, 0, 0}, {8, 0, 0}}, bad_segment = {{0, 0, 0}, {0, NAN, 0}};
     const gphys_vec3 point = {0, 0, 0}, bad_point = {0, 2e15f, 0};
+    const gphys_frustum frustum = box_ahead();
+    gphys_frustum bad_frustum = frustum;
     const gphys_sphere sphere = {{0, 0, 0}, 1}, bad_sphere = {{0, 0, 0}, -1};
     gphys_ray mixed[2];
     gphys_model_id models[3], list[3] = {9, 9, 9};
@@ -158,6 +173,7 @@ static void bad_input_is_refused_and_outputs_stay(void** state) {
     memset(untouched, 9, sizeof untouched);
     memset(&nearest, 9, sizeof nearest);
     nearest_before = nearest;
+    bad_frustum.planes[3].normal.x = NAN;
     mixed[0] = ray;
     for (i = 0; i < 5; ++i) {
         mixed[1] = bad_rays[i];
@@ -204,6 +220,11 @@ static void bad_input_is_refused_and_outputs_stay(void** state) {
     assert_invalid(gphys_scene_overlap(scene, GPHYS_SHAPE_SPHERE, &sphere, 7, list, 3, NULL));
     assert_int_equal(gphys_scene_overlap(scene, GPHYS_SHAPE_RAY, &ray, 7, list, 3, &total), GPHYS_ERROR_UNSUPPORTED);
     assert_int_equal(gphys_scene_overlap(scene, GPHYS_SHAPE_MESH, &ray, 7, list, 3, &total), GPHYS_ERROR_UNSUPPORTED);
+    assert_invalid(gphys_scene_cull(NULL, &frustum, 7, list, 3, &total));
+    assert_invalid(gphys_scene_cull(scene, NULL, 7, list, 3, &total));
+    assert_invalid(gphys_scene_cull(scene, &frustum, 7, NULL, 3, &total));
+    assert_invalid(gphys_scene_cull(scene, &frustum, 7, list, 3, NULL));
+    assert_invalid(gphys_scene_cull(scene, &bad_frustum, 7, list, 3, &total));
     assert_invalid(gphys_scene_overlap_batch(NULL, GPHYS_SHAPE_SPHERE, &sphere, 0, 1, 7, list, 3, offsets));
     assert_invalid(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, NULL, 0, 1, 7, list, 3, offsets));
     assert_invalid(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, &bad_sphere, 0, 1, 7, list, 3, offsets));
