@@ -967,7 +967,7 @@ GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gp
 /** Metres. */
 GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, gphys_vec3* out_positions, uint32_t out_stride);
-/** Moves particles there at once, without speed and without collision on the way. */
+/** Moves particles there at once and without collision on the way; velocities stay as they are. */
 GPHYS_API gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, const gphys_vec3* positions, uint32_t stride);
 /** m/s */
@@ -987,7 +987,7 @@ GPHYS_API gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_i
 GPHYS_API gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                const gphys_vec3* forces, uint32_t stride);
 /** Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
- *  gphys_solver_set_positions. Releasing also ends an attachment. */
+ *  gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment. */
 GPHYS_API gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                int32_t pinned);
 
@@ -996,6 +996,8 @@ GPHYS_API gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_
  *  @param local_point  in the model's coordinates; NULL: where the particle is now */
 GPHYS_API gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene, gphys_body_id body,
                                            uint32_t particle, gphys_model_id model, const gphys_vec3* local_point);
+/** Release an attached particle.
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached */
 GPHYS_API gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle);
 
 /** Hold two different particles of a body at a distance.
@@ -1021,7 +1023,8 @@ GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, 
                                                     gphys_constraint_info* out_constraints, uint32_t capacity,
                                                     uint32_t* out_total);
 
-/** Simulate dt seconds in the set number of substeps.
+/** Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
+ *  than 25 ms.
  *  @param scene  to collide with and to follow attachments; NULL: none. Not modified.
  *  @param dt     1e-6 .. 0.5
  *  Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
@@ -1040,7 +1043,7 @@ typedef struct gphys_solver_stats {
     uint32_t particle_count;
     uint32_t pinned_count; /* pinned or attached */
     uint32_t constraint_count;
-    uint32_t contact_count; /* particle and model pairs that touched in the last step */
+    uint32_t contact_count; /* particle and model pairs that touched in the last step, 4 a particle at most */
     float strain_max;       /* largest |length / rest length - 1| of rigid constraints */
     float strain_rms;       /* root mean square of the same */
     float kinetic_energy;   /* joules */

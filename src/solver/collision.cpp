@@ -7,7 +7,7 @@ namespace {
 constexpr int most_contacts = 6;
 
 /// How far a particle stays off: 1e-4 of its radius, which nobody sees, and at least 2^-40 of the
-/// coordinates, which is 2^12 times their rounding.
+/// coordinates, which is 2^12 times their rounding; for points at the origin, a nanometre.
 double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * max_component(abs(at)) + 1e-9; }
 
 bool touch(const Box& a, const Box& b) {
@@ -169,7 +169,8 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         const Vec3 along = displacement + impact.normal * into;
         const double way = length(along);
         const double hold = body.settings.friction * into;
-        displacement = way > hold ? along * (1 - hold / way) : Vec3{};
+        if (way <= hold) break;
+        displacement = along * (1 - hold / way);
     }
     body.position[particle] = at;
 }

@@ -60,15 +60,16 @@ void fly_among(const Collider& collider, Body& body, uint32_t p, const Flight& f
         }
         if (impact.inside) break;
         const Vec3 towards = -impact.normal;
-        const double gone = dot(displacement, towards) * impact.t;
-        const double s = flight.time_to(velocity, towards, gone, time);
+        const double t = collider.stop_short(body, p, at, displacement, impact);
+        // Within the skin already: it has arrived.
+        const double s = t > 0 ? flight.time_to(velocity, towards, dot(displacement, towards) * impact.t, time) : 0;
         const Vec3 arrival = flight.velocity(velocity, s);
         // A bounce that is over within two substeps is none: the particle has come to rest.
         const double approach = dot(arrival - impact.surface_velocity, towards);
         const double pressing = dot(flight.acceleration, towards) * h;
         const bool bounces = body.settings.restitution * approach > std::max(0.0, pressing);
         collider.record(body, p, impact);
-        at += displacement * collider.stop_short(body, p, at, displacement, impact);
+        at += displacement * t;
         velocity = after_impact(arrival, impact, bounces ? body.settings.restitution : 0, body.settings.friction);
         time -= s;
         if (!bounces) break;

@@ -38,6 +38,7 @@ struct Plan {
           particles(memory),
           rest(memory),
           compliance(memory),
+          target(memory),
           tension(memory),
           reach_limits(memory),
           direct_rows(memory),
@@ -50,6 +51,7 @@ struct Plan {
     Vector<Chain> chains;
     Vector<uint32_t> particles;
     Vector<double> rest, compliance;  // by link
+    Vector<double> target;            // by link: the length it shall have; only for direct solving
     Vector<double> tension;           // by link: newtons, of the last substep; only for direct solving
     Vector<ReachLimit> reach_limits;
 

@@ -78,6 +78,7 @@ void plan_direct_chains(Body& body) {
         walk_chain(body, p,
                    [&](uint32_t slot, uint32_t particle) { add_link(plan, body.constraints[slot], particle); });
     }
+    plan.target = plan.rest;
     plan.tension.assign(plan.rest.size(), 0.0);
     plan.direct_rows.resize(longest_chain(plan) + 1);
 }

@@ -60,10 +60,10 @@ struct ChainView {
         const double length = gphys::length(along);
         // Coincident particles part along a fixed axis: any direction is as good.
         out.direction = length > 0 ? along / length : Vec3{1, 0, 0};
-        out.error = length - plan.rest[index];
+        out.error = length - plan.target[index];
         out.softness = plan.compliance[index] * inverse_step_squared + regularisation * inverse_masses;
         // A link that is short at the moment must not become infinitely stiff sideways.
-        const double scale = std::max(length, plan.rest[index]);
+        const double scale = std::max(length, plan.target[index]);
         if (plan.tension[index] > 0 && scale > 0) out.stiffness = plan.tension[index] / scale;
         return out;
     }
@@ -181,7 +181,7 @@ double step_fraction(const ChainView& view, const DirectRow* rows) {
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
         if (i < view.chain.link_count) {
             reach += distance(view.body.position[view.particle(i)], view.body.position[view.particle(i + 1)]) +
-                     view.body.plan.rest[view.chain.first_link + i];
+                     view.body.plan.target[view.chain.first_link + i];
         }
         const double* value = rows[i].value;
         longest = std::max({longest, std::fabs(value[0]), std::fabs(value[1]), std::fabs(value[2])});
@@ -195,14 +195,44 @@ bool is_settled(const ChainView& view) {
         const Link link = view.link(i);
         const uint32_t index = view.chain.first_link + i;
         const double residual = link.error - link.softness * view.body.plan.tension[index];
-        if (link.acts && std::fabs(residual) > settled * view.body.plan.rest[index]) return false;
+        if (link.acts && std::fabs(residual) > settled * view.body.plan.target[index]) return false;
     }
     return true;
+}
+
+/// The lengths that links shall have: their rest lengths, but between two pins that are further
+/// apart than the chain is long, the stretch that cannot be avoided is shared in proportion.
+void set_targets(Body& body, const Chain& chain) {
+    Plan& plan = body.plan;
+    const ChainView view{body, chain, 0};
+    uint32_t pin = chain.link_count + 1;  // the last one passed; none yet
+    double total = 0;
+    bool rigid = true;
+    for (uint32_t i = 0; i <= chain.link_count; ++i) {
+        if (i > 0) {
+            const uint32_t link = chain.first_link + i - 1;
+            plan.target[link] = plan.rest[link];
+            total += plan.rest[link];
+            rigid = rigid && plan.compliance[link] == 0;
+        }
+        if (!body.pinned(view.particle(i))) continue;
+        if (pin < i && rigid) {
+            const double span = distance(body.position[view.particle(pin)], body.position[view.particle(i)]);
+            for (uint32_t j = pin; j < i && span > total; ++j) {
+                double& target = plan.target[chain.first_link + j];
+                target = total > 0 ? target * (span / total) : span / (i - pin);
+            }
+        }
+        pin = i;
+        total = 0;
+        rigid = true;
+    }
 }
 
 void solve_chain(Body& body, const Chain& chain, double step) {
     const ChainView view{body, chain, 1 / (step * step)};
     DirectRow* rows = body.plan.direct_rows.data();
+    set_targets(body, chain);
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         eliminate(view, rows);
         substitute(chain, rows);

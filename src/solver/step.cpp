@@ -63,6 +63,49 @@ void finish(Body& body, const TimeScheme& scheme) {
     }
 }
 
+double elastic_energy(const Plan& plan, const Vector<Vec3>& position) {
+    double sum = 0;
+    for (const Chain& chain : plan.chains) {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t particle = chain.first_particle + i, link = chain.first_link + i;
+            if (plan.compliance[link] == 0) continue;
+            const double length = distance(position[plan.particles[particle]], position[plan.particles[particle + 1]]);
+            const double stretch = length - plan.rest[link];
+            sum += stretch * stretch / (2 * plan.compliance[link]);
+        }
+    }
+    return sum;
+}
+
+/// What sweeps over a graph leave unsolved can do work in long steps. Motion within the body is
+/// slowed so that the substep gains no energy; the motion of a free body as a whole stays.
+void take_back_gain(Body& body, Vec3 gravity) {
+    if (!body.attachments.empty()) return;  // moving models do work
+    double gain = elastic_energy(body.plan, body.position) - elastic_energy(body.plan, body.start);
+    double mass = 0;
+    Vec3 momentum;
+    bool held = false;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        held = held || body.pinned(p);
+        if (body.pinned(p)) continue;
+        const double m = body.mass[p];
+        gain += m / 2 * (length_squared(body.velocity[p]) - length_squared(body.start_velocity[p])) -
+                dot(gravity * m + body.force[p], body.position[p] - body.start[p]);
+        mass += m;
+        momentum += body.velocity[p] * m;
+    }
+    if (gain <= 0) return;
+    const Vec3 drift = held ? Vec3{} : momentum / mass;
+    double inner = 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (!body.pinned(p)) inner += body.mass[p] / 2 * length_squared(body.velocity[p] - drift);
+    }
+    const double kept = gain < inner ? std::sqrt(1 - gain / inner) : 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (!body.pinned(p)) body.velocity[p] = drift + (body.velocity[p] - drift) * kept;
+    }
+}
+
 void follow_models(Body& body, double fraction, double h) {
     for (const Attachment& attachment : body.attachments) {
         Vec3& position = body.position[attachment.particle];
@@ -72,10 +115,10 @@ void follow_models(Body& body, double fraction, double h) {
     }
 }
 
-void move_constrained(Body& body, const Surroundings& around, Vec3 gravity, double fraction, double h) {
+void move_constrained(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const TimeScheme scheme(h, body.earlier_step);
     predict(body, scheme, gravity);
-    follow_models(body, fraction, h);
+    follow_models(body, around.end, h);
     // A force acts on the position through both formulas: h / next for each.
     const double step = h / std::sqrt(scheme.next * (scheme.next + body.settings.damping * h));
     if (body.plan.method == GPHYS_SOLVE_DIRECT) {
@@ -85,9 +128,18 @@ void move_constrained(Body& body, const Surroundings& around, Vec3 gravity, doub
         apply_reach_limits(body);
     }
     finish(body, scheme);
+    if (body.plan.method == GPHYS_SOLVE_GRAPH) take_back_gain(body, gravity);
     // What gravity adds in two substeps is no speed to bounce with.
     collide(body, around, 2 * h * length(gravity));
     body.earlier_step = body.touched ? 0 : h;
+}
+
+/// One sweep over a graph leaves an error that grows with the square of the substep. Beyond 25 ms, at
+/// which a sheet still falls by less than the length of its links, it would throw the sheet about.
+uint32_t substeps_of(const Body& body, double dt, uint32_t wanted) {
+    constexpr double longest = 0.025;
+    if (body.plan.method != GPHYS_SOLVE_GRAPH) return wanted;
+    return std::max(wanted, static_cast<uint32_t>(std::ceil(dt / longest)));
 }
 
 /// Where attached particles go in this step; those whose model is gone are released.
@@ -157,36 +209,34 @@ void Solver::look_around(const Scene& scene, double dt) {
 
 void Solver::step(const Scene* scene, double dt) {
     prepare(scene, dt);
-    const double h = dt / settings_.substeps;
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
         if (!ids_.live(slot)) continue;
         Body& body = bodies_[slot];
         std::fill(body.touches.begin(), body.touches.end(), Touch{});
-        for (uint32_t i = 1; i <= settings_.substeps; ++i) {
-            const double begin = static_cast<double>(i - 1) / settings_.substeps;
-            const double end = static_cast<double>(i) / settings_.substeps;
+        const uint32_t substeps = substeps_of(body, dt, settings_.substeps);
+        const double h = dt / substeps;
+        for (uint32_t i = 1; i <= substeps; ++i) {
+            const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
             const Surroundings around{scene, &moved_, dt, begin, end};
             if (body.plan.method == GPHYS_SOLVE_FREE) {
                 follow_models(body, end, h);
                 fly(body, around, settings_.gravity, h);
             } else {
-                move_constrained(body, around, settings_.gravity, end, h);
+                move_constrained(body, around, settings_.gravity, h);
             }
         }
     }
     seen_.swap(next_seen_);
 }
 
-/// Steps are counted, not summed up in float: what is owed after n frames is the same however the
-/// time was divided, up to the rounding of double.
 void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover) {
-    const double owed = owed_ + frame_time;
-    // A frame that equals a whole number of steps up to rounding makes that many.
-    const double due = std::floor(owed / settings_.fixed_step + 1e-9);
-    const uint32_t count = due > settings_.max_steps ? settings_.max_steps : static_cast<uint32_t>(due);
-    for (uint32_t i = 0; i < count; ++i) step(scene, settings_.fixed_step);
-    owed_ = std::max(0.0, owed - due * settings_.fixed_step);
-    steps = count;
+    owed_ += frame_time;
+    // Frames and steps came as float32, so six steps of a 60th may be a hair longer than a tenth: a
+    // millionth of a step is not waited for.
+    const double due = std::floor(owed_ / settings_.fixed_step + 1e-6);
+    steps = static_cast<uint32_t>(std::min<double>(due, settings_.max_steps));
+    for (uint32_t i = 0; i < steps; ++i) step(scene, settings_.fixed_step);
+    owed_ = std::max(0.0, owed_ - due * settings_.fixed_step);
     leftover = owed_ / settings_.fixed_step;
 }
 

@@ -1,0 +1,405 @@
+/* gphys_solver_*: what each entry point accepts, refuses and leaves alone. */
+#include "test.h"
+
+#define BAD GPHYS_ERROR_INVALID_ARGUMENT
+#define STALE GPHYS_ERROR_INVALID_ID
+
+static const gphys_vec3 points[4] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+static const float bad_values[] = {NAN, INFINITY, -INFINITY, 1.1e15f, -1.1e15f};
+#define BAD_COUNT (sizeof bad_values / sizeof *bad_values)
+
+typedef struct {
+    gphys_solver* solver;
+    gphys_scene* scene;
+    gphys_body_id rope, removed;
+} fixture;
+
+static int set_up(void** state) {
+    static fixture f;
+    assert_int_equal(gphys_solver_create(NULL, &f.solver), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &f.scene), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_rope(f.solver, NULL, points, 12, 4, 0, &f.rope), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_particles(f.solver, NULL, points, 12, 4, &f.removed), GPHYS_OK);
+    assert_int_equal(gphys_solver_remove_body(f.solver, f.removed), GPHYS_OK);
+    *state = &f;
+    return 0;
+}
+
+static int tear_down(void** state) {
+    fixture* f = *state;
+    gphys_solver_destroy(f->solver);
+    gphys_scene_destroy(f->scene);
+    return 0;
+}
+
+static void test_desc(void** state) {
+    gphys_solver_desc desc;
+    gphys_solver* solver = NULL;
+    gphys_allocator half = {NULL, NULL, NULL};
+    size_t i;
+    (void)state;
+    assert_int_equal(gphys_solver_desc_init(NULL, sizeof desc), BAD);
+    assert_int_equal(gphys_solver_desc_init(&desc, 3), GPHYS_ERROR_STRUCT_SIZE);
+    assert_int_equal(gphys_solver_desc_init(&desc, sizeof desc), GPHYS_OK);
+    assert_int_equal(desc.substeps, 8);
+    assert_true(desc.gravity.y == -9.81f);
+    assert_int_equal(gphys_solver_create(&desc, NULL), BAD);
+    for (i = 0; i < BAD_COUNT; ++i) {
+        desc.gravity.x = bad_values[i];
+        assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+        desc.gravity.x = 0;
+        desc.fixed_step = bad_values[i];
+        assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+        desc.fixed_step = 0.01f;
+    }
+    desc.substeps = 0;
+    assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+    desc.substeps = 1001;
+    assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+    desc.substeps = 1;
+    desc.max_steps = 0;
+    assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+    desc.max_steps = 1;
+    desc.allocator = &half;
+    assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+    desc.allocator = NULL;
+    desc.struct_size = 0;
+    assert_int_equal(gphys_solver_create(&desc, &solver), GPHYS_ERROR_STRUCT_SIZE);
+    assert_null(solver);
+    gphys_solver_destroy(NULL);
+}
+
+static void test_body_desc(void** state) {
+    fixture* f = *state;
+    gphys_body_desc desc;
+    gphys_body_id body = 7;
+    float* const amounts[] = {&desc.mass,        &desc.radius,     &desc.damping,        &desc.friction,
+                              &desc.restitution, &desc.compliance, &desc.bend_compliance};
+    size_t field, i;
+    assert_int_equal(gphys_body_desc_init(NULL, sizeof desc), BAD);
+    assert_int_equal(gphys_body_desc_init(&desc, 3), GPHYS_ERROR_STRUCT_SIZE);
+    assert_int_equal(gphys_body_desc_init(&desc, sizeof desc), GPHYS_OK);
+    for (field = 0; field < sizeof amounts / sizeof *amounts; ++field) {
+        const float fine = *amounts[field];
+        for (i = 0; i < BAD_COUNT; ++i) {
+            *amounts[field] = bad_values[i];
+            assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
+        }
+        *amounts[field] = -1;
+        assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
+        *amounts[field] = fine;
+    }
+    desc.mass = 0;
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
+    desc.mass = 1;
+    desc.restitution = 1.5f;
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
+    desc.restitution = 1;
+    desc.cloth_flags = 4;
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
+    desc.cloth_flags = 0;
+    assert_int_equal(body, 7);
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), GPHYS_OK);
+}
+
+static void test_adding_bodies(void** state) {
+    fixture* f = *state;
+    gphys_vec3 broken[4];
+    gphys_vec3 corner = {0, 0, 0}, u = {1, 0, 0}, v = {0, 1, 0};
+    gphys_vec3* const vectors[] = {&corner, &u, &v};
+    gphys_body_id body = 7;
+    gphys_body_info info;
+    uint32_t indices[6], total = 0;
+    gphys_mesh* mesh = NULL;
+    gphys_transform at = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    const float vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+    const uint32_t triangles[] = {0, 1, 2, 2, 1, 3};
+    size_t i, k;
+
+    assert_int_equal(gphys_solver_add_particles(NULL, NULL, points, 12, 4, &body), BAD);
+    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, NULL, 12, 4, &body), BAD);
+    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 8, 4, &body), BAD);
+    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 13, 4, &body), BAD);
+    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 12, 0, &body), BAD);
+    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 12, 4, NULL), BAD);
+    assert_int_equal(gphys_solver_add_rope(NULL, NULL, points, 12, 4, 0, &body), BAD);
+    assert_int_equal(gphys_solver_add_rope(f->solver, NULL, points, 12, 1, 0, &body), BAD);
+    assert_int_equal(gphys_solver_add_rope(f->solver, NULL, NULL, 12, 4, 0, &body), BAD);
+    assert_int_equal(gphys_solver_add_rope(f->solver, NULL, points, 12, 4, -1, &body), BAD);
+    assert_int_equal(gphys_solver_add_rope(f->solver, NULL, points, 12, 4, 0, NULL), BAD);
+    memcpy(broken, points, sizeof broken);
+    for (i = 0; i < BAD_COUNT; ++i) {
+        broken[3].z = bad_values[i];
+        assert_int_equal(gphys_solver_add_particles(f->solver, NULL, broken, 12, 4, &body), BAD);
+        assert_int_equal(gphys_solver_add_rope(f->solver, NULL, broken, 12, 4, 0, &body), BAD);
+        assert_int_equal(gphys_solver_add_rope(f->solver, NULL, points, 12, 4, bad_values[i], &body), BAD);
+        for (k = 0; k < 3; ++k) {
+            const float fine = vectors[k]->z;
+            vectors[k]->z = bad_values[i];
+            assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, &corner, &u, &v, 2, 2, &body), BAD);
+            vectors[k]->z = fine;
+        }
+        at.position.x = bad_values[i];
+        assert_int_equal(gphys_solver_add_cloth_mesh(f->solver, NULL, mesh, &at, &body), BAD);
+        at.position.x = 0;
+    }
+    assert_int_equal(gphys_solver_add_cloth(NULL, NULL, &corner, &u, &v, 2, 2, &body), BAD);
+    assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, NULL, &u, &v, 2, 2, &body), BAD);
+    assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, &corner, NULL, &v, 2, 2, &body), BAD);
+    assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, &corner, &u, NULL, 2, 2, &body), BAD);
+    assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, &corner, &u, &v, 1, 2, &body), BAD);
+    assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, &corner, &u, &v, 2, 0, &body), BAD);
+    assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, &corner, &u, &v, 2, 2, NULL), BAD);
+    assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, &corner, &u, &v, 65536, 65536, &body),
+                     GPHYS_ERROR_CAPACITY);
+    corner.x = u.x = 9e14f;
+    assert_int_equal(gphys_solver_add_cloth(f->solver, NULL, &corner, &u, &v, 2, 2, &body), BAD);
+    assert_int_equal(gphys_solver_add_cloth_mesh(f->solver, NULL, NULL, NULL, &body), BAD);
+    assert_int_equal(body, 7);
+
+    assert_int_equal(gphys_mesh_create(NULL, vertices, 12, 4, triangles, 6, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_cloth_mesh(NULL, NULL, mesh, NULL, &body), BAD);
+    assert_int_equal(gphys_solver_add_cloth_mesh(f->solver, NULL, mesh, NULL, NULL), BAD);
+    assert_int_equal(gphys_solver_add_cloth_mesh(f->solver, NULL, mesh, &at, &body), GPHYS_OK);
+    gphys_mesh_destroy(mesh);
+    assert_int_equal(gphys_solver_get_body_info(f->solver, body, &info), GPHYS_OK);
+    assert_int_equal(info.kind, GPHYS_BODY_CLOTH);
+    assert_int_equal(info.method, GPHYS_SOLVE_GRAPH);
+    assert_int_equal(info.particle_count, 4);
+    assert_int_equal(info.constraint_count, 6); /* five edges and a bend */
+    assert_int_equal(info.triangle_count, 2);
+    assert_int_equal(gphys_solver_get_triangles(f->solver, body, indices, 5, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 6);
+    assert_int_equal(gphys_solver_get_triangles(f->solver, body, indices, 6, &total), GPHYS_OK);
+    assert_memory_equal(indices, triangles, sizeof indices);
+}
+
+static void test_ids_and_lists(void** state) {
+    fixture* f = *state;
+    gphys_body_id bodies[2] = {0, 0}, second = 0;
+    gphys_body_info info;
+    gphys_solver_stats stats;
+    gphys_contact contact;
+    uint32_t total = 0;
+    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 0, 3, &second), GPHYS_OK);
+    assert_int_not_equal(second, f->removed);
+    assert_int_equal(gphys_solver_get_bodies(f->solver, bodies, 1, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 2);
+    assert_int_equal(bodies[0], f->rope < second ? f->rope : second);
+    assert_int_equal(gphys_solver_get_bodies(NULL, bodies, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_bodies(f->solver, NULL, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_bodies(f->solver, bodies, 1, NULL), BAD);
+    assert_int_equal(gphys_solver_remove_body(f->solver, f->removed), STALE);
+    assert_int_equal(gphys_solver_remove_body(f->solver, 0), STALE);
+    assert_int_equal(gphys_solver_remove_body(NULL, f->rope), BAD);
+    assert_int_equal(gphys_solver_get_body_info(f->solver, f->removed, &info), STALE);
+    assert_int_equal(gphys_solver_get_body_info(f->solver, f->rope, NULL), BAD);
+    assert_int_equal(gphys_solver_get_body_info(NULL, f->rope, &info), BAD);
+    assert_int_equal(gphys_solver_get_triangles(f->solver, f->removed, NULL, 0, &total), STALE);
+    assert_int_equal(gphys_solver_get_triangles(NULL, f->rope, NULL, 0, &total), BAD);
+    assert_int_equal(gphys_solver_get_triangles(f->solver, f->rope, NULL, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_stats(f->solver, f->removed, &stats), STALE);
+    assert_int_equal(gphys_solver_get_stats(f->solver, 0, NULL), BAD);
+    assert_int_equal(gphys_solver_get_stats(NULL, 0, &stats), BAD);
+    assert_int_equal(gphys_solver_get_stats(f->solver, 0, &stats), GPHYS_OK);
+    assert_int_equal(stats.particle_count, 7);
+    assert_int_equal(stats.constraint_count, 3);
+    assert_int_equal(gphys_solver_get_contacts(NULL, &contact, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_contacts(f->solver, NULL, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_contacts(f->solver, &contact, 1, NULL), BAD);
+    assert_int_equal(gphys_solver_get_contacts(f->solver, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+}
+
+typedef gphys_status (*get_vectors)(const gphys_solver*, gphys_body_id, uint32_t, uint32_t, gphys_vec3*, uint32_t);
+typedef gphys_status (*set_vectors)(gphys_solver*, gphys_body_id, uint32_t, uint32_t, const gphys_vec3*, uint32_t);
+typedef gphys_status (*set_floats)(gphys_solver*, gphys_body_id, uint32_t, uint32_t, const float*, uint32_t);
+
+static void test_vectors(void** state) {
+    fixture* f = *state;
+    const get_vectors getters[] = {gphys_solver_get_positions, gphys_solver_get_velocities};
+    const set_vectors setters[] = {gphys_solver_set_positions, gphys_solver_set_velocities, gphys_solver_set_forces};
+    gphys_vec3 values[4];
+    size_t i, k;
+    for (i = 0; i < 2; ++i) {
+        assert_int_equal(getters[i](NULL, f->rope, 0, 4, values, 12), BAD);
+        assert_int_equal(getters[i](f->solver, f->removed, 0, 4, values, 12), STALE);
+        assert_int_equal(getters[i](f->solver, f->rope, 0, 5, values, 12), BAD);
+        assert_int_equal(getters[i](f->solver, f->rope, 5, 0, values, 12), BAD);
+        assert_int_equal(getters[i](f->solver, f->rope, 2, 0xffffffffu, values, 12), BAD);
+        assert_int_equal(getters[i](f->solver, f->rope, 0, 4, NULL, 12), BAD);
+        assert_int_equal(getters[i](f->solver, f->rope, 0, 4, values, 0), BAD);
+        assert_int_equal(getters[i](f->solver, f->rope, 0, 4, values, 14), BAD);
+        assert_int_equal(getters[i](f->solver, f->rope, 4, 0, NULL, 12), GPHYS_OK);
+    }
+    for (i = 0; i < 3; ++i) {
+        memcpy(values, points, sizeof values);
+        assert_int_equal(setters[i](NULL, f->rope, 0, 4, values, 12), BAD);
+        assert_int_equal(setters[i](f->solver, f->removed, 0, 4, values, 12), STALE);
+        assert_int_equal(setters[i](f->solver, f->rope, 1, 4, values, 12), BAD);
+        assert_int_equal(setters[i](f->solver, f->rope, 0, 4, NULL, 12), BAD);
+        assert_int_equal(setters[i](f->solver, f->rope, 0, 4, values, 8), BAD);
+        values[0].x = 9;
+        for (k = 0; k < BAD_COUNT; ++k) {
+            values[3].y = bad_values[k];
+            assert_int_equal(setters[i](f->solver, f->rope, 0, 4, values, 12), BAD);
+        }
+        assert_int_equal(setters[i](f->solver, f->rope, 0, 0, NULL, 12), GPHYS_OK);
+    }
+    assert_int_equal(gphys_solver_get_positions(f->solver, f->rope, 0, 4, values, 12), GPHYS_OK);
+    assert_memory_equal(values, points, sizeof values);
+    values[0].x = 5;
+    assert_int_equal(gphys_solver_set_positions(f->solver, f->rope, 1, 2, values, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_positions(f->solver, f->rope, 2, 1, values, 12), GPHYS_OK);
+    assert_true(values[0].x == 5);
+}
+
+static void test_scalars(void** state) {
+    fixture* f = *state;
+    const set_floats setters[] = {gphys_solver_set_masses, gphys_solver_set_radii};
+    float values[4] = {1, 2, 3, 4}, masses[4];
+    size_t i, k;
+    for (i = 0; i < 2; ++i) {
+        assert_int_equal(setters[i](NULL, f->rope, 0, 4, values, 4), BAD);
+        assert_int_equal(setters[i](f->solver, f->removed, 0, 4, values, 4), STALE);
+        assert_int_equal(setters[i](f->solver, f->rope, 1, 4, values, 4), BAD);
+        assert_int_equal(setters[i](f->solver, f->rope, 0, 4, NULL, 4), BAD);
+        assert_int_equal(setters[i](f->solver, f->rope, 0, 4, values, 2), BAD);
+        for (k = 0; k < BAD_COUNT; ++k) {
+            values[3] = bad_values[k];
+            assert_int_equal(setters[i](f->solver, f->rope, 0, 4, values, 4), BAD);
+        }
+        values[3] = -1;
+        assert_int_equal(setters[i](f->solver, f->rope, 0, 4, values, 4), BAD);
+    }
+    values[3] = 0;
+    assert_int_equal(gphys_solver_set_masses(f->solver, f->rope, 0, 4, values, 4), BAD);
+    assert_int_equal(gphys_solver_set_radii(f->solver, f->rope, 0, 4, values, 4), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_masses(NULL, f->rope, 0, 4, masses, 4), BAD);
+    assert_int_equal(gphys_solver_get_masses(f->solver, f->removed, 0, 4, masses, 4), STALE);
+    assert_int_equal(gphys_solver_get_masses(f->solver, f->rope, 0, 5, masses, 4), BAD);
+    assert_int_equal(gphys_solver_get_masses(f->solver, f->rope, 0, 4, NULL, 4), BAD);
+    assert_int_equal(gphys_solver_get_masses(f->solver, f->rope, 0, 4, masses, 0), BAD);
+    assert_int_equal(gphys_solver_get_masses(f->solver, f->rope, 0, 4, masses, 4), GPHYS_OK);
+    assert_true(masses[0] == 0.25f && masses[3] == 0.25f);
+    values[3] = 8;
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 3, 1, 1), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_masses(f->solver, f->rope, 0, 4, values, 4), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_masses(f->solver, f->rope, 0, 4, masses, 4), GPHYS_OK);
+    assert_memory_equal(values, masses, sizeof masses);
+}
+
+static void test_pins_and_attachments(void** state) {
+    fixture* f = *state;
+    const gphys_sphere ball = {{0, 0, 0}, 1};
+    gphys_vec3 local = {0, NAN, 0};
+    gphys_model_id model = 0;
+    gphys_solver_stats stats;
+    assert_int_equal(gphys_scene_add(f->scene, GPHYS_SHAPE_SPHERE, &ball, NULL, NULL, &model), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_pinned(NULL, f->rope, 0, 1, 1), BAD);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->removed, 0, 1, 1), STALE);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 3, 2, 1), BAD);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 0, 1, 2), BAD);
+    assert_int_equal(gphys_solver_attach(NULL, f->scene, f->rope, 0, model, NULL), BAD);
+    assert_int_equal(gphys_solver_attach(f->solver, NULL, f->rope, 0, model, NULL), BAD);
+    assert_int_equal(gphys_solver_attach(f->solver, f->scene, f->removed, 0, model, NULL), STALE);
+    assert_int_equal(gphys_solver_attach(f->solver, f->scene, f->rope, 4, model, NULL), BAD);
+    assert_int_equal(gphys_solver_attach(f->solver, f->scene, f->rope, 0, 0, NULL), STALE);
+    assert_int_equal(gphys_solver_attach(f->solver, f->scene, f->rope, 0, model, &local), BAD);
+    assert_int_equal(gphys_solver_detach(f->solver, f->rope, 0), BAD);
+    assert_int_equal(gphys_solver_attach(f->solver, f->scene, f->rope, 0, model, NULL), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_stats(f->solver, f->rope, &stats), GPHYS_OK);
+    assert_int_equal(stats.pinned_count, 1);
+    assert_int_equal(gphys_solver_detach(NULL, f->rope, 0), BAD);
+    assert_int_equal(gphys_solver_detach(f->solver, f->removed, 0), STALE);
+    assert_int_equal(gphys_solver_detach(f->solver, f->rope, 4), BAD);
+    assert_int_equal(gphys_solver_detach(f->solver, f->rope, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_stats(f->solver, f->rope, &stats), GPHYS_OK);
+    assert_int_equal(stats.pinned_count, 0);
+}
+
+static void test_constraints(void** state) {
+    fixture* f = *state;
+    gphys_constraint_info infos[4];
+    gphys_constraint_id id = 7;
+    uint32_t total = 0;
+    size_t i;
+    assert_int_equal(gphys_solver_add_distance(NULL, f->rope, 0, 1, 1, 0, &id), BAD);
+    assert_int_equal(gphys_solver_add_distance(f->solver, f->removed, 0, 1, 1, 0, &id), STALE);
+    assert_int_equal(gphys_solver_add_distance(f->solver, f->rope, 0, 4, 1, 0, &id), BAD);
+    assert_int_equal(gphys_solver_add_distance(f->solver, f->rope, 4, 0, 1, 0, &id), BAD);
+    assert_int_equal(gphys_solver_add_distance(f->solver, f->rope, 1, 1, 1, 0, &id), BAD);
+    assert_int_equal(gphys_solver_add_distance(f->solver, f->rope, 0, 1, 1, -1, &id), BAD);
+    assert_int_equal(gphys_solver_add_distance(f->solver, f->rope, 0, 1, 1, 0, NULL), BAD);
+    for (i = 0; i < BAD_COUNT; ++i) {
+        assert_int_equal(gphys_solver_add_distance(f->solver, f->rope, 0, 1, bad_values[i], 0, &id), BAD);
+        assert_int_equal(gphys_solver_add_distance(f->solver, f->rope, 0, 1, 1, bad_values[i], &id), BAD);
+    }
+    assert_int_equal(id, 7);
+    assert_int_equal(gphys_solver_add_distance(f->solver, f->rope, 0, 3, -1, 0.5f, &id), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_constraints(f->solver, f->rope, infos, 4, &total), GPHYS_OK);
+    assert_int_equal(total, 4);
+    assert_int_equal(infos[3].id, id);
+    assert_int_equal(infos[3].particle_b, 3);
+    assert_true(infos[3].rest_length == 3 && infos[3].compliance == 0.5f);
+    assert_int_equal(gphys_solver_get_constraints(f->solver, f->rope, infos, 2, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(gphys_solver_get_constraints(NULL, f->rope, infos, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_constraints(f->solver, f->removed, infos, 2, &total), STALE);
+    assert_int_equal(gphys_solver_get_constraints(f->solver, f->rope, NULL, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_constraints(f->solver, f->rope, infos, 2, NULL), BAD);
+    assert_int_equal(gphys_solver_remove_constraint(NULL, f->rope, id), BAD);
+    assert_int_equal(gphys_solver_remove_constraint(f->solver, f->removed, id), STALE);
+    assert_int_equal(gphys_solver_remove_constraint(f->solver, f->rope, 0), STALE);
+    assert_int_equal(gphys_solver_remove_constraint(f->solver, f->rope, id), GPHYS_OK);
+    assert_int_equal(gphys_solver_remove_constraint(f->solver, f->rope, id), STALE);
+}
+
+static void test_step_and_settings(void** state) {
+    fixture* f = *state;
+    const gphys_vec3 up = {0, 1, 0};
+    gphys_vec3 broken = {0, 0, 0}, velocity;
+    uint32_t steps = 7;
+    float leftover = 7;
+    size_t i;
+    assert_int_equal(gphys_solver_step(NULL, NULL, 0.01f), BAD);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0), BAD);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.51f), BAD);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 9e-7f), BAD);
+    assert_int_equal(gphys_solver_advance(NULL, NULL, 0.1f, NULL, NULL), BAD);
+    assert_int_equal(gphys_solver_advance(f->solver, NULL, -0.1f, &steps, &leftover), BAD);
+    for (i = 0; i < BAD_COUNT; ++i) {
+        assert_int_equal(gphys_solver_step(f->solver, NULL, bad_values[i]), BAD);
+        assert_int_equal(gphys_solver_advance(f->solver, NULL, bad_values[i], &steps, &leftover), BAD);
+        broken.y = bad_values[i];
+        assert_int_equal(gphys_solver_set_gravity(f->solver, &broken), BAD);
+    }
+    assert_int_equal(steps, 7);
+    assert_int_equal(gphys_solver_set_gravity(NULL, &up), BAD);
+    assert_int_equal(gphys_solver_set_gravity(f->solver, NULL), BAD);
+    assert_int_equal(gphys_solver_set_substeps(NULL, 1), BAD);
+    assert_int_equal(gphys_solver_set_substeps(f->solver, 0), BAD);
+    assert_int_equal(gphys_solver_set_substeps(f->solver, 1001), BAD);
+    assert_int_equal(gphys_solver_set_gravity(f->solver, &up), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_substeps(f->solver, 2), GPHYS_OK);
+    assert_int_equal(gphys_solver_step(f->solver, f->scene, 0.5f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_velocities(f->solver, f->rope, 0, 1, &velocity, 12), GPHYS_OK);
+    assert_true(fabsf(velocity.y - 0.5f) < 1e-6f);
+    assert_int_equal(gphys_solver_advance(f->solver, NULL, 0.02f, &steps, &leftover), GPHYS_OK);
+    assert_int_equal(steps, 1);
+    assert_true(fabsf(leftover - 0.2f) < 1e-3f);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_desc, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_body_desc, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_adding_bodies, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_ids_and_lists, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_vectors, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_scalars, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_pins_and_attachments, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_constraints, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
