@@ -19,18 +19,9 @@ bool in_ball(Vec3 center, double radius, Vec3 point) {
            }) <= 0;
 }
 
-bool between(double a, double b, double v) { return std::min(a, b) <= v && v <= std::max(a, b); }
-
-/// Whether the point is on the segment a b, exactly.
-bool on_segment(Vec3 a, Vec3 b, Vec3 point) {
-    return between(a.x, b.x, point.x) && between(a.y, b.y, point.y) && between(a.z, b.z, point.z) &&
-           orientation(a, b, point, 0) == 0 && orientation(a, b, point, 1) == 0 && orientation(a, b, point, 2) == 0;
-}
-
 }  // namespace
 
 bool contains(const Segment& segment, Vec3 point, double tolerance) {
-    if (tolerance == 0) return on_segment(segment.a, segment.b, point);
     return contains(Capsule{segment.a, segment.b, tolerance}, point, 0);
 }
 
@@ -111,7 +102,10 @@ bool contains(const Triangle& triangle, Vec3 point, double tolerance) {
         return within(closest_point(Triangle{a - point, b - point, c - point}, {}), {}, tolerance);
     }
     const int axis = turning_axis(a, b, c);
-    if (axis < 0) return on_segment(a, b, point) || on_segment(b, c, point) || on_segment(c, a, point);
+    if (axis < 0) {
+        return contains(Segment{a, b}, point, 0) || contains(Segment{b, c}, point, 0) ||
+               contains(Segment{c, a}, point, 0);
+    }
     if (orientation(a, b, c, point) != 0) return false;
     const int turn = orientation(a, b, c, axis);
     return orientation(a, b, point, axis) != -turn && orientation(b, c, point, axis) != -turn &&

@@ -6,15 +6,16 @@ namespace gphys {
 
 namespace {
 
-/// False for NaN and infinities too.
-bool in_range(float v) { return std::fabs(v) <= GPHYS_MAX_COORDINATE; }
+// Comparisons by name (std::islessequal, ...) are false for NaN without raising FE_INVALID, which a
+// host may trap.
+bool in_range(float v) { return std::islessequal(std::fabs(v), GPHYS_MAX_COORDINATE); }
 bool in_range(const gphys_vec3& v) { return in_range(v.x) && in_range(v.y) && in_range(v.z); }
-bool is_size(float v) { return v >= 0 && v <= GPHYS_MAX_COORDINATE; }
+bool is_size(float v) { return in_range(v) && v >= 0; }
 bool is_zero(const gphys_vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 bool is_rotation(const gphys_quat& q) {
     const Quat d = widen(q);
     const double square = d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w;
-    return square >= 0.999 * 0.999 && square <= 1.001 * 1.001;
+    return std::isgreaterequal(square, 0.999 * 0.999) && square <= 1.001 * 1.001;
 }
 /// Of a short normal: the plane itself is out of range, and answers could exceed the largest float.
 bool is_far(const gphys_plane& plane) {
@@ -50,7 +51,7 @@ const char* defect(const gphys_ray& ray) {
         return "ray.direction: a component is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
     }
     if (is_zero(ray.direction)) return "ray.direction: must not be zero";
-    if (!(ray.t_max >= 0)) return "ray.t_max: must be 0 or more and not NaN";
+    if (!std::isgreaterequal(ray.t_max, 0.0f)) return "ray.t_max: must be 0 or more and not NaN";
     return nullptr;
 }
 

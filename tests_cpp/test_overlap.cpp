@@ -1,5 +1,5 @@
-// Overlaps: the book's defects by name, and every pair of convex shapes against support functions
-// in double, at random and moved to within a hair of touching.
+// Overlaps: the book's defects by name, and every pair of convex shapes against support functions,
+// at random and moved to within a hair of touching.
 #include "intersect.h"
 
 #include "convex_hull.h"

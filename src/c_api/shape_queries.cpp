@@ -135,7 +135,7 @@ gphys_status gphys_shape_contains_batch(gphys_shape_type type, const void* shape
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE((points && out_contains) || count == 0, "points or out_contains is null");
         GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(int32_t)), "out_stride: a multiple of 4 of at least 4");
-        GPHYS_REQUIRE(tolerance >= 0 && tolerance <= GPHYS_MAX_COORDINATE,
+        GPHYS_REQUIRE(std::isgreaterequal(tolerance, 0.0f) && tolerance <= GPHYS_MAX_COORDINATE,
                       "tolerance: must be 0 or more and at most GPHYS_MAX_COORDINATE");
         Target target;
         GPHYS_TRY(read_target(type, shape, target));

@@ -1,29 +1,15 @@
 // Rays, segments and sweeps against one shape or mesh.
 #include "../mesh.h"
-#include "handles.h"
 #include "shape_input.h"
 
 namespace gphys {
 namespace {
 
-/// What a ray is cast at: a primitive or, if not null, a mesh.
-struct Target {
-    Shape shape;
-    const Mesh* mesh = nullptr;
-};
-
-gphys_status read_target(gphys_shape_type type, const void* shape, Target& out) noexcept {
-    if (type != GPHYS_SHAPE_MESH) return read_shape(type, shape, out.shape);
-    GPHYS_REQUIRE(shape, "shape is null");
-    out.mesh = unwrap(static_cast<const gphys_mesh*>(shape));
-    return GPHYS_OK;
-}
-
-bool raycast(const Target& target, const Ray& ray, Hit& hit) {
+bool raycast(const ShapeOrMesh& target, const Ray& ray, Hit& hit) {
     return target.mesh ? target.mesh->raycast(ray, hit) : raycast(target.shape, ray, hit);
 }
 
-bool sweep(const Target& target, const Sphere& moving, Vec3 displacement, Hit& hit) {
+bool sweep(const ShapeOrMesh& target, const Sphere& moving, Vec3 displacement, Hit& hit) {
     return target.mesh ? target.mesh->sweep(moving, displacement, hit) : sweep(target.shape, moving, displacement, hit);
 }
 
@@ -35,8 +21,8 @@ using namespace gphys;
 gphys_status gphys_shape_raycast(gphys_shape_type type, const void* shape, const gphys_ray* ray, gphys_hit* out_hit) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(ray && out_hit, "ray or out_hit is null");
-        Target target;
-        GPHYS_TRY(read_target(type, shape, target));
+        ShapeOrMesh target;
+        GPHYS_TRY(read_shape(type, shape, target));
         GPHYS_REQUIRE_VALID(*ray);
         Hit hit;
         if (!raycast(target, widen(*ray), hit)) return GPHYS_NO_HIT;
@@ -51,8 +37,8 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape,
         GPHYS_REQUIRE((rays && out_hits) || count == 0, "rays or out_hits is null");
         GPHYS_REQUIRE(valid_stride(ray_stride, sizeof(gphys_ray)), "ray_stride");
         GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(gphys_hit)), "out_stride");
-        Target target;
-        GPHYS_TRY(read_target(type, shape, target));
+        ShapeOrMesh target;
+        GPHYS_TRY(read_shape(type, shape, target));
         const Strided<gphys_ray> each(rays, ray_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
         for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
@@ -68,8 +54,8 @@ gphys_status gphys_shape_segment_test(gphys_shape_type type, const void* shape, 
                                       gphys_hit* out_hit) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(segment && out_hit, "segment or out_hit is null");
-        Target target;
-        GPHYS_TRY(read_target(type, shape, target));
+        ShapeOrMesh target;
+        GPHYS_TRY(read_shape(type, shape, target));
         GPHYS_REQUIRE_VALID(*segment);
         Hit hit;
         if (!raycast(target, ray_along(widen(*segment)), hit)) return GPHYS_NO_HIT;
@@ -82,8 +68,8 @@ gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void* shape, 
                                       const gphys_vec3* displacement, gphys_hit* out_hit) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(sphere && displacement && out_hit, "sphere, displacement or out_hit is null");
-        Target target;
-        GPHYS_TRY(read_target(type, shape, target));
+        ShapeOrMesh target;
+        GPHYS_TRY(read_shape(type, shape, target));
         GPHYS_REQUIRE_VALID(*sphere);
         GPHYS_REQUIRE_VALID(*displacement);
         Hit hit;

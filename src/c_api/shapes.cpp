@@ -131,7 +131,7 @@ gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_
                       "depth_range: no such range");
         GPHYS_REQUIRE(is_bool(reverse_z), "reverse_z: must be 0 or 1");
         for (float element : view_projection->m) {
-            GPHYS_REQUIRE(std::fabs(element) <= GPHYS_MAX_COORDINATE,
+            GPHYS_REQUIRE(std::islessequal(std::fabs(element), GPHYS_MAX_COORDINATE),
                           "view_projection: an element is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
         }
         const Mat4 matrix = widen(*view_projection);
