@@ -42,8 +42,6 @@ bool is_met(const Primitive& shape, const Ray& ray) {
     return raycast(shape, ray, hit);
 }
 
-Aabb as_aabb(const Box& box) { return {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}}; }
-
 /// Whether a box may touch a plane. The error of the sums is below 8 roundings of 2^-53 of what is
 /// added up.
 bool may_touch(const Plane& plane, const Box& box) {

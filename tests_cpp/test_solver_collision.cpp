@@ -139,7 +139,6 @@ TEST_CASE("a moving wall takes particles along") {
     for (int i = 0; i < 60; ++i) {
         at.position.x += 0.05f;  // 3 m/s
         REQUIRE(gphys_scene_set_transform(world.scene, wall, &at) == GPHYS_OK);
-        // Resting particles see a wall only when it is near: they are many, so the box is wide.
         world.step(1.0f / 60);
         for (const gphys_vec3& p : world.positions(body)) CHECK(p.x >= at.position.x);
     }

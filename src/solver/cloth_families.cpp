@@ -8,10 +8,10 @@
 namespace gphys {
 namespace {
 
-// The compliance that every link has, relative to the inverse masses at its ends: it bounds the
-// correction where constraints contradict each other (a straight chain between two pins too far
-// apart). A chain straight within an angle d can be thrown aside by error * d / (d^2 + this), at
-// most error / (2 sqrt(this)), hence 16 times the error.
+// The compliance that every link has, relative to the inverse masses at its ends: it keeps the pivots
+// of a straight chain between two pins away from zero. It leaves a millionth of the error, and bounds
+// the sideways correction of a chain straight within an angle d: error * d / (d^2 + this) is at most
+// error / (2 sqrt(this)), 500 times the error of pins too far apart.
 constexpr double regularisation = 1e-6;
 
 void solve_line(Body& body, const Chain& chain, double inverse_step_squared) {
@@ -19,8 +19,8 @@ void solve_line(Body& body, const Chain& chain, double inverse_step_squared) {
     const uint32_t* particles = &plan.particles[chain.first_particle];
     LineRow* rows = body.plan.line_rows.data();
 
-    // Elimination. The tension t_j of link j solves
-    //   w_j (n_j . n_(j-1)) t_(j-1)-coupled, (w_j + w_(j+1) + compliance / step^2) t_j = error_j
+    // Elimination. With w the inverse masses and c_j = w_j (n_(j-1) . n_j), the tensions t solve
+    //   -c_j t_(j-1) + (w_j + w_(j+1) + compliance / step^2) t_j - c_(j+1) t_(j+1) = error_j
     Vec3 direction_before;
     double inverse_pivot_before = 0, value_before = 0;
     Vec3 a = body.position[particles[0]];

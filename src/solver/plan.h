@@ -64,7 +64,7 @@ gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
-/// plan_chains.cpp and reach_limits.cpp
+/// Parts of it: plan_chains.cpp and reach_limits.cpp.
 void plan_direct_chains(Body& body);
 void plan_chain_families(Body& body);
 void plan_reach_limits(Body& body);
