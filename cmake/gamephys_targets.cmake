@@ -4,7 +4,7 @@
 # The archive is a compilation of its own, without exported symbols: objects made for the shared
 # library would re-export the whole interface from any shared object that takes the archive in.
 
-file(GLOB GAMEPHYS_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp ${PROJECT_SOURCE_DIR}/src/*/*.cpp)
+file(GLOB GAMEPHYS_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.cpp)
 
 # Warnings, for everything that belongs to this project.
 function(gamephys_warnings target)
@@ -37,6 +37,7 @@ function(gamephys_library target)
   target_compile_features(${target} PRIVATE cxx_std_17)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   set_target_properties(
     ${target}
     PROPERTIES CXX_EXTENSIONS OFF

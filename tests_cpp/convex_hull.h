@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "intersect.h"
+#include "intersect/intersect.h"
 #include "test.h"
 
 namespace test {

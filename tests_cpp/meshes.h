@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh.h"
+#include "mesh/mesh.h"
 #include "test.h"
 
 namespace test {

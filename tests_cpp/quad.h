@@ -2,7 +2,7 @@
 // are multiples of 2^-20 below 2^14 (34 bits each) are exact in it.
 #pragma once
 
-#include "shapes.h"
+#include "shapes/shapes.h"
 
 namespace test {
 

@@ -4,7 +4,7 @@
 
 #include <cfenv>
 
-#include "intersect.h"
+#include "intersect/intersect.h"
 #include "quad.h"
 #include "test.h"
 

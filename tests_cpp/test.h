@@ -9,7 +9,7 @@
 
 #include <random>
 
-#include "math.h"
+#include "foundation/math.h"
 
 namespace test {
 

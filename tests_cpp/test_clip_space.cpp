@@ -1,4 +1,4 @@
-#include "clip_space.h"
+#include "camera/clip_space.h"
 
 #include "test.h"
 

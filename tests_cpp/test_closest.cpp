@@ -1,6 +1,6 @@
 // Containment and closest points: the book's defects by name, exact signs beside integer and
 // 128-bit float arithmetic, and closest points beside a slow minimiser.
-#include "intersect.h"
+#include "intersect/intersect.h"
 
 #include "convex_hull.h"
 #include "test.h"

@@ -1,4 +1,4 @@
-#include "exact.h"
+#include "foundation/exact.h"
 
 #include "test.h"
 

@@ -1,7 +1,7 @@
 #include <deque>
 #include <set>
 
-#include "ids.h"
+#include "foundation/ids.h"
 #include "test.h"
 
 using namespace gphys;

@@ -1,4 +1,4 @@
-#include "orbit.h"
+#include "camera/orbit.h"
 
 #include "test.h"
 

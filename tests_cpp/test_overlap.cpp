@@ -1,9 +1,9 @@
 // Overlaps: the book's defects by name, and every pair of convex shapes against support functions,
 // at random and moved to within a hair of touching.
-#include "intersect.h"
+#include "intersect/intersect.h"
 
 #include "convex_hull.h"
-#include "halfspaces.h"
+#include "shapes/halfspaces.h"
 #include "test.h"
 
 using namespace gphys;

@@ -1,4 +1,4 @@
-#include "pick.h"
+#include "pick/pick.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "pool.h"
+#include "foundation/pool.h"
 
 #include <map>
 

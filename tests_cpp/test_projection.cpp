@@ -1,4 +1,4 @@
-#include "projection.h"
+#include "camera/projection.h"
 
 #include <vector>
 

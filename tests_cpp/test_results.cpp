@@ -1,4 +1,4 @@
-#include "results.h"
+#include "foundation/results.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include <cstdlib>
 
 #include "c_api/handles.h"
-#include "scene.h"
+#include "scene/scene.h"
 #include "scene_fixture.h"
 #include "scene_reference.h"
 

@@ -1,8 +1,8 @@
 // Bounds that are outward and tight, placement there and back, and corners of frusta.
-#include "shapes.h"
+#include "shapes/shapes.h"
 
 #include "convex_hull.h"
-#include "halfspaces.h"
+#include "shapes/halfspaces.h"
 #include "test.h"
 
 using namespace gphys;

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <new>
 
-#include "../math.h"
-#include "../shapes.h"
-#include "../status.h"
-#include "../strided.h"
+#include "foundation/math.h"
+#include "shapes/shapes.h"
+#include "foundation/status.h"
+#include "foundation/strided.h"
 
 namespace gphys {
 

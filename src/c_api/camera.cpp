@@ -1,8 +1,8 @@
 // The camera: settings, placement, orbit, matrices, frustum, pixels and points.
-#include "../camera.h"
+#include "camera/camera.h"
 
-#include "api.h"
-#include "handles.h"
+#include "c_api/api.h"
+#include "c_api/handles.h"
 
 using namespace gphys;
 

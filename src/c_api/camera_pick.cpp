@@ -1,10 +1,10 @@
 // Picking and culling: a camera asks a scene.
-#include "../pick.h"
+#include "pick/pick.h"
 
-#include "api.h"
-#include "handles.h"
-#include "lists.h"
-#include "shape_input.h"
+#include "c_api/api.h"
+#include "c_api/handles.h"
+#include "c_api/lists.h"
+#include "c_api/shape_input.h"
 
 using namespace gphys;
 

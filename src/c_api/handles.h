@@ -2,7 +2,7 @@
 // stay incomplete forever, so that a cast is all that lies between the two.
 #pragma once
 
-#include "../status.h"
+#include "foundation/status.h"
 
 namespace gphys {
 

@@ -1,12 +1,12 @@
 // gphys_scene_*: scenes, models and their transforms. Queries are in scene_queries.cpp.
-#include "../scene.h"
+#include "scene/scene.h"
 
 #include <cstring>
 
-#include "api.h"
-#include "handles.h"
-#include "lists.h"
-#include "shape_input.h"
+#include "c_api/api.h"
+#include "c_api/handles.h"
+#include "c_api/lists.h"
+#include "c_api/shape_input.h"
 
 using namespace gphys;
 

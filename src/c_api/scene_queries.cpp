@@ -1,10 +1,10 @@
 // gphys_scene_*: queries, one by one and in batches.
-#include "../scene.h"
+#include "scene/scene.h"
 
-#include "api.h"
-#include "handles.h"
-#include "lists.h"
-#include "shape_input.h"
+#include "c_api/api.h"
+#include "c_api/handles.h"
+#include "c_api/lists.h"
+#include "c_api/shape_input.h"
 
 using namespace gphys;
 

@@ -1,6 +1,6 @@
-#include "shape_input.h"
+#include "c_api/shape_input.h"
 
-#include "handles.h"
+#include "c_api/handles.h"
 
 namespace gphys {
 

@@ -1,8 +1,8 @@
 // Reading a caller's shape, and filling the result structs that several entry points share.
 #pragma once
 
-#include "../intersect.h"
-#include "api.h"
+#include "intersect/intersect.h"
+#include "c_api/api.h"
 
 namespace gphys {
 

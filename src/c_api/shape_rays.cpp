@@ -1,6 +1,6 @@
 // Rays, segments and sweeps against one shape or mesh.
-#include "../mesh.h"
-#include "shape_input.h"
+#include "mesh/mesh.h"
+#include "c_api/shape_input.h"
 
 namespace gphys {
 namespace {

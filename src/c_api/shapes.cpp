@@ -1,9 +1,9 @@
 // Single shapes: validity, bounds, placement, corners.
-#include "../clip_space.h"
-#include "../halfspaces.h"
-#include "../mesh.h"
-#include "handles.h"
-#include "shape_input.h"
+#include "camera/clip_space.h"
+#include "shapes/halfspaces.h"
+#include "mesh/mesh.h"
+#include "c_api/handles.h"
+#include "c_api/shape_input.h"
 
 namespace gphys {
 namespace {

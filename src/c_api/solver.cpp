@@ -1,11 +1,11 @@
 // gphys_solver_*: the solver, its bodies, the step and what it reports. Particles and constraints of
 // a body are in solver_state.cpp.
-#include "../solver/solver.h"
+#include "solver/solver.h"
 
-#include "../mesh.h"
-#include "api.h"
-#include "handles.h"
-#include "lists.h"
+#include "mesh/mesh.h"
+#include "c_api/api.h"
+#include "c_api/handles.h"
+#include "c_api/lists.h"
 
 using namespace gphys;
 

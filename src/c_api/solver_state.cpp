@@ -1,9 +1,9 @@
 // gphys_solver_*: the particles and constraints of a body, read and changed.
-#include "../solver/solver.h"
-#include "../strided.h"
-#include "api.h"
-#include "handles.h"
-#include "lists.h"
+#include "solver/solver.h"
+#include "foundation/strided.h"
+#include "c_api/api.h"
+#include "c_api/handles.h"
+#include "c_api/lists.h"
 
 using namespace gphys;
 

@@ -1,5 +1,5 @@
 // Version, status names, last error.
-#include "api.h"
+#include "c_api/api.h"
 
 using namespace gphys;
 

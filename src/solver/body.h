@@ -5,9 +5,9 @@
 // derived from old positions.
 #pragma once
 
-#include "../ids.h"
-#include "../math.h"
-#include "plan.h"
+#include "foundation/ids.h"
+#include "foundation/math.h"
+#include "solver/plan.h"
 
 namespace gphys {
 

@@ -1,8 +1,8 @@
 // Bodies come and go. A body is complete before the solver takes it in, so a failure on the way
 // leaves the solver as it was.
-#include "../mesh.h"
-#include "../strided.h"
-#include "solver.h"
+#include "mesh/mesh.h"
+#include "foundation/strided.h"
+#include "solver/solver.h"
 
 namespace gphys {
 namespace {

@@ -3,7 +3,7 @@
 // tridiagonal system (Thomas), so tension crosses the cloth in one sweep where a constraint at a
 // time needs as many sweeps as there are links. One pass per substep and always the same order:
 // going forward and backward by turns was seen to pump energy.
-#include "body.h"
+#include "solver/body.h"
 
 namespace gphys {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision.h"
+#include "solver/collision.h"
 
 namespace gphys {
 namespace {

@@ -6,8 +6,8 @@
 // caught by a model that jumped) is pushed out by the shortest way.
 #pragma once
 
-#include "../scene.h"
-#include "body.h"
+#include "scene/scene.h"
+#include "solver/body.h"
 
 namespace gphys {
 

@@ -1,6 +1,6 @@
 // Bodies without constraints: each particle flies on its own, and the exact solution of its flight
 // is known, so that neither the length nor the number of the steps matters.
-#include "collision.h"
+#include "solver/collision.h"
 
 namespace gphys {
 namespace {

@@ -2,8 +2,8 @@
 // pins and is made again when they change.
 #pragma once
 
-#include "../math.h"
-#include "../memory.h"
+#include "foundation/math.h"
+#include "foundation/memory.h"
 
 namespace gphys {
 

@@ -1,6 +1,6 @@
 // Finding chains among constraints: the ones that a body consists of, for direct solving, or the
 // families of straight lines that cover a cloth.
-#include "body.h"
+#include "solver/body.h"
 
 namespace gphys {
 namespace {

@@ -3,7 +3,7 @@
 // the stretch that sweeps over constraints would take many substeps to remove.
 #include <queue>
 
-#include "body.h"
+#include "solver/body.h"
 
 namespace gphys {
 namespace {

@@ -16,7 +16,7 @@
 // K, the geometric stiffness, is what keeps a taut rope straight while it swings: without it the
 // step overshoots sideways once the load is a thousand times a link's mass. The matrix is symmetric
 // and quasi-definite, so elimination without pivoting succeeds (Vanderbei 1995).
-#include "body.h"
+#include "solver/body.h"
 
 namespace gphys {
 namespace {

@@ -13,9 +13,9 @@
 //   stats.cpp           strain, energy, contacts
 #pragma once
 
-#include "../results.h"
-#include "../scene.h"
-#include "collision.h"
+#include "foundation/results.h"
+#include "scene/scene.h"
+#include "solver/collision.h"
 
 namespace gphys {
 

@@ -1,6 +1,6 @@
 // The particles and constraints of one body, as the caller changes them. Values have been checked.
-#include "../strided.h"
-#include "solver.h"
+#include "foundation/strided.h"
+#include "solver/solver.h"
 
 namespace gphys {
 namespace {

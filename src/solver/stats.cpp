@@ -1,5 +1,5 @@
 // What can be said about bodies: strain, energy, contacts.
-#include "solver.h"
+#include "solver/solver.h"
 
 namespace gphys {
 namespace {

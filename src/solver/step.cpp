@@ -11,7 +11,7 @@
 // After an interruption - a contact, a change by the caller - one step of backward Euler restarts it.
 #include <cstring>
 
-#include "solver.h"
+#include "solver/solver.h"
 
 namespace gphys {
 namespace {

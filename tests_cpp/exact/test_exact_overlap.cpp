@@ -5,7 +5,7 @@
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 
-#include "intersect.h"
+#include "intersect/intersect.h"
 
 #include "test.h"
 

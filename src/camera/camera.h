@@ -1,0 +1,77 @@
+// The camera: a projection, a viewport and a place, and what follows from them. Everything is
+// computed in double precision from the camera's own parameters and relative to its position; no
+// view-projection matrix is ever inverted (Upchurch and Desbrun 2012 on why).
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "foundation/memory.h"
+#include "camera/orbit.h"
+#include "camera/projection.h"
+
+namespace gphys {
+
+class Camera {
+public:
+    Camera(const gphys_allocator* hooks, const gphys_camera_desc& desc);
+
+    Memory memory;
+
+    void set_perspective(double fov_y, double near_distance, double far_distance);
+    void set_orthographic(double height, double near_distance, double far_distance);
+    /// From the camera's own axes to clip space.
+    gphys_status set_projection(const Mat4& projection);
+    void set_viewport(double width, double height);
+
+    /// The rotation takes the camera's own axes to the world's.
+    void set_transform(Vec3 position, const Mat3& rotation);
+    gphys_status set_world_matrix(const Mat4& world);
+    void look_at(Vec3 eye, Vec3 target, Vec3 up);
+
+    void set_orbit(const gphys_orbit& settings);
+    /// Null until set_orbit.
+    Orbit* orbit() { return orbit_ ? &*orbit_ : nullptr; }
+    const Orbit* orbit() const { return orbit_ ? &*orbit_ : nullptr; }
+    /// Place the camera where its orbit now is.
+    void follow_orbit();
+
+    Vec3 position() const { return position_; }
+    /// The camera's own axes in the world: right, up, and forward (left-handed) or back.
+    Mat3 rotation() const;
+    Mat4 world_matrix() const;
+    Mat4 view_matrix() const;
+    Mat4 projection_matrix() const;
+    Mat4 view_projection_matrix() const;
+
+    /// What is seen in a window of the image.
+    Frustum frustum(const Window& window = {}) const;
+    /// What is seen in a rectangle of pixels whose corners come in any order.
+    Frustum frustum_of_pixels(double x0, double y0, double x1, double y1) const;
+    /// In the order of gphys_frustum_corners; false with an infinite far plane.
+    bool corners(Vec3 out[8]) const;
+
+    /// Pixels are (x, y, depth). False if the point has no image, or no finite one.
+    bool project(Vec3 point, Vec3& pixel) const;
+    bool unproject(Vec3 pixel, Vec3& point) const;
+    /// False if the pixel's line of sight does not start (a near plane that it never meets).
+    bool pick_ray(double pixel_x, double pixel_y, Ray& ray) const;
+
+private:
+    /// 1 if the camera's own z axis is its view direction, -1 if it is the opposite.
+    double z_sign() const { return handedness_ == GPHYS_LEFT_HANDED ? 1 : -1; }
+    double aspect() const { return width_ / height_; }
+    Vec3 to_world(Vec3 lens_point) const { return position_ + axes_ * lens_point; }
+    Vec3 to_image(Vec3 pixel) const { return {2 * pixel.x / width_ - 1, 1 - 2 * pixel.y / height_, pixel.z}; }
+    void place(Vec3 position, const Mat3& axes);
+
+    gphys_handedness handedness_;
+    DepthRange depth_range_;
+    double width_, height_;  // pixels
+    std::variant<Perspective, Orthographic, UserProjection> projection_;
+    Vec3 position_;
+    Mat3 axes_;  // right, up, forward in the world; the mirror image of a rotation if right-handed
+    std::optional<Orbit> orbit_;
+};
+
+}  // namespace gphys

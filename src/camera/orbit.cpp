@@ -1,0 +1,71 @@
+#include "camera/orbit.h"
+
+namespace gphys {
+
+Orbit::Orbit(const gphys_orbit& settings, double right_sign)
+    : settings_(settings),
+      up_(normalized(widen(settings.up))),
+      yaw_zero_(cross(perpendicular(up_), up_)),
+      yaw_quarter_(cross(up_, yaw_zero_) * right_sign),
+      target_(widen(settings.target)),
+      yaw_(settings.yaw),
+      pitch_(settings.pitch),
+      distance_(settings.distance) {
+    limit();
+}
+
+void Orbit::rotate(double units_x, double units_y) {
+    pending_yaw_ += units_x;
+    pending_pitch_ += units_y;
+}
+
+void Orbit::zoom(double units) { pending_zoom_ += units; }
+
+void Orbit::pan(double units_right, double units_up) {
+    pending_right_ += units_right;
+    pending_up_ += units_up;
+}
+
+// Panning goes first: the input was given to the picture as the last update had left it.
+void Orbit::update() {
+    const Mat3 seen = axes();
+    target_ += (seen.x * pending_right_ + seen.y * pending_up_) * settings_.metres_per_unit;
+    yaw_ += pending_yaw_ * settings_.radians_per_unit;
+    pitch_ += pending_pitch_ * settings_.radians_per_unit;
+    distance_ -= pending_zoom_ * settings_.metres_per_unit;
+    pending_yaw_ = pending_pitch_ = pending_zoom_ = pending_right_ = pending_up_ = 0;
+    limit();
+}
+
+// The float nearest to pi / 2 lies above it; beyond pi / 2 the view would turn over.
+void Orbit::limit() {
+    constexpr double furthest = GPHYS_MAX_COORDINATE;
+    yaw_ = std::remainder(yaw_, 2 * pi);
+    pitch_ = std::clamp<double>(pitch_, settings_.min_pitch, settings_.max_pitch);
+    pitch_ = std::clamp(pitch_, -pi / 2, pi / 2);
+    distance_ = std::clamp(distance_, static_cast<double>(settings_.min_distance),
+                           std::min(static_cast<double>(settings_.max_distance), furthest));
+    target_ = max(min(target_, {furthest, furthest, furthest}), {-furthest, -furthest, -furthest});
+}
+
+gphys_orbit Orbit::settings() const {
+    gphys_orbit now = settings_;
+    now.target = narrow(target_);
+    now.yaw = static_cast<float>(yaw_);
+    now.pitch = static_cast<float>(pitch_);
+    now.distance = static_cast<float>(distance_);
+    return now;
+}
+
+// Straight from the angles: they know the way when the view is parallel to up, which a look-at
+// construction does not.
+Mat3 Orbit::axes() const {
+    const double sine = std::sin(pitch_), cosine = std::cos(pitch_);
+    const Vec3 level = yaw_zero_ * std::cos(yaw_) + yaw_quarter_ * std::sin(yaw_);
+    const Vec3 right = yaw_quarter_ * std::cos(yaw_) - yaw_zero_ * std::sin(yaw_);
+    return {right, level * sine + up_ * cosine, level * cosine - up_ * sine};
+}
+
+Vec3 Orbit::position() const { return target_ - axes().z * distance_; }
+
+}  // namespace gphys

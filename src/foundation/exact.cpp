@@ -1,0 +1,170 @@
+#include "foundation/exact.h"
+
+namespace gphys {
+
+namespace {
+
+struct Split {
+    double high, low;
+};
+
+/// a + b without error (Knuth 1969).
+Split two_sum(double a, double b) {
+    const double sum = a + b;
+    const double b_part = sum - a;
+    const double a_part = sum - b_part;
+    return {sum, (a - a_part) + (b - b_part)};
+}
+
+/// a + b without error if |a| >= |b| (Dekker 1971).
+Split fast_two_sum(double a, double b) {
+    const double sum = a + b;
+    return {sum, b - (sum - a)};
+}
+
+/// a as two halves of 26 bits (Veltkamp 1968).
+Split halves(double a) {
+    const double c = 134217729.0 * a;  // 2^27 + 1
+    const double high = c - (c - a);
+    return {high, a - high};
+}
+
+/// a * b without error (Dekker 1971). Not std::fma: a software fma would cost far more.
+Split two_product(double a, double b) {
+    const double product = a * b;
+    const Split x = halves(a), y = halves(b);
+    const double rest = ((product - x.high * y.high) - x.low * y.high) - x.high * y.low;
+    return {product, x.low * y.low - rest};
+}
+
+}  // namespace
+
+/// Sums doubles without error: a nonoverlapping expansion that grows term by term (Shewchuk 1997,
+/// theorem 10) and is compressed before it could outgrow its room.
+class Accumulator {
+public:
+    explicit Accumulator(const Exact& start) {
+        for (int i = start.size_; i-- > 0;) term_[size_++] = start.term_[i];
+    }
+
+    void add(double value) {
+        if (size_ == room) compress();
+        int kept = 0;
+        for (int i = 0; i < size_; ++i) {
+            const Split sum = two_sum(value, term_[i]);
+            if (sum.low != 0) term_[kept++] = sum.low;
+            value = sum.high;
+        }
+        if (value != 0) term_[kept++] = value;
+        size_ = kept;
+    }
+
+    Exact result() {
+        compress();
+        Exact exact;
+        for (int i = size_; i-- > 0;) exact.term_[exact.size_++] = term_[i];
+        return exact;
+    }
+
+private:
+    /// From the largest term down: each becomes the nearest double to all that is left, so the
+    /// next is at most half an ulp of it.
+    void compress() {
+        if (size_ == 0) return;
+        int bottom = size_;
+        double top = term_[size_ - 1];
+        for (int i = size_ - 1; i-- > 0;) {
+            const Split sum = fast_two_sum(top, term_[i]);
+            top = sum.high;
+            if (sum.low == 0) continue;
+            term_[--bottom] = top;
+            top = sum.low;
+        }
+        if (top != 0) term_[--bottom] = top;
+        std::copy(term_ + bottom, term_ + size_, term_);
+        size_ -= bottom;
+    }
+
+    // Any multiple of the bound of a compressed expansion: a larger one is compressed less often.
+    static constexpr int room = 3 * Exact::capacity;
+    int size_ = 0;
+    double term_[room + 1];  // smallest first
+};
+
+Exact operator+(const Exact& a, const Exact& b) {
+    Accumulator sum(a);
+    for (int i = b.size_; i-- > 0;) sum.add(b.term_[i]);
+    return sum.result();
+}
+
+Exact operator-(const Exact& a) {
+    Exact negated;
+    negated.size_ = a.size_;
+    for (int i = 0; i < a.size_; ++i) negated.term_[i] = -a.term_[i];
+    return negated;
+}
+
+Exact operator*(const Exact& a, const Exact& b) {
+    Accumulator sum{Exact()};
+    for (int i = a.size_; i-- > 0;) {
+        for (int k = b.size_; k-- > 0;) {
+            const Split product = two_product(a.term_[i], b.term_[k]);
+            sum.add(product.low);
+            sum.add(product.high);
+        }
+    }
+    return sum.result();
+}
+
+int orientation(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    const Vec3 ab = b - a, ac = c - a, ad = d - a;
+    const double volume = dot(cross(ab, ac), ad);
+    // Shewchuk's static filter: (7 + 56 u) u times the permanent, u = 2^-53.
+    const double permanent = (std::fabs(ab.y * ac.z) + std::fabs(ab.z * ac.y)) * std::fabs(ad.x) +
+                             (std::fabs(ab.z * ac.x) + std::fabs(ab.x * ac.z)) * std::fabs(ad.y) +
+                             (std::fabs(ab.x * ac.y) + std::fabs(ab.y * ac.x)) * std::fabs(ad.z);
+    if (std::fabs(volume) > 8 * 0x1p-53 * permanent) return volume > 0 ? 1 : -1;
+    return sign_of([&](auto number) {
+        using V = VecOf<decltype(number)>;
+        return dot(cross(V::difference(b, a), V::difference(c, a)), V::difference(d, a));
+    });
+}
+
+namespace {
+
+/// (b - a) x (d - c) along one axis, as a polynomial for sign_of and value_of.
+auto cross_component(Vec3 a, Vec3 b, Vec3 c, Vec3 d, int axis) {
+    const int i = (axis + 1) % 3, k = (axis + 2) % 3;
+    return [=](auto number) {
+        using N = decltype(number);
+        return (N(b[i]) - N(a[i])) * (N(d[k]) - N(c[k])) - (N(b[k]) - N(a[k])) * (N(d[i]) - N(c[i]));
+    };
+}
+
+}  // namespace
+
+int orientation(Vec3 a, Vec3 b, Vec3 c, int axis) { return sign_of(cross_component(a, b, a, c, axis)); }
+
+int turning_axis(Vec3 a, Vec3 b, Vec3 c) {
+    const Vec3 n = abs(cross(b - a, c - a));
+    const int likely = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
+    for (int i = 0; i < 3; ++i) {
+        const int axis = (likely + i) % 3;
+        if (orientation(a, b, c, axis) != 0) return axis;
+    }
+    return -1;
+}
+
+Vec3 accurate_cross(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+    return {value_of(cross_component(a, b, c, d, 0)), value_of(cross_component(a, b, c, d, 1)),
+            value_of(cross_component(a, b, c, d, 2))};
+}
+
+int side_of_plane(Vec3 normal, double distance, Vec3 origin, Vec3 point) {
+    return sign_of([&](auto number) {
+        using N = decltype(number);
+        return dot(VecOf<N>::of(normal), VecOf<N>::difference(point, origin)) - N(distance);
+    });
+}
+
+}  // namespace gphys

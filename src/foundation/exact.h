@@ -1,0 +1,114 @@
+// Exact signs. A predicate is a polynomial in the input numbers, written once as a generic lambda
+// over its number type. sign_of evaluates it first in double with a running error bound, and only
+// if that bound straddles zero again with expansions, which round nothing (Shewchuk 1997).
+//
+// Domain: every float32 is a multiple of 2^-149, so a product of k of them is a multiple of
+// 2^(-149 k), which double represents without underflow for k <= 7; the largest is 1e15^7. All
+// predicates of this library have degree 6 or less. For double inputs (shapes placed by a
+// transform) the same holds as long as products stay above 2^-1022 / 2^-53 = 1e-291.
+#pragma once
+
+#include "foundation/math.h"
+
+namespace gphys {
+
+/// A double and a bound of how far it is from the exact value.
+struct Bounded {
+    double value = 0, error = 0;
+
+    Bounded() = default;
+    Bounded(double exact) : value(exact) {}
+    Bounded(double v, double e) : value(v), error(e) {}
+
+    bool certain() const { return std::fabs(value) > error || error == 0; }
+    int sign() const { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+};
+
+// A result carries half an ulp, 2^-53 of it. Twice that is charged, which also pays for the
+// roundings made in computing the bound itself.
+constexpr double rounding = 0x1p-52;
+
+inline Bounded operator+(Bounded a, Bounded b) {
+    const double v = a.value + b.value;
+    return {v, a.error + b.error + rounding * std::fabs(v)};
+}
+inline Bounded operator-(Bounded a) { return {-a.value, a.error}; }
+inline Bounded operator-(Bounded a, Bounded b) { return a + -b; }
+inline Bounded operator*(Bounded a, Bounded b) {
+    const double v = a.value * b.value;
+    return {v,
+            std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error + rounding * std::fabs(v)};
+}
+inline Bounded abs(Bounded a) { return {std::fabs(a.value), a.error}; }
+
+/// An unevaluated sum of doubles, each at most half an ulp of the one before: an exact number.
+class Exact {
+public:
+    Exact() = default;
+    Exact(double value) {
+        if (value != 0) term_[size_++] = value;
+    }
+
+    /// The first term exceeds the sum of all others, so it has the sign and, to 2^-52, the value.
+    int sign() const { return size_ == 0 ? 0 : term_[0] > 0 ? 1 : -1; }
+    double value() const { return size_ == 0 ? 0 : term_[0]; }
+
+    friend Exact operator+(const Exact& a, const Exact& b);
+    friend Exact operator-(const Exact& a);
+    friend Exact operator-(const Exact& a, const Exact& b) { return a + -b; }
+    friend Exact operator*(const Exact& a, const Exact& b);
+    friend Exact abs(const Exact& a) { return a.sign() < 0 ? -a : a; }
+
+private:
+    friend class Accumulator;
+    // Each term has an exponent at least 53 below that of the one before, and double's exponents
+    // span 2098: never more than 40 terms.
+    static constexpr int capacity = 41;
+    int size_ = 0;
+    double term_[capacity];  // largest first
+};
+
+/// Sign of polynomial(Number()): a lambda of the form [&](auto number) { using N = ...; }.
+template <class Polynomial>
+int sign_of(const Polynomial& polynomial) {
+    const Bounded quick = polynomial(Bounded());
+    return quick.certain() ? quick.sign() : polynomial(Exact()).sign();
+}
+
+/// Its value with the exact sign and a relative error below 2^-44.
+template <class Polynomial>
+double value_of(const Polynomial& polynomial) {
+    const Bounded quick = polynomial(Bounded());
+    return quick.error <= 0x1p-45 * std::fabs(quick.value) ? quick.value : polynomial(Exact()).value();
+}
+
+/// A vector over a number type of predicates.
+template <class N>
+struct VecOf {
+    N x, y, z;
+
+    static VecOf of(Vec3 v) { return {N(v.x), N(v.y), N(v.z)}; }
+    static VecOf difference(Vec3 a, Vec3 b) { return {N(a.x) - N(b.x), N(a.y) - N(b.y), N(a.z) - N(b.z)}; }
+};
+template <class N>
+N dot(const VecOf<N>& a, const VecOf<N>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class N>
+VecOf<N> cross(const VecOf<N>& a, const VecOf<N>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Sign of dot(cross(b - a, c - a), d - a): > 0 if d is on the side that the triangle's normal
+/// points to, 0 if the four points lie in a plane.
+int orientation(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+/// Sign of component `axis` of cross(b - a, c - a): the turn a, b, c as seen along that axis.
+int orientation(Vec3 a, Vec3 b, Vec3 c, int axis);
+/// An axis along which the three points are seen to turn; -1 if they are collinear.
+int turning_axis(Vec3 a, Vec3 b, Vec3 c);
+/// cross(b - a, d - c) with a relative error below 2^-44 in each component, whatever cancels.
+Vec3 accurate_cross(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+/// Sign of dot(normal, point - origin) - distance.
+int side_of_plane(Vec3 normal, double distance, Vec3 origin, Vec3 point);
+
+}  // namespace gphys

@@ -1,0 +1,108 @@
+// The questions, with one name and one argument order each:
+//   contains       is a point in or on a shape?                  closest.cpp
+//   closest_point  which point of a shape is nearest?            closest.cpp
+//   overlaps       do two shapes share a point?                  overlap.cpp
+//   classify       on which side of a plane or frustum?          classify.cpp
+//   raycast        where does a ray first meet a shape?          raycast.cpp
+//   sweep          where does a moving sphere first touch?       sweep.cpp
+// Shapes are closed sets; solids are solid. Inputs are valid (shapes.h: defect).
+#pragma once
+
+#include "shapes/shapes.h"
+
+namespace gphys {
+
+struct Hit {
+    double t = infinity;
+    Vec3 point;
+    Vec3 normal;  // unit, against the motion
+    uint32_t triangle = GPHYS_NO_TRIANGLE;
+    double u = 0, v = 0;  // barycentric weights of b and c
+    uint32_t flags = 0;   // GPHYS_HIT_...
+};
+
+/// The public form, rounded; model 0 when the question was not of a scene. A t beyond all floats
+/// (a direction of almost no length) stays at the largest: the cast would trap.
+inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
+    const float t = static_cast<float>(std::min<double>(hit.t, std::numeric_limits<float>::max()));
+    const float u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
+    return {model, tag, t, narrow(hit.point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
+}
+inline gphys_nearest to_nearest(Vec3 point, double distance, uint32_t triangle = GPHYS_NO_TRIANGLE, uint32_t model = 0,
+                                uint32_t tag = 0) {
+    return {model, tag, narrow(point), static_cast<float>(distance), triangle};
+}
+
+enum class Side { outside = GPHYS_SIDE_OUTSIDE, crossing = GPHYS_SIDE_CROSSING, inside = GPHYS_SIDE_INSIDE };
+
+bool contains(const Segment& segment, Vec3 point, double tolerance);
+bool contains(const Ray& ray, Vec3 point, double tolerance);
+bool contains(const Sphere& sphere, Vec3 point, double tolerance);
+bool contains(const Capsule& capsule, Vec3 point, double tolerance);
+bool contains(const Aabb& box, Vec3 point, double tolerance);
+bool contains(const Obb& box, Vec3 point, double tolerance);
+bool contains(const Plane& plane, Vec3 point, double tolerance);
+bool contains(const Triangle& triangle, Vec3 point, double tolerance);
+bool contains(const Frustum& frustum, Vec3 point, double tolerance);
+
+Vec3 closest_point(const Segment& segment, Vec3 point);
+Vec3 closest_point(const Ray& ray, Vec3 point);
+Vec3 closest_point(const Sphere& sphere, Vec3 point);
+Vec3 closest_point(const Capsule& capsule, Vec3 point);
+Vec3 closest_point(const Aabb& box, Vec3 point);
+Vec3 closest_point(const Obb& box, Vec3 point);
+Vec3 closest_point(const Plane& plane, Vec3 point);
+Vec3 closest_point(const Triangle& triangle, Vec3 point);
+/// False if the frustum is empty.
+bool closest_point(const Frustum& frustum, Vec3 point, Vec3& out);
+/// Closest points of two segments (Ericson 2005, 5.1.9).
+void closest_points(const Segment& a, const Segment& b, Vec3& out_a, Vec3& out_b);
+
+/// Every pair of the alternatives of Shape; symmetric.
+bool overlaps(const Shape& a, const Shape& b);
+/// The pairs that tree leaves ask, without the detour through Shape.
+bool overlaps(const Sphere& sphere, const Triangle& triangle);
+bool overlaps(const Aabb& box, const Triangle& triangle);
+bool overlaps(const Triangle& a, const Triangle& b);
+
+/// signed_distance: of the nearest point to the plane, 0 when crossing. Not for Plane, Frustum.
+Side classify(const Shape& shape, const Plane& plane, double& signed_distance);
+Side classify(const Shape& shape, const Frustum& frustum);
+
+/// A ray of zero length (segment whose ends coincide) asks whether its origin is contained.
+bool raycast(const Sphere& sphere, const Ray& ray, Hit& hit);
+bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit);
+bool raycast(const Aabb& box, const Ray& ray, Hit& hit);
+bool raycast(const Obb& box, const Ray& ray, Hit& hit);
+bool raycast(const Plane& plane, const Ray& ray, Hit& hit);
+bool raycast(const Triangle& triangle, const Ray& ray, Hit& hit);
+bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit);
+bool raycast(const Shape& shape, const Ray& ray, Hit& hit);
+inline Ray ray_along(const Segment& segment) { return {segment.a, segment.b - segment.a, 1.0}; }
+
+/// A ray prepared for many triangles by Woop's shear (Woop, Benthin, Wald 2013), which takes its
+/// direction to an axis.
+struct ShearedRay {
+    explicit ShearedRay(const Ray& ray);
+
+    Vec3 origin, direction;
+    double t_max;
+    int kx, ky, kz;  // kz: the axis along which the direction is longest
+    double sx, sy;
+};
+/// Hit of either side. Leaves hit.triangle alone.
+bool raycast(const Triangle& triangle, const ShearedRay& ray, Hit& hit);
+
+/// Weights of b and c of a point on the triangle; both 0 if it is degenerate.
+void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v);
+
+bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Obb& box, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit);
+
+}  // namespace gphys

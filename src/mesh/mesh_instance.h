@@ -1,0 +1,24 @@
+// A shared mesh where it stands in the world. Questions are carried into the mesh's own space in
+// double precision and their answers back; t needs no conversion, since the direction is carried
+// along with the origin.
+#pragma once
+
+#include "mesh/mesh.h"
+
+namespace gphys {
+
+struct MeshInstance {
+    const Mesh& mesh;
+    const Transform& world;
+};
+
+/// Of an empty mesh: the point where it stands.
+Box bounds(const MeshInstance& instance);
+bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit);
+bool raycast_any(const MeshInstance& instance, const Ray& ray);
+bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool overlaps(const MeshInstance& instance, const Shape& shape);
+/// False if no triangle is within max_distance (or, by rounding, barely beyond it).
+bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle);
+
+}  // namespace gphys

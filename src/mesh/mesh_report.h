@@ -1,0 +1,28 @@
+// What is in a triangle array, before a mesh is made of it.
+#pragma once
+
+#include <cstring>
+
+#include "foundation/memory.h"
+
+namespace gphys {
+
+/// The caller's arrays: vertex_count vertices `vertex_stride` bytes apart, three indices a triangle.
+struct MeshArrays {
+    const float* vertices;
+    uint32_t vertex_stride;
+    uint32_t vertex_count;
+    const uint32_t* indices;
+    uint32_t index_count;
+
+    gphys_vec3 vertex(uint32_t i) const {
+        gphys_vec3 v;
+        std::memcpy(&v, reinterpret_cast<const char*>(vertices) + size_t{i} * vertex_stride, sizeof v);
+        return v;
+    }
+};
+
+/// Throws std::bad_alloc.
+gphys_mesh_report examine(const MeshArrays& arrays, std::pmr::memory_resource* memory);
+
+}  // namespace gphys

@@ -1,0 +1,184 @@
+#include "octree/box8.h"
+
+namespace gphys {
+
+namespace {
+
+constexpr double unit_roundoff = 0x1p-24;  // of float
+
+double largest_coordinate(const Box& box) {
+    double largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        largest = std::max({largest, std::fabs(double{box.min[k]}), std::fabs(double{box.max[k]})});
+    }
+    return largest;
+}
+
+/// What the double arithmetic of a query whose largest coordinate is w may be off by: a few dozen
+/// roundings of 2^-53 each. The smallest normal float beside it keeps differences of coordinates
+/// clear of the subnormals, which some hosts flush to zero.
+double rounding_slack(double w) { return 0x1p-48 * w + std::numeric_limits<float>::min(); }
+
+}  // namespace
+
+// Slab test after Ize, "Robust BVH Ray Traversal" (2013), with the query in double.
+//
+// Let m be the largest component of the direction. The ray is origin + s d, with d = direction / m
+// and s = m t, so that |d| <= 1 and |d| = 1 on one axis, the main one. The origin is moved forward
+// to where the main axis enters the root box, which keeps all numbers as small as the tree.
+//
+// Let u = 2^-24. For d > 0 the entry into a box is (min - o) / d. With o rounded up to a float and
+// 1 / d rounded to a float, the computed value is the quotient of a smaller difference times
+// (1 + e)^3 with |e| <= u: one rounding each of the difference, the inverse and the product. It
+// exceeds the true entry at most by the factor 1 + 3u + O(u^2). With o rounded down, the exit
+// (max - o) / d falls short of the true one at most by the factor 1 - 3u - O(u^2). A ray that meets
+// the box has entry <= exit in truth; hence computed entry <= computed exit * (1 + 7u), where one
+// more u is the rounding of that product: the factor in hits() is 1 + 8u. For d < 0 the roles of the
+// two faces and the two roundings change places.
+//
+// An axis with |d| < 2^-68 has an inverse too large for float: differences of up to 2^57 are to be
+// multiplied by it. It is treated as d = 2^-68. On it the ray moves by less than 2^-68 span within
+// the root, which is span long on the main axis: far less than the slack by which the origin is
+// widened, 2^-48 w, as span < 8 w. So if the ray meets the box, then to the float origins the box
+// is in front of the near one, entry < 0, and at least slack / 2 behind the far one: the exit is
+// beyond 2^-49 w * 2^68 > span, and this axis lets the box pass. Components of exactly zero need no
+// other case.
+RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root) {
+    const Vec3 magnitude = abs(direction);
+    scale_ = max_component(magnitude);
+    const double extent = largest_coordinate(root);
+    slack_ = rounding_slack(std::max({extent, max_component(abs(origin)), radius}));
+    const double margin = radius + slack_;
+    const Vec3 d = scale_ > 0 ? direction / scale_ : Vec3{};
+
+    // Beyond this the margin alone is wider than any tree: no box can be excluded.
+    everything_ = margin > 0x1p53;
+    if (everything_) {
+        for (int k = 0; k < 3; ++k) {
+            near_row_[k] = k;
+            far_row_[k] = 3 + k;
+            near_origin_[k] = 0x1p56f;
+            far_origin_[k] = -0x1p56f;
+            inverse_[k] = 0x1p68f;
+        }
+        return;
+    }
+
+    if (scale_ > 0) {
+        const int main = magnitude.x == scale_ ? 0 : magnitude.y == scale_ ? 1 : 2;
+        const double ahead = d[main] > 0 ? root.min[main] - origin[main] : origin[main] - root.max[main];
+        start_ = std::max(0.0, ahead - margin);
+        origin += d * start_;
+        span_ = (d[main] > 0 ? root.max[main] - origin[main] : origin[main] - root.min[main]) + margin;
+    }
+    for (int k = 0; k < 3; ++k) {
+        // From further away the ray cannot come back to the root within its span.
+        if (std::fabs(origin[k]) > extent + span_ + margin) span_ = -1;
+    }
+    if (span_ < 0) origin = {};
+    for (int k = 0; k < 3; ++k) {
+        const bool drifts = std::fabs(d[k]) < 0x1p-68;
+        const float low = round_down(origin[k] - margin), high = round_up(origin[k] + margin);
+        const bool forward = drifts || d[k] > 0;
+        near_row_[k] = forward ? k : 3 + k;
+        far_row_[k] = forward ? 3 + k : k;
+        near_origin_[k] = forward ? high : low;
+        far_origin_[k] = forward ? low : high;
+        inverse_[k] = drifts ? 0x1p68f : static_cast<float>(1 / d[k]);
+    }
+}
+
+// A computed entry exceeds the true one by a factor of at most 1 + 4u. The rest of the 16u is for
+// t_max itself: where two triangles meet, one test may put the hit a little further than the other,
+// and both must be seen for the lower index to win.
+float RayProbe::limit(double t_max) const {
+    if (t_max < 0 || span_ < 0) return -1;
+    if (everything_) return 0x1p100f;
+    const double s = scale_ > 0 ? std::min(t_max * scale_ - start_, span_) : 0;
+    const double end = s + slack_;
+    return end < 0 ? -1 : round_up(end * (1 + 16 * unit_roundoff));
+}
+
+// The gap on each axis is computed between the box and the interval of floats around the point:
+// one rounding; its square another three, the sum two more. Hence the computed squared distance
+// exceeds the true lower bound by a factor of at most 1 + 6u.
+PointProbe::PointProbe(Vec3 point, const Box& root) {
+    slack_ = rounding_slack(std::max(largest_coordinate(root), max_component(abs(point))));
+    for (int k = 0; k < 3; ++k) {
+        // Nearer to the tree than the point is: still a lower bound, and its square fits a float.
+        const double clamped = std::clamp(point[k], -0x1p61, 0x1p61);
+        low_[k] = round_down(clamped);
+        high_[k] = round_up(clamped);
+    }
+}
+
+float PointProbe::limit(double max_distance) const {
+    if (max_distance < 0) return -1;
+    const double reach = std::min(max_distance + slack_, 0x1p62) * (1 + 16 * unit_roundoff);
+    return round_up(reach * reach);
+}
+
+// With differences to the frustum's origin the sum of three products has five roundings in each
+// term, the plane's own components included: it is within 5u of the sum of magnitudes, for which
+// 8u leaves room for the rounding of that sum and of the comparison's right side.
+FrustumProbe::FrustumProbe(const Frustum& frustum) {
+    const bool too_far = max_component(abs(frustum.origin)) > 0x1p57;
+    for (int k = 0; k < 3; ++k) {
+        const double origin = too_far ? 0 : frustum.origin[k];
+        origin_low_[k] = round_down(origin);
+        origin_high_[k] = round_up(origin);
+    }
+    for (int p = 0; p < 6; ++p) {
+        FloatPlane& plane = planes_[p];
+        const Plane& exact = frustum.planes[p];
+        const double scale = max_component(abs(exact.normal));
+        if (too_far) {
+            plane = {{0, 0, 0}, -1, 1};  // decides nothing
+        } else if (scale == 0) {
+            const float side = exact.distance <= 0 ? -1.0f : 1.0f;  // all of space or nothing
+            plane = {{0, 0, 0}, side, side};
+        } else {
+            // A component below 2^-100 cannot be a float of full precision; left out, it changes
+            // the sum by no more than 2^-100 times the largest difference, 2^58.
+            double slack = 0;
+            for (int k = 0; k < 3; ++k) {
+                const double component = exact.normal[k] / scale;
+                const bool negligible = std::fabs(component) < 0x1p-100;
+                if (negligible && component != 0) slack += 0x1p-42;
+                plane.normal[k] = negligible ? 0.0f : static_cast<float>(component);
+            }
+            // Sums stay below 2^60: beyond that the size of the distance does not matter.
+            const double distance = std::clamp(exact.distance / scale, -0x1p100, 0x1p100);
+            slack += std::fabs(distance) * 0x1p-50;
+            plane.outside_below = round_down(distance - slack);
+            plane.inside_above = round_up(distance + slack);
+        }
+    }
+}
+
+uint32_t FrustumProbe::hits(const Box8& boxes, uint32_t planes, uint32_t inside[6]) const {
+    Float8 low[3], high[3];
+    for (int k = 0; k < 3; ++k) {
+        low[k] = load(boxes.row[k]) - splat(origin_high_[k]);
+        high[k] = load(boxes.row[3 + k]) - splat(origin_low_[k]);
+    }
+    const Float8 error = splat(8 * static_cast<float>(unit_roundoff));
+    uint32_t hit = 0xff;
+    for (uint32_t rest = planes; rest != 0; rest &= rest - 1) {
+        const int p = __builtin_ctz(rest);
+        const FloatPlane& plane = planes_[p];
+        Float8 most[3], least[3];  // products at the corners furthest in and furthest out
+        for (int k = 0; k < 3; ++k) {
+            const bool positive = plane.normal[k] >= 0;
+            most[k] = (positive ? high[k] : low[k]) * splat(plane.normal[k]);
+            least[k] = (positive ? low[k] : high[k]) * splat(plane.normal[k]);
+        }
+        const Float8 upper = most[0] + most[1] + most[2] + error * (abs(most[0]) + abs(most[1]) + abs(most[2]));
+        const Float8 lower = least[0] + least[1] + least[2] - error * (abs(least[0]) + abs(least[1]) + abs(least[2]));
+        hit &= bits(splat(plane.outside_below) <= upper);
+        inside[p] = bits(splat(plane.inside_above) <= lower);
+    }
+    return hit;
+}
+
+}  // namespace gphys

@@ -1,0 +1,156 @@
+// A tree of boxes with eight children a node. It knows boxes and small integers ("items": slots of
+// a scene, triangles of a mesh) and nothing of what they stand for.
+//
+// Where the octree of textbooks cuts space at the centre, this one cuts the items by expected cost
+// (surface area heuristic), three times a level, which makes the same eight children with far less
+// overlap. Each item is in exactly one leaf, so no query meets it twice, and the root grows with its
+// items, so nothing lies outside.
+//
+// A node keeps the boxes of its children side by side and tests them together (box8.h). Leaves are
+// nodes whose children are items. All bounds are tight at all times.
+#pragma once
+
+#include "octree/box8.h"
+#include "foundation/memory.h"
+
+namespace gphys {
+
+class Octree {
+public:
+    static constexpr uint32_t none = 0xffffffffu;
+    /// Levels that a tree can have, which bounds the stacks of its queries. Building makes at most
+    /// `max_built_levels`; an insertion that would go beyond `max_levels` rebuilds first.
+    static constexpr int max_levels = 32;
+    static constexpr int max_built_levels = 24;
+
+    explicit Octree(std::pmr::memory_resource* memory) : nodes_(memory), place_of_(memory) {}
+
+    // Changes. Boxes are within max_box_coordinate, items are small: memory is used for each number
+    // up to the largest. What throws std::bad_alloc has changed nothing; what is noexcept cannot
+    // fail, it leaves out an improvement of the tree if there is no memory for it.
+
+    /// Replace everything by `count` different items.
+    void build(const Box* boxes, const uint32_t* items, uint32_t count);
+    void insert(uint32_t item, const Box& box);
+    /// Many at once: a build if they are many for this tree.
+    void insert_many(const uint32_t* items, const Box* boxes, uint32_t count);
+    void remove(uint32_t item) noexcept;
+    void update(uint32_t item, const Box& box) noexcept;
+    /// Many at once: one refit of the whole tree if they are many.
+    void update_many(const uint32_t* items, const Box* boxes, uint32_t count) noexcept;
+    void clear() noexcept;
+
+    bool contains(uint32_t item) const { return item < place_of_.size() && place_of_[item] != none; }
+    Box box(uint32_t item) const { return node_of(item).boxes.lane(static_cast<int>(place_of_[item] % 8)); }
+    Box bounds() const { return bounds_; }
+    uint32_t size() const { return size_; }
+
+    // Queries. Visitors get items whose boxes meet the query, and in rare cases more; never fewer.
+
+    /// Roughly nearest first. visit(item, t_max) may lower t_max; a negative one ends the query.
+    /// Boxes entered exactly at t_max are still visited. A direction of zero asks for the boxes
+    /// around the origin.
+    template <class Visit>
+    void raycast(const Ray& ray, Visit&& visit) const;
+    /// Likewise for a sphere that moves from `center` to center + displacement, t = 0..1.
+    template <class Visit>
+    void sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit) const;
+    /// Roughly nearest first. visit(item, max_distance) may lower max_distance; a negative one ends
+    /// the query.
+    template <class Visit>
+    void nearest(Vec3 point, double max_distance, Visit&& visit) const;
+    /// visit(item) returns whether to go on; the result is false if one did not.
+    template <class Visit>
+    bool overlap_box(const Box& box, Visit&& visit) const;
+    /// The same for any test of boxes: touches(box) must be true for each box that holds what the
+    /// query wants.
+    template <class Touches, class Visit>
+    bool overlap(Touches&& touches, Visit&& visit) const;
+    /// visit(item, wholly_inside) returns whether to go on.
+    template <class Visit>
+    bool frustum(const Frustum& frustum, Visit&& visit) const;
+    /// All pairs of items of two trees whose boxes overlap: visit(item, other_item) returns whether
+    /// to go on.
+    template <class Visit>
+    bool overlap_pairs(const Octree& other, Visit&& visit) const;
+
+    gphys_octree_stats stats() const;
+    /// Each node's box, parents first: visit(gphys_octree_box).
+    template <class Visit>
+    void for_each_box(Visit&& visit) const;
+    /// What is wrong with the tree, or nullptr; for tests.
+    const char* defect() const;
+
+private:
+    // A reference to a node, with leaf_bit set if that node is a leaf.
+    using NodeRef = uint32_t;
+    static constexpr NodeRef leaf_bit = 0x80000000u;
+    static uint32_t index_of(NodeRef ref) { return ref & ~leaf_bit; }
+    static bool is_leaf(NodeRef ref) { return (ref & leaf_bit) != 0; }
+
+    struct alignas(64) Node {
+        Box8 boxes;         // lanes from count on are unused, and finite
+        uint32_t child[8];  // NodeRefs; in a leaf, items
+        uint32_t count;     // 0: the node is free
+        uint32_t parent;    // its index, none at the root; in a free node, the next free one
+        uint32_t lane;      // in the parent
+
+        uint32_t lanes() const { return (1u << count) - 1; }
+    };
+
+    // Each level leaves at most seven siblings on a depth-first stack.
+    static constexpr int stack_size = 7 * max_levels + 8;
+
+    struct Item {
+        Box box;
+        uint32_t item;
+    };
+    class Builder;
+
+    const Node& node_of(uint32_t item) const { return nodes_[place_of_[item] / 8]; }
+    static Box union_of(const Node& node);
+    static double half_area(const Box& box);
+
+    void build_from(Vector<Item>& items, size_t item_limit);
+    void rebuild();
+    void append_items(Vector<Item>& to) const;
+    double area_below(NodeRef ref) const;
+    bool degraded() const;
+    void improve() noexcept;
+
+    void reserve_nodes(uint32_t count);
+    NodeRef take_node(bool leaf);
+    void release_node(uint32_t index);
+    void put(NodeRef node, uint32_t lane, uint32_t child, const Box& box);
+    void drop(NodeRef node, uint32_t lane);
+    NodeRef closest_leaf(const Box& box) const;
+    int level_of(uint32_t index) const;
+    void split(NodeRef leaf, uint32_t item, const Box& box);
+    void refit_upward(uint32_t index);
+    Box refit_below(NodeRef ref);
+    void attach(NodeRef leaf, uint32_t item, const Box& box);
+    void detach(uint32_t item);
+    bool too_deep(NodeRef leaf) const;
+
+    template <class Probe, class Visit>
+    void nearest_first(const Probe& probe, double bound, Visit&& visit) const;
+    template <class Hits, class Visit>
+    bool everywhere(Hits&& hits, Visit&& visit) const;
+
+    Vector<Node> nodes_;
+    Vector<uint32_t> place_of_;  // by item: 8 * leaf + lane, or none
+    NodeRef root_ = none;
+    Box bounds_;
+    uint32_t size_ = 0;
+    uint32_t first_free_ = none, free_count_ = 0;
+
+    // Of the last build, to compare with: the areas of all nodes' boxes, and of the root's.
+    double built_area_ = 0, built_root_area_ = 0;
+    uint32_t built_size_ = 0;
+    uint64_t changes_ = 0;  // since the quality was last looked at
+    uint32_t rebuilds_ = 0;
+};
+
+}  // namespace gphys
+
+#include "octree/octree_queries.h"

@@ -1,0 +1,249 @@
+// Models - a shape or a shared mesh, placed in the world, perhaps below a parent - and the octree
+// that finds them. The C layer has checked all values; ids are checked here.
+//
+//   scene_models.cpp      models come and go, and hang below one another
+//   scene_transforms.cpp  they move, and their descendants with them
+//   scene_queries.cpp     rays, overlaps, nearest, sweeps, culling
+//   scene_contact.cpp     one model and one point, for collision response
+//   scene_check.cpp       is everything in agreement?
+//
+// A model's world transform is kept as float32. Everything else is derived from it: the shape in
+// the world (in double precision, when a query asks) and the model's box in the octree (rounded
+// outward). A query walks the octree, asks the exact shape of each candidate, and lets the octree
+// know how near the best answer is.
+#pragma once
+
+#include <type_traits>
+
+#include "foundation/ids.h"
+#include "intersect/intersect.h"
+#include "mesh/mesh_instance.h"
+#include "octree/octree.h"
+#include "foundation/pool.h"
+#include "foundation/results.h"
+#include "foundation/status.h"
+
+namespace gphys {
+
+/// By t as the caller sees it, then id: the order of lists of hits.
+struct FirstHit {
+    bool operator()(const gphys_hit& a, const gphys_hit& b) const { return a.t != b.t ? a.t < b.t : a.model < b.model; }
+};
+
+class Scene {
+public:
+    /// World transforms have a scale from 1 / max_scale to max_scale, so that their inverses are as
+    /// harmless as they are.
+    static constexpr float max_scale = GPHYS_MAX_COORDINATE;
+
+    explicit Scene(const gphys_allocator* hooks, uint32_t reserve_models = 0);
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+    ~Scene();
+
+    Memory memory;
+
+    // Models. Whatever fails, by status or by std::bad_alloc, leaves the scene as it was.
+
+    /// `shapes` are public structs of the type, strided, or one Mesh; `transforms` may be null.
+    gphys_status add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
+                     const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
+                     const gphys_model_desc& desc, gphys_model_id* out_models);
+    gphys_status remove(const gphys_model_id* models, uint32_t count);
+    gphys_status remove_subtree(gphys_model_id model);
+    void clear();
+    gphys_status set_parent(gphys_model_id model, gphys_model_id parent, bool keep_world);
+    gphys_status set_transforms(const gphys_model_id* models, const gphys_transform* transforms,
+                                uint32_t transform_stride, uint32_t count);
+    gphys_status set_layers(gphys_model_id model, uint32_t layers);
+    gphys_status set_tag(gphys_model_id model, uint32_t tag);
+
+    bool has(gphys_model_id model) const { return ids_.has(model); }
+    /// GPHYS_OK, or the failure that a stale id is.
+    gphys_status check(gphys_model_id model) const;
+    uint32_t size() const { return ids_.size(); }
+    template <class Visit>
+    void for_each_model(Visit&& visit) const;  // visit(id), by slot
+
+    // About one model; the id is valid.
+
+    gphys_shape_type type(gphys_model_id model) const { return at(model).type(); }
+    uint32_t layers(gphys_model_id model) const { return at(model).layers; }
+    uint32_t tag(gphys_model_id model) const { return at(model).tag; }
+    gphys_model_id parent(gphys_model_id model) const;
+    uint32_t child_count(gphys_model_id model) const;
+    const gphys_transform& local(gphys_model_id model) const { return local_of(IdTable::slot_of(model)); }
+    const gphys_transform& world(gphys_model_id model) const { return at(model).world; }
+    Transform world_transform(gphys_model_id model) const { return widen(at(model).world); }
+    /// The public struct that add was given; a mesh's is a pointer to the Mesh.
+    const void* shape(gphys_model_id model) const;
+    /// False if the model is unbounded.
+    bool bounds(gphys_model_id model, Box& out) const;
+
+    const Octree& octree() const { return octree_; }
+    uint32_t unbounded_count() const { return static_cast<uint32_t>(unbounded_.size()); }
+    /// What is wrong inside, or nullptr.
+    const char* defect() const;
+
+    // Queries see the models of which layers & the model's layers is not 0. GPHYS_OK or GPHYS_NO_HIT.
+
+    gphys_status raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const;
+    bool raycast_any(const Ray& ray, uint32_t layers) const;
+    void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
+    void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out) const;
+    gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
+    gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
+    /// World boxes that lie outside none of the six planes and of the frustum's own box, in
+    /// arithmetic rounded outward: a superset of what the frustum sees.
+    void cull(const Frustum& frustum, uint32_t layers, Smallest<gphys_model_id>& out) const;
+    /// Candidates: models whose world box touches the box, and all unbounded ones. visit(id).
+    template <class Visit>
+    void for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const;
+
+    // One model, in world space; the id is valid.
+
+    bool sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const;
+    /// Where to push a point to. normal: unit, outward of a solid, towards the point's side of a
+    /// surface. signed_distance: < 0 inside a solid, and `out` is the nearest point of its surface.
+    /// False only for a mesh without triangles.
+    bool closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal, double& signed_distance) const;
+
+private:
+    static constexpr uint32_t none = 0xffffffff;
+
+    /// What a model has only while it has a parent or children: most never do.
+    struct Family {
+        uint32_t parent = none, first_child = none, next = none, previous = none;  // slots
+        uint32_t child_count = 0;
+        gphys_transform local;
+    };
+
+    struct Model {
+        gphys_transform world;
+        uint32_t layers;
+        uint32_t tag;
+        uint32_t family;      // in families_, or none: then local and world are the same
+        uint32_t shape : 24;  // in the pool of its type
+        uint32_t type_ : 6;
+        uint32_t moving : 1, carried : 1;  // marks of set_transforms, 0 between calls
+
+        gphys_shape_type type() const { return static_cast<gphys_shape_type>(type_); }
+    };
+
+    const Model& at(gphys_model_id model) const { return models_[IdTable::slot_of(model)]; }
+
+    // Shapes. visit gets the pool of a type; the model's shape placed in the world, or its instance.
+    template <class Self, class Visit>
+    static auto with_pool(Self& self, gphys_shape_type type, Visit&& visit);
+    template <class Visit>
+    auto with_shape(const Model& model, Visit&& visit) const;
+    uint32_t store_shape(gphys_shape_type type, const void* shape);
+    void discard_shape(const Model& model);
+
+    // Families, by slot.
+    Family& family(uint32_t slot) { return families_[models_[slot].family]; }
+    const Family& family(uint32_t slot) const { return families_[models_[slot].family]; }
+    Family& take_family(uint32_t slot);
+    void drop_family_if_alone(uint32_t slot);
+    uint32_t parent_of(uint32_t slot) const { return models_[slot].family == none ? none : family(slot).parent; }
+    void link(uint32_t slot, uint32_t parent);
+    void unlink(uint32_t slot);
+    /// The slot after `slot` in a walk through the tree of models below `top`, parents first.
+    uint32_t next_below(uint32_t slot, uint32_t top) const;
+    uint32_t next_beside(uint32_t slot, uint32_t top) const;
+    void remove_slot(uint32_t slot);
+
+    // Placement.
+    const gphys_transform& local_of(uint32_t slot) const;
+    void set_local(uint32_t slot, const gphys_transform& local);
+    void derive_world(uint32_t slot);
+    /// The model's box, or what is wrong with where it stands. Leaves the box alone for planes.
+    const char* place(const Model& model, Box& box) const;
+    void reserve_moves(uint32_t count);
+    const char* carry(uint32_t top);
+    void carry_back(uint32_t top);
+    void publish_moves();
+
+    IdTable ids_{&memory};
+    Vector<Model> models_{&memory};  // by slot
+    Pool<gphys_sphere> spheres_{&memory};
+    Pool<gphys_capsule> capsules_{&memory};
+    Pool<gphys_aabb> aabbs_{&memory};
+    Pool<gphys_obb> obbs_{&memory};
+    Pool<gphys_plane> planes_{&memory};
+    Pool<gphys_triangle> triangles_{&memory};
+    Pool<const Mesh*> meshes_{&memory};
+    Pool<Family> families_{&memory};
+    Octree octree_{&memory};               // items are slots
+    Vector<uint32_t> unbounded_{&memory};  // slots of planes: no octree holds them, and there are few
+
+    // What is being moved; empty between calls, kept for its memory.
+    struct Undo {
+        uint32_t slot;
+        gphys_transform local;
+    };
+    Vector<Undo> undo_{&memory};
+    Vector<uint32_t> moved_slots_{&memory};
+    Vector<Box> moved_boxes_{&memory};
+};
+
+template <class Self, class Visit>
+auto Scene::with_pool(Self& self, gphys_shape_type type, Visit&& visit) {
+    switch (type) {
+        case GPHYS_SHAPE_SPHERE:
+            return visit(self.spheres_);
+        case GPHYS_SHAPE_CAPSULE:
+            return visit(self.capsules_);
+        case GPHYS_SHAPE_AABB:
+            return visit(self.aabbs_);
+        case GPHYS_SHAPE_OBB:
+            return visit(self.obbs_);
+        case GPHYS_SHAPE_PLANE:
+            return visit(self.planes_);
+        case GPHYS_SHAPE_TRIANGLE:
+            return visit(self.triangles_);
+        default:
+            return visit(self.meshes_);
+    }
+}
+
+template <class Visit>
+auto Scene::with_shape(const Model& model, Visit&& visit) const {
+    const Transform world = widen(model.world);
+    return with_pool(*this, model.type(), [&](const auto& pool) {
+        const auto& shape = pool[model.shape];
+        using Stored = std::decay_t<decltype(shape)>;
+        if constexpr (std::is_same_v<Stored, const Mesh*>) {
+            return visit(MeshInstance{*shape, world});
+        } else if constexpr (std::is_same_v<Stored, gphys_aabb>) {
+            // Without rotation a box keeps its faces where they are, to the last bit.
+            const gphys_quat& q = model.world.rotation;
+            if (q.x == 0 && q.y == 0 && q.z == 0) {
+                return visit(Aabb{world.position + widen(shape.min) * world.scale,
+                                  world.position + widen(shape.max) * world.scale});
+            }
+            return visit(transformed(widen(shape), world));
+        } else {
+            return visit(transformed(widen(shape), world));
+        }
+    });
+}
+
+template <class Visit>
+void Scene::for_each_model(Visit&& visit) const {
+    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+        if (ids_.live(slot)) visit(ids_.id(slot));
+    }
+}
+
+template <class Visit>
+void Scene::for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const {
+    const auto offer = [&](uint32_t slot) {
+        if (models_[slot].layers & layers) visit(ids_.id(slot));
+        return true;
+    };
+    for (const uint32_t slot : unbounded_) offer(slot);
+    octree_.overlap_box(box, offer);
+}
+
+}  // namespace gphys

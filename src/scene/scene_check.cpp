@@ -1,0 +1,86 @@
+// Is the scene in agreement with itself? For tests, after whatever they did to it.
+#include <algorithm>
+#include <cstring>
+
+#include "scene/scene.h"
+
+namespace gphys {
+
+namespace {
+
+bool same_bits(const gphys_transform& a, const gphys_transform& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+}  // namespace
+
+const char* Scene::defect() const {
+    if (const char* wrong = ids_.defect()) return wrong;
+    if (const char* wrong = octree_.defect()) return wrong;
+    if (ids_.slots() > models_.size()) return "there are more slots than models";
+
+    constexpr gphys_shape_type types[] = {GPHYS_SHAPE_SPHERE, GPHYS_SHAPE_CAPSULE,  GPHYS_SHAPE_AABB, GPHYS_SHAPE_OBB,
+                                          GPHYS_SHAPE_PLANE,  GPHYS_SHAPE_TRIANGLE, GPHYS_SHAPE_MESH};
+    uint32_t shapes[GPHYS_SHAPE_MESH + 1] = {};
+    uint32_t bounded = 0, unbounded = 0, families = 0, linked_children = 0, counted_children = 0;
+    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+        if (!ids_.live(slot)) {
+            if (octree_.contains(slot)) return "the octree holds a removed model";
+            continue;
+        }
+        const Model& model = models_[slot];
+        if (model.moving || model.carried) return "a mark of a move was left behind";
+
+        ++shapes[model.type()];
+        Box box;
+        if (place(model, box)) return "a model stands where the scene cannot hold it";
+        const bool is_plane = model.type() == GPHYS_SHAPE_PLANE;
+        if (is_plane == octree_.contains(slot)) return "a model is not where queries look for it";
+        if (is_plane) {
+            if (std::count(unbounded_.begin(), unbounded_.end(), slot) != 1) return "an unbounded model is not listed";
+            ++unbounded;
+        } else {
+            const Box held = octree_.box(slot);
+            if (!std::equal(held.min, held.min + 3, box.min) || !std::equal(held.max, held.max + 3, box.max)) {
+                return "the octree holds an old box";
+            }
+            ++bounded;
+        }
+
+        if (model.family == none) continue;
+        ++families;
+        const Family& record = family(slot);
+        if (record.parent == none && record.first_child == none) return "a model without relatives keeps a record";
+        const gphys_transform expected =
+            record.parent == none ? record.local : composed(models_[record.parent].world, record.local);
+        if (!same_bits(model.world, expected)) return "a world transform does not follow from its parent's";
+        if (record.parent != none) ++linked_children;
+        uint32_t previous = none, children = 0;
+        for (uint32_t child = record.first_child; child != none; child = family(child).next) {
+            if (!ids_.live(child) || models_[child].family == none) return "a child does not exist";
+            if (family(child).parent != slot) return "a child has another parent";
+            if (family(child).previous != previous) return "children are not linked both ways";
+            if (++children > record.child_count) return "children are miscounted";
+            previous = child;
+        }
+        if (children != record.child_count) return "children are miscounted";
+        counted_children += children;
+    }
+    for (const gphys_shape_type type : types) {
+        const uint32_t stored = with_pool(*this, type, [](const auto& pool) { return pool.size(); });
+        if (stored != shapes[type]) return "a shape is stored for no model";
+    }
+    if (bounded != octree_.size()) return "the octree holds more than the models";
+    if (unbounded != unbounded_.size()) return "the list of unbounded models holds more than them";
+    if (families != families_.size()) return "records of families are miscounted";
+    if (linked_children != counted_children) return "a child is missing from its parent's list";
+
+    // Models on a cycle are below no root.
+    uint32_t reached = 0;
+    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
+        if (!ids_.live(slot) || parent_of(slot) != none) continue;
+        for (uint32_t below = slot; below != none; below = next_below(below, slot)) ++reached;
+    }
+    if (reached != ids_.size()) return "models form a cycle";
+    return nullptr;
+}
+
+}  // namespace gphys

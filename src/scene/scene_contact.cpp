@@ -1,0 +1,110 @@
+// One model against one point or moving sphere: what collision response asks.
+#include "scene/scene.h"
+
+namespace gphys {
+
+namespace {
+
+struct Contact {
+    Vec3 point, normal;
+    double signed_distance;
+};
+
+/// Any direction serves where the surface offers none; this one is always the same.
+constexpr Vec3 some_direction{1, 0, 0};
+
+/// A ball around `center`, which lies on the shape's axis.
+Contact contact_of_ball(Vec3 center, double radius, Vec3 normal_at_center, Vec3 point) {
+    const Vec3 outward = point - center;
+    const double distance = length(outward);
+    const Vec3 normal = distance > 0 ? normalized(outward) : normal_at_center;
+    return {center + normal * radius, normal, distance - radius};
+}
+
+Contact contact_of(const Sphere& sphere, Vec3 point) {
+    return contact_of_ball(sphere.center, sphere.radius, some_direction, point);
+}
+
+Contact contact_of(const Capsule& capsule, Vec3 point) {
+    const Vec3 axis = capsule.b - capsule.a;
+    const Vec3 sideways = axis == Vec3{} ? some_direction : perpendicular(normalized(axis));
+    return contact_of_ball(closest_point(Segment{capsule.a, capsule.b}, point), capsule.radius, sideways, point);
+}
+
+Contact contact_of(const Obb& box, Vec3 point) {
+    const Vec3 local = transpose_times(box.axes, point - box.center);
+    const Vec3 clamped = min(max(local, -box.half), box.half);
+    const double outside = distance(local, clamped);
+    if (outside > 0) {
+        return {box.center + box.axes * clamped, box.axes * normalized(local - clamped), outside};
+    }
+    int axis = 0;
+    const Vec3 depth = box.half - abs(local);
+    for (int k = 1; k < 3; ++k) {
+        if (depth[k] < depth[axis]) axis = k;
+    }
+    Vec3 normal, face = local;
+    normal[axis] = local[axis] < 0 ? -1 : 1;
+    face[axis] = normal[axis] * box.half[axis];
+    return {box.center + box.axes * face, box.axes * normal, -depth[axis]};
+}
+
+Contact contact_of(const Aabb& box, Vec3 point) { return contact_of(as_obb(box), point); }
+
+Contact contact_of(const Plane& plane, Vec3 point) {
+    const double norm = length(plane.normal);
+    const Vec3 unit = normalized(plane.normal);
+    const double side = (dot(plane.normal, point) - plane.distance) / norm;
+    return {point - unit * side, side < 0 ? -unit : unit, std::fabs(side)};
+}
+
+/// Of a surface at its closest point. On the surface itself the difference is rounding noise and the
+/// face decides.
+Contact contact_of_surface(const Triangle& triangle, Vec3 closest, Vec3 point) {
+    const Vec3 away = point - closest;
+    const double distance = length(away);
+    // 2^-40 of the coordinates is far above the rounding of the closest point (2^-50) and far below
+    // what float32 input can express.
+    const double noise = 0x1p-40 * (max_component(abs(point)) + max_component(abs(closest)));
+    if (distance > noise) return {closest, normalized(away), distance};
+    const Vec3 face = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    if (face == Vec3{}) return {closest, distance > 0 ? normalized(away) : some_direction, distance};
+    const Vec3 normal = normalized(face);
+    return {closest, dot(normal, away) < 0 ? -normal : normal, distance};
+}
+
+Contact contact_of(const Triangle& triangle, Vec3 point) {
+    return contact_of_surface(triangle, closest_point(triangle, point), point);
+}
+
+template <class Primitive>
+bool find_contact(const Primitive& shape, Vec3 point, Contact& out) {
+    out = contact_of(shape, point);
+    return true;
+}
+
+bool find_contact(const MeshInstance& instance, Vec3 point, Contact& out) {
+    Vec3 closest;
+    uint32_t triangle;
+    if (!closest_point(instance, point, infinity, closest, triangle)) return false;
+    out = contact_of_surface(transformed(instance.mesh.triangle(triangle), instance.world), closest, point);
+    return true;
+}
+
+}  // namespace
+
+bool Scene::closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal,
+                                double& signed_distance) const {
+    Contact contact;
+    if (!with_shape(at(model), [&](const auto& shape) { return find_contact(shape, point, contact); })) return false;
+    out = contact.point;
+    normal = contact.normal;
+    signed_distance = contact.signed_distance;
+    return true;
+}
+
+bool Scene::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const {
+    return with_shape(at(model), [&](const auto& shape) { return gphys::sweep(shape, moving, displacement, hit); });
+}
+
+}  // namespace gphys

@@ -1,0 +1,295 @@
+// Models come and go, and hang below one another. Every change first makes all room that it needs,
+// then checks, then changes what cannot fail any more.
+#include <algorithm>
+
+#include "scene/scene.h"
+#include "foundation/strided.h"
+
+namespace gphys {
+
+Scene::Scene(const gphys_allocator* hooks, uint32_t reserve_models) : memory(hooks) {
+    ids_.reserve(reserve_models);
+    models_.reserve(reserve_models);
+}
+
+Scene::~Scene() { clear(); }
+
+gphys_status Scene::check(gphys_model_id model) const {
+    return has(model) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "model: no such model, or no longer");
+}
+
+uint32_t Scene::store_shape(gphys_shape_type type, const void* shape) {
+    return with_pool(*this, type, [&](auto& pool) {
+        using Stored = std::decay_t<decltype(pool[0])>;
+        if constexpr (std::is_same_v<Stored, const Mesh*>) {
+            const Mesh* mesh = static_cast<const Mesh*>(shape);
+            mesh->retain();
+            return pool.add(mesh);
+        } else {
+            return pool.add(*static_cast<const Stored*>(shape));
+        }
+    });
+}
+
+void Scene::discard_shape(const Model& model) {
+    if (model.type() == GPHYS_SHAPE_MESH) Mesh::release(meshes_[model.shape]);
+    with_pool(*this, model.type(), [&](auto& pool) { pool.remove(model.shape); });
+}
+
+gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
+                        const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
+                        const gphys_model_desc& desc, gphys_model_id* out_models) {
+    if (desc.parent != 0 && !has(desc.parent)) {
+        return fail(GPHYS_ERROR_INVALID_ID, "desc.parent: no such model, or no longer");
+    }
+    if (!ids_.reserve(count)) return fail(GPHYS_ERROR_CAPACITY, "a scene holds at most 2^24 - 1 models");
+    if (count == 0) return GPHYS_OK;
+
+    Vector<uint32_t> slots(count, &memory);
+    Vector<Box> boxes(count, &memory);
+    ids_.next_slots(count, slots.data());
+    // New slots are numbered upwards, reused ones lie below them.
+    const size_t slots_needed = *std::max_element(slots.begin(), slots.end()) + size_t{1};
+    if (slots_needed > models_.size()) {
+        reserve_more(models_, slots_needed - models_.size());
+        models_.resize(slots_needed);
+    }
+    with_pool(*this, type, [&](auto& pool) { pool.reserve(count); });
+    const bool bounded = type != GPHYS_SHAPE_PLANE;
+    if (!bounded) reserve_more(unbounded_, count);
+    if (desc.parent != 0) families_.reserve(count + 1);
+
+    // Until the ids exist, nobody sees what is written to their slots.
+    const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
+    constexpr gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
+    const Strided<gphys_transform> local(transforms ? transforms : &identity, transforms ? transform_stride : 0);
+    uint32_t placed = 0;
+    const auto discard_all = [&] {
+        for (uint32_t i = 0; i < placed; ++i) discard_shape(models_[slots[i]]);
+    };
+    const uint32_t parent = IdTable::slot_of(desc.parent);
+    for (; placed < count;) {
+        Model& model = models_[slots[placed]];
+        model = {};
+        model.world = desc.parent != 0 ? composed(models_[parent].world, local[placed]) : local[placed];
+        model.layers = desc.layers;
+        model.tag = desc.tag;
+        model.family = none;
+        model.type_ = static_cast<uint32_t>(type);
+        model.shape = store_shape(type, &shape[placed]);
+        ++placed;
+        const char* wrong = place(model, boxes[placed - 1]);
+        if (wrong) {
+            discard_all();
+            return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
+        }
+    }
+    if (bounded) {
+        try {
+            octree_.insert_many(slots.data(), boxes.data(), count);
+        } catch (...) {
+            discard_all();
+            throw;
+        }
+    }
+
+    for (uint32_t i = 0; i < count; ++i) {
+        out_models[i] = ids_.add();
+        if (!bounded) unbounded_.push_back(slots[i]);
+        if (desc.parent != 0) {
+            link(slots[i], parent);
+            family(slots[i]).local = local[i];
+        }
+    }
+    return GPHYS_OK;
+}
+
+gphys_status Scene::remove(const gphys_model_id* models, uint32_t count) {
+    gphys_status status = GPHYS_OK;
+    uint32_t marked = 0;
+    for (; marked < count && status == GPHYS_OK; ++marked) {
+        status = check(models[marked]);
+        if (status != GPHYS_OK) break;
+        Model& model = models_[IdTable::slot_of(models[marked])];
+        if (model.moving) {
+            status = fail(GPHYS_ERROR_INVALID_ID, "models: a model stands twice");
+            break;
+        }
+        model.moving = 1;
+    }
+    for (uint32_t i = 0; i < marked; ++i) models_[IdTable::slot_of(models[i])].moving = 0;
+    if (status != GPHYS_OK) return status;
+    for (uint32_t i = 0; i < count; ++i) remove_slot(IdTable::slot_of(models[i]));
+    return GPHYS_OK;
+}
+
+void Scene::remove_slot(uint32_t slot) {
+    while (models_[slot].family != none && family(slot).first_child != none) {
+        const uint32_t child = family(slot).first_child;
+        family(child).local = models_[child].world;
+        unlink(child);
+    }
+    if (models_[slot].family != none) unlink(slot);
+    if (models_[slot].type() == GPHYS_SHAPE_PLANE) {
+        unbounded_.erase(std::find(unbounded_.begin(), unbounded_.end(), slot));
+    } else {
+        octree_.remove(slot);
+    }
+    discard_shape(models_[slot]);
+    ids_.remove(ids_.id(slot));
+}
+
+gphys_status Scene::remove_subtree(gphys_model_id model) {
+    const gphys_status status = check(model);
+    if (status != GPHYS_OK) return status;
+    // Leaves first, so that no child is moved to the roots before it goes.
+    const uint32_t top = IdTable::slot_of(model);
+    for (uint32_t slot = top;;) {
+        while (models_[slot].family != none && family(slot).first_child != none) slot = family(slot).first_child;
+        const uint32_t parent = parent_of(slot);
+        remove_slot(slot);
+        if (slot == top) return GPHYS_OK;
+        slot = parent;
+    }
+}
+
+void Scene::clear() {
+    octree_.clear();
+    unbounded_.clear();
+    for_each_model([&](gphys_model_id model) {
+        discard_shape(at(model));
+        ids_.remove(model);
+    });
+    families_.clear();
+}
+
+gphys_status Scene::set_layers(gphys_model_id model, uint32_t layers) {
+    const gphys_status status = check(model);
+    if (status == GPHYS_OK) models_[IdTable::slot_of(model)].layers = layers;
+    return status;
+}
+
+gphys_status Scene::set_tag(gphys_model_id model, uint32_t tag) {
+    const gphys_status status = check(model);
+    if (status == GPHYS_OK) models_[IdTable::slot_of(model)].tag = tag;
+    return status;
+}
+
+gphys_model_id Scene::parent(gphys_model_id model) const {
+    const uint32_t slot = parent_of(IdTable::slot_of(model));
+    return slot == none ? 0 : ids_.id(slot);
+}
+
+uint32_t Scene::child_count(gphys_model_id model) const {
+    return at(model).family == none ? 0 : families_[at(model).family].child_count;
+}
+
+const void* Scene::shape(gphys_model_id model) const {
+    return with_pool(*this, type(model),
+                     [&](const auto& pool) { return static_cast<const void*>(&pool[at(model).shape]); });
+}
+
+bool Scene::bounds(gphys_model_id model, Box& out) const {
+    if (type(model) == GPHYS_SHAPE_PLANE) return false;
+    out = octree_.box(IdTable::slot_of(model));
+    return true;
+}
+
+// Families: who hangs below whom.
+
+/// Room was made before; the record starts with the local transform that the model has.
+Scene::Family& Scene::take_family(uint32_t slot) {
+    Model& model = models_[slot];
+    if (model.family == none) {
+        Family alone;
+        alone.local = model.world;
+        model.family = families_.add(alone);
+    }
+    return families_[model.family];
+}
+
+void Scene::drop_family_if_alone(uint32_t slot) {
+    Model& model = models_[slot];
+    const Family& record = families_[model.family];
+    if (record.parent != none || record.first_child != none) return;
+    families_.remove(model.family);
+    model.family = none;
+}
+
+void Scene::link(uint32_t slot, uint32_t parent) {
+    take_family(parent);
+    Family& child = take_family(slot);
+    Family& above = family(parent);
+    child.parent = parent;
+    child.next = above.first_child;
+    child.previous = none;
+    if (child.next != none) family(child.next).previous = slot;
+    above.first_child = slot;
+    ++above.child_count;
+}
+
+/// The model becomes a root, with the local transform in its record if it keeps one.
+void Scene::unlink(uint32_t slot) {
+    Family& child = family(slot);
+    const uint32_t parent = child.parent;
+    if (parent != none) {
+        Family& above = family(parent);
+        if (child.previous != none) {
+            family(child.previous).next = child.next;
+        } else {
+            above.first_child = child.next;
+        }
+        if (child.next != none) family(child.next).previous = child.previous;
+        --above.child_count;
+        child.parent = child.next = child.previous = none;
+        drop_family_if_alone(parent);
+    }
+    drop_family_if_alone(slot);
+}
+
+uint32_t Scene::next_below(uint32_t slot, uint32_t top) const {
+    if (models_[slot].family != none && family(slot).first_child != none) return family(slot).first_child;
+    return next_beside(slot, top);
+}
+
+uint32_t Scene::next_beside(uint32_t slot, uint32_t top) const {
+    for (; slot != top; slot = family(slot).parent) {
+        if (family(slot).next != none) return family(slot).next;
+    }
+    return none;
+}
+
+gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool keep_world) {
+    gphys_status status = check(model);
+    if (status != GPHYS_OK) return status;
+    if (parent != 0 && !has(parent)) return fail(GPHYS_ERROR_INVALID_ID, "parent: no such model, or no longer");
+    const uint32_t slot = IdTable::slot_of(model);
+    const uint32_t new_parent = parent == 0 ? none : IdTable::slot_of(parent);
+    for (uint32_t above = new_parent; above != none; above = parent_of(above)) {
+        if (above == slot) return fail(GPHYS_ERROR_CYCLE, "parent: is the model itself or below it");
+    }
+    families_.reserve(2);
+    reserve_moves(1);
+
+    const gphys_transform old_local = local_of(slot), old_world = models_[slot].world;
+    const uint32_t old_parent = parent_of(slot);
+    gphys_transform local = old_local;
+    if (keep_world) local = new_parent == none ? old_world : relative(models_[new_parent].world, old_world);
+    const auto hang_below = [&](uint32_t above, const gphys_transform& transform) {
+        if (models_[slot].family != none) unlink(slot);
+        if (above != none) link(slot, above);
+        set_local(slot, transform);
+    };
+    hang_below(new_parent, local);
+    const char* wrong = gphys::defect(local);
+    if (!wrong) wrong = carry(slot);
+    if (wrong) {
+        hang_below(old_parent, old_local);
+        carry_back(slot);
+        return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
+    }
+    publish_moves();
+    return GPHYS_OK;
+}
+
+}  // namespace gphys

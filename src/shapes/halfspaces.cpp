@@ -1,0 +1,305 @@
+#include "shapes/halfspaces.h"
+
+#include "foundation/exact.h"
+
+namespace gphys {
+
+void Halfspaces::add(const Aabb& box) {
+    for (int k = 0; k < 3; ++k) {
+        Vec3 axis;
+        axis[k] = 1;
+        halfspace_[count_++] = {axis, box.min, 0};
+        halfspace_[count_++] = {-axis, box.max, 0};
+    }
+}
+
+void Halfspaces::add(const Obb& box) {
+    const Vec3 axes[3] = {box.axes.x, box.axes.y, box.axes.z};
+    for (int k = 0; k < 3; ++k) {
+        halfspace_[count_++] = {axes[k], box.center, -box.half[k]};
+        halfspace_[count_++] = {-axes[k], box.center, -box.half[k]};
+    }
+}
+
+void Halfspaces::add(const Frustum& frustum) {
+    for (const Plane& plane : frustum.planes) {
+        if (plane.normal == Vec3{}) continue;  // infinite far plane
+        halfspace_[count_++] = {plane.normal, frustum.origin, plane.distance};
+    }
+}
+
+void Halfspaces::add(const Plane& plane) {
+    halfspace_[count_++] = {plane.normal, {}, plane.distance};
+    halfspace_[count_++] = {-plane.normal, {}, -plane.distance};
+}
+
+namespace {
+
+template <class N>
+N determinant(Vec3 a, Vec3 b, Vec3 c) {
+    using V = VecOf<N>;
+    return dot(V::of(a), cross(V::of(b), V::of(c)));
+}
+
+template <class N>
+N height_over(const Halfspace& halfspace, Vec3 point) {
+    using V = VecOf<N>;
+    return dot(V::of(halfspace.normal), V::difference(point, halfspace.origin)) - N(halfspace.distance);
+}
+
+/// The common sign of weights that are all >= 0 or all <= 0 and not all 0; else 0.
+int common_sign(const int* signs, int count) {
+    int sign = 0;
+    for (int i = 0; i < count; ++i) {
+        if (signs[i] * sign < 0) return 0;
+        if (signs[i] != 0) sign = signs[i];
+    }
+    return sign;
+}
+
+}  // namespace
+
+/// The determinants of all triples of normals, with exact signs.
+struct Halfspaces::Minors {
+    explicit Minors(const Halfspaces& set) : count(set.count_) {
+        std::copy(set.halfspace_, set.halfspace_ + count, halfspaces);
+        compute();
+        if (spans || count == 0) return;
+        // All normals lie in a plane. Three directions without a half-space make them span; a
+        // proof of emptiness must give those the weight 0.
+        for (Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) halfspaces[count++] = {axis, {}, 0};
+        compute();
+        spans = false;
+    }
+
+    /// Signs of the weights of halfspaces i < j < k < l: minors of the other three, alternating.
+    void weights(int i, int j, int k, int l, int out[4]) const {
+        out[0] = sign[j][k][l];
+        out[1] = -sign[i][k][l];
+        out[2] = sign[i][j][l];
+        out[3] = -sign[i][j][k];
+    }
+
+    /// Sign of the sum of weights times heights.
+    int weighted_height(int i, int j, int k, int l) const {
+        const Bounded quick = value[j][k][l] * height[i] - value[i][k][l] * height[j] + value[i][j][l] * height[k] -
+                              value[i][j][k] * height[l];
+        if (quick.certain()) return quick.sign();
+        const Halfspace &a = halfspaces[i], &b = halfspaces[j], &c = halfspaces[k], &d = halfspaces[l];
+        using N = Exact;
+        return (determinant<N>(b.normal, c.normal, d.normal) * height_over<N>(a, reference()) -
+                determinant<N>(a.normal, c.normal, d.normal) * height_over<N>(b, reference()) +
+                determinant<N>(a.normal, b.normal, d.normal) * height_over<N>(c, reference()) -
+                determinant<N>(a.normal, b.normal, c.normal) * height_over<N>(d, reference()))
+            .sign();
+    }
+
+    /// Heights count from here. Any point would do; one of the set's own keeps numbers small.
+    Vec3 reference() const { return halfspaces[0].origin; }
+    bool proves_empty(int i, int j, int k, int l) const {
+        int weight[4];
+        weights(i, j, k, l, weight);
+        const int direction = common_sign(weight, 4);
+        if (direction == 0) return false;
+        const int member[4] = {i, j, k, l};
+        for (int m = 0; m < 4; ++m) {
+            if (member[m] >= bounding() && weight[m] != 0) return false;
+        }
+        return weighted_height(i, j, k, l) * direction < 0;
+    }
+    /// Those that bound something; directions added to span space follow them.
+    int bounding() const { return spans ? count : count - 3; }
+
+    static constexpr int room = capacity + 3;
+    int count;
+    bool spans = false;
+    Halfspace halfspaces[room];
+    Bounded height[room];
+    int sign[room][room][room];  // for i < j < k
+    Bounded value[room][room][room];
+
+private:
+    void compute() {
+        for (int i = 0; i < count; ++i) height[i] = height_over<Bounded>(halfspaces[i], reference());
+        for (int i = 0; i < count; ++i) {
+            for (int j = i + 1; j < count; ++j) {
+                for (int k = j + 1; k < count; ++k) {
+                    const Vec3 a = halfspaces[i].normal, b = halfspaces[j].normal, c = halfspaces[k].normal;
+                    const Bounded quick = determinant<Bounded>(a, b, c);
+                    value[i][j][k] = quick;
+                    sign[i][j][k] = quick.certain() ? quick.sign() : determinant<Exact>(a, b, c).sign();
+                    spans = spans || sign[i][j][k] != 0;
+                }
+            }
+        }
+    }
+};
+
+bool Halfspaces::have_common_point() const {
+    const Minors minors(*this);
+    for (int i = 0; i < minors.count; ++i) {
+        for (int j = i + 1; j < minors.count; ++j) {
+            for (int k = j + 1; k < minors.count; ++k) {
+                for (int l = k + 1; l < minors.count; ++l) {
+                    if (minors.proves_empty(i, j, k, l)) return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+namespace {
+
+/// The points (s, t) with u s + v t + height >= 0: a half-space as seen in a triangle's plane, whose
+/// points are a + s (b - a) + t (c - a). A degenerate triangle makes u or v 0, which is as good.
+template <class N>
+struct Halfplane {
+    N u, v, height;
+};
+
+template <class N>
+Halfplane<N> restricted(const Halfspace& halfspace, const Triangle& triangle) {
+    using V = VecOf<N>;
+    const V normal = V::of(halfspace.normal);
+    return {dot(normal, V::difference(triangle.b, triangle.a)), dot(normal, V::difference(triangle.c, triangle.a)),
+            height_over<N>(halfspace, triangle.a)};
+}
+
+template <class N>
+N minor(const Halfplane<N>& a, const Halfplane<N>& b) {
+    return a.u * b.v - a.v * b.u;
+}
+template <class N>
+N weighted_height(const Halfplane<N>& a, const Halfplane<N>& b, const Halfplane<N>& c) {
+    return minor(b, c) * a.height - minor(a, c) * b.height + minor(a, b) * c.height;
+}
+
+/// The half-planes of a triangle's edges and of the half-spaces that cut it.
+class CutTriangle {
+public:
+    CutTriangle(const Halfspace* halfspaces, int count, const Triangle& triangle)
+        : halfspaces_(halfspaces), triangle_(triangle), count_(count + 3) {
+        for (int i = 0; i < count_; ++i) quick_[i] = halfplane<Bounded>(i);
+    }
+
+    bool is_empty() const {
+        for (int i = 0; i < count_; ++i) {
+            for (int j = i + 1; j < count_; ++j) {
+                for (int k = j + 1; k < count_; ++k) {
+                    const int weight[3] = {minor_sign(j, k), -minor_sign(i, k), minor_sign(i, j)};
+                    const int direction = common_sign(weight, 3);
+                    if (direction != 0 && height_sign(i, j, k) * direction < 0) return true;
+                }
+            }
+        }
+        return false;
+    }
+
+private:
+    template <class N>
+    Halfplane<N> halfplane(int i) const {
+        switch (i) {
+            case 0:
+                return {N(1.0), N(0.0), N(0.0)};  // s >= 0
+            case 1:
+                return {N(0.0), N(1.0), N(0.0)};  // t >= 0
+            case 2:
+                return {N(-1.0), N(-1.0), N(1.0)};  // s + t <= 1
+            default:
+                return restricted<N>(halfspaces_[i - 3], triangle_);
+        }
+    }
+    int minor_sign(int i, int j) const {
+        const Bounded quick = minor(quick_[i], quick_[j]);
+        return quick.certain() ? quick.sign() : minor(halfplane<Exact>(i), halfplane<Exact>(j)).sign();
+    }
+    int height_sign(int i, int j, int k) const {
+        const Bounded quick = weighted_height(quick_[i], quick_[j], quick_[k]);
+        if (quick.certain()) return quick.sign();
+        return weighted_height(halfplane<Exact>(i), halfplane<Exact>(j), halfplane<Exact>(k)).sign();
+    }
+
+    const Halfspace* halfspaces_;
+    const Triangle& triangle_;
+    int count_;
+    Halfplane<Bounded> quick_[12 + 3];
+};
+
+}  // namespace
+
+bool Halfspaces::meet(const Triangle& triangle) const { return !CutTriangle(halfspace_, count_, triangle).is_empty(); }
+
+bool is_empty(const Frustum& frustum) {
+    Halfspaces set;
+    set.add(frustum);
+    return !set.have_common_point();
+}
+
+namespace {
+
+/// Visit the half-spaces of 0..count - 1 other than i, j, k until one fails the test.
+template <class Test>
+bool all_others(int count, int i, int j, int k, Test&& test) {
+    for (int l = 0; l < count; ++l) {
+        if (l != i && l != j && l != k && !test(l)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool bounds(const Frustum& frustum, Box& out) {
+    out = Box{};
+    Halfspaces set;
+    set.add(frustum);
+    if (!set.have_common_point()) return true;
+    const Halfspaces::Minors minors(set);
+    if (!minors.spans) return false;
+
+    const auto triple_sign = [&](int i, int j, int l) {
+        if (l > j) return minors.sign[i][j][l];
+        return l > i ? -minors.sign[i][l][j] : minors.sign[l][i][j];
+    };
+    Box box;
+    for (int i = 0; i < minors.count; ++i) {
+        for (int j = i + 1; j < minors.count; ++j) {
+            const Plane a{minors.halfspaces[i].normal, minors.halfspaces[i].distance};
+            const Plane b{minors.halfspaces[j].normal, minors.halfspaces[j].distance};
+            // The line of two planes leads to infinity if no other plane stops it. Parallel planes
+            // have no line; the others span space with one of them, so another pair finds the way.
+            if (accurate_cross({}, a.normal, {}, b.normal) != Vec3{}) {
+                for (int way : {-1, 1}) {
+                    if (all_others(minors.count, i, j, -1, [&](int l) { return way * triple_sign(i, j, l) >= 0; })) {
+                        return false;
+                    }
+                }
+            }
+            for (int k = j + 1; k < minors.count; ++k) {
+                if (minors.sign[i][j][k] == 0) continue;
+                const bool is_corner = all_others(minors.count, i, j, k, [&](int l) {
+                    int m[4] = {i, j, k, l};
+                    std::sort(m, m + 4);
+                    int weight[4];
+                    minors.weights(m[0], m[1], m[2], m[3], weight);
+                    const int own = static_cast<int>(std::find(m, m + 4, l) - m);
+                    return weight[own] * minors.weighted_height(m[0], m[1], m[2], m[3]) >= 0;
+                });
+                if (!is_corner) continue;
+                Vec3 corner;
+                common_point(a, b, {minors.halfspaces[k].normal, minors.halfspaces[k].distance}, corner);
+                // common_point is within 2^-42 of itself; adding the origin rounds 2^-53 of the sum.
+                const Vec3 place = frustum.origin + corner;
+                const Vec3 slack = abs(corner) * 0x1p-42 + abs(place) * 0x1p-52;
+                for (int axis = 0; axis < 3; ++axis) {
+                    box.min[axis] = std::min(box.min[axis], round_down(place[axis] - slack[axis]));
+                    box.max[axis] = std::max(box.max[axis], round_up(place[axis] + slack[axis]));
+                }
+            }
+        }
+    }
+    out = box;
+    return true;
+}
+
+}  // namespace gphys

@@ -1,0 +1,46 @@
+// Intersections of half-spaces, decided exactly: how a frustum (bounded or not) meets boxes,
+// planes, triangles and other frusta.
+//
+// Helly's theorem: finitely many half-spaces of 3-space have a common point if every four of them
+// do, and half-planes if every three do. Four half-spaces n_i.x + h_i >= 0 have none if and only if
+// some weights w_i >= 0 give sum w_i n_i = 0 and sum w_i h_i < 0 (Farkas). When the normals span
+// space, those weights are, up to a factor, the minors of the matrix of normals, so every decision
+// is the sign of a determinant. Nothing needs corners, and infinite sets are no special case.
+#pragma once
+
+#include "shapes/shapes.h"
+
+namespace gphys {
+
+/// The points x with dot(normal, x - origin) >= distance.
+struct Halfspace {
+    Vec3 normal, origin;
+    double distance;
+};
+
+class Halfspaces {
+public:
+    void add(const Aabb& box);
+    void add(const Obb& box);
+    void add(const Frustum& frustum);
+    /// Both sides of a plane: its points.
+    void add(const Plane& plane);
+
+    bool have_common_point() const;
+    bool meet(const Triangle& triangle) const;
+
+private:
+    friend bool bounds(const Frustum& frustum, Box& out);
+    struct Minors;
+
+    static constexpr int capacity = 12;
+    int count_ = 0;
+    Halfspace halfspace_[capacity];
+};
+
+bool is_empty(const Frustum& frustum);
+
+/// Smallest float box around a frustum, an empty Box for an empty frustum; false if it is infinite.
+bool bounds(const Frustum& frustum, Box& out);
+
+}  // namespace gphys

@@ -1,0 +1,330 @@
+#include "shapes/shapes.h"
+
+#include "foundation/exact.h"
+
+namespace gphys {
+
+namespace {
+
+// Comparisons by name (std::islessequal, ...) are false for NaN without raising FE_INVALID, which a
+// host may trap.
+bool in_range(float v) { return std::islessequal(std::fabs(v), GPHYS_MAX_COORDINATE); }
+bool in_range(const gphys_vec3& v) { return in_range(v.x) && in_range(v.y) && in_range(v.z); }
+bool is_size(float v) { return in_range(v) && v >= 0; }
+bool is_zero(const gphys_vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+bool is_rotation(const gphys_quat& q) {
+    const Quat d = widen(q);
+    const double square = d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w;
+    return std::isgreaterequal(square, 0.999 * 0.999) && square <= 1.001 * 1.001;
+}
+/// Of a short normal: the plane itself is out of range, and answers could exceed the largest float.
+bool is_far(const gphys_plane& plane) {
+    return std::fabs(static_cast<double>(plane.distance)) > double{GPHYS_MAX_COORDINATE} * length(widen(plane.normal));
+}
+
+}  // namespace
+
+const char* defect(const gphys_vec3& point) {
+    return in_range(point) ? nullptr : "point: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+}
+
+const char* defect(const gphys_quat& rotation) {
+    return is_rotation(rotation) ? nullptr : "rotation: the quaternion's length is not within 1e-3 of one";
+}
+
+const char* defect(const gphys_transform& transform) {
+    if (!in_range(transform.position)) {
+        return "transform.position: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    }
+    if (!is_rotation(transform.rotation)) {
+        return "transform.rotation: the quaternion's length is not within 1e-3 of one";
+    }
+    if (!(is_size(transform.scale) && transform.scale > 0)) {
+        return "transform.scale: must be above 0 and at most GPHYS_MAX_COORDINATE";
+    }
+    return nullptr;
+}
+
+const char* defect(const gphys_ray& ray) {
+    if (!in_range(ray.origin)) return "ray.origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!in_range(ray.direction)) {
+        return "ray.direction: a component is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    }
+    if (is_zero(ray.direction)) return "ray.direction: must not be zero";
+    if (!std::isgreaterequal(ray.t_max, 0.0f)) return "ray.t_max: must be 0 or more and not NaN";
+    return nullptr;
+}
+
+const char* defect(const gphys_segment& segment) {
+    if (!in_range(segment.a)) return "segment.a: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!in_range(segment.b)) return "segment.b: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    return nullptr;
+}
+
+const char* defect(const gphys_sphere& sphere) {
+    if (!in_range(sphere.center)) return "sphere.center: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!is_size(sphere.radius)) return "sphere.radius: must be 0 or more and at most GPHYS_MAX_COORDINATE";
+    return nullptr;
+}
+
+const char* defect(const gphys_capsule& capsule) {
+    if (!in_range(capsule.a)) return "capsule.a: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!in_range(capsule.b)) return "capsule.b: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!is_size(capsule.radius)) return "capsule.radius: must be 0 or more and at most GPHYS_MAX_COORDINATE";
+    return nullptr;
+}
+
+const char* defect(const gphys_aabb& box) {
+    if (!in_range(box.min)) return "aabb.min: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!in_range(box.max)) return "aabb.max: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) {
+        return "aabb.min: must not exceed max on any axis";
+    }
+    return nullptr;
+}
+
+const char* defect(const gphys_obb& box) {
+    if (!in_range(box.center)) return "obb.center: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!(is_size(box.half_extents.x) && is_size(box.half_extents.y) && is_size(box.half_extents.z))) {
+        return "obb.half_extents: each must be 0 or more and at most GPHYS_MAX_COORDINATE";
+    }
+    if (!is_rotation(box.rotation)) return "obb.rotation: the quaternion's length is not within 1e-3 of one";
+    return nullptr;
+}
+
+const char* defect(const gphys_plane& plane) {
+    if (!in_range(plane.normal)) return "plane.normal: a component is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (is_zero(plane.normal)) return "plane.normal: must not be zero";
+    if (!in_range(plane.distance)) return "plane.distance: is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (is_far(plane)) return "plane.distance: divided by the normal's length, it is beyond GPHYS_MAX_COORDINATE";
+    return nullptr;
+}
+
+const char* defect(const gphys_triangle& triangle) {
+    if (!in_range(triangle.a)) return "triangle.a: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!in_range(triangle.b)) return "triangle.b: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    if (!in_range(triangle.c)) return "triangle.c: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    return nullptr;
+}
+
+const char* defect(const gphys_frustum& frustum) {
+    if (!in_range(frustum.origin)) {
+        return "frustum.origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    }
+    for (int i = 0; i < 6; ++i) {
+        const gphys_plane& plane = frustum.planes[i];
+        if (!in_range(plane.normal)) {
+            return "frustum.planes: a normal's component is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+        }
+        if (!in_range(plane.distance)) {
+            return "frustum.planes: a distance is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+        }
+        if (is_zero(plane.normal) && !(i == GPHYS_FRUSTUM_FAR && plane.distance == -1)) {
+            return "frustum.planes: a normal is zero (allowed only for an infinite far plane, with distance -1)";
+        }
+        if (!is_zero(plane.normal) && is_far(plane)) {
+            return "frustum.planes: a distance divided by the normal's length is beyond GPHYS_MAX_COORDINATE";
+        }
+    }
+    return nullptr;
+}
+
+namespace {
+
+/// The largest float <= base - reach, although the difference itself is rounded: Knuth's error
+/// term tells on which side of it the exact value lies.
+float lower_bound(double base, double reach) {
+    const double difference = base - reach;
+    const double reach_part = base - difference;
+    const double base_part = difference + reach_part;
+    const double error = (base - base_part) - (reach - reach_part);
+    const float bound = round_down(difference);
+    return bound == difference && error < 0 ? std::nextafterf(bound, -std::numeric_limits<float>::infinity()) : bound;
+}
+float upper_bound(double base, double reach) { return -lower_bound(-base, reach); }
+
+/// The box of the points low - reach .. high + reach.
+Box box_around(Vec3 low, Vec3 high, Vec3 reach) {
+    Box box;
+    for (int k = 0; k < 3; ++k) {
+        box.min[k] = lower_bound(low[k], reach[k]);
+        box.max[k] = upper_bound(high[k], reach[k]);
+    }
+    return box;
+}
+
+}  // namespace
+
+Box bounds(const Segment& segment) { return box_around(min(segment.a, segment.b), max(segment.a, segment.b), {}); }
+
+Box bounds(const Sphere& sphere) {
+    return box_around(sphere.center, sphere.center, {sphere.radius, sphere.radius, sphere.radius});
+}
+
+Box bounds(const Capsule& capsule) {
+    return box_around(min(capsule.a, capsule.b), max(capsule.a, capsule.b),
+                      {capsule.radius, capsule.radius, capsule.radius});
+}
+
+Box bounds(const Aabb& box) { return box_around(box.min, box.max, {}); }
+
+Box bounds(const Obb& box) {
+    // An entry of the matrix is off by at most 6 roundings of 2^-53, a sum of three products adds
+    // 3: 2^-49 of the half diagonal covers them. Where every axis is exactly parallel to a world
+    // axis, nothing was rounded.
+    const Vec3 reach = abs(box.axes.x) * box.half.x + abs(box.axes.y) * box.half.y + abs(box.axes.z) * box.half.z;
+    const double slack = axis_parallel(box.axes) ? 0 : 0x1p-49 * (box.half.x + box.half.y + box.half.z);
+    return box_around(box.center, box.center, reach + Vec3{slack, slack, slack});
+}
+
+Box bounds(const Triangle& triangle) {
+    return box_around(min(min(triangle.a, triangle.b), triangle.c), max(max(triangle.a, triangle.b), triangle.c), {});
+}
+
+bool bounds(const Ray& ray, Box& out) {
+    Box box;
+    for (int k = 0; k < 3; ++k) {
+        if (std::fabs(ray.direction[k]) > 0 && ray.t_max > std::numeric_limits<float>::max()) return false;
+        // A product of two floats is exact.
+        const double reach = ray.direction[k] == 0 ? 0 : ray.direction[k] * ray.t_max;
+        if (std::fabs(ray.origin[k] + reach) > std::numeric_limits<float>::max()) return false;
+        box.min[k] = lower_bound(ray.origin[k], std::max(-reach, 0.0));
+        box.max[k] = upper_bound(ray.origin[k], std::max(reach, 0.0));
+    }
+    out = box;
+    return true;
+}
+
+namespace {
+
+// How a transform acts on what shapes are made of, forward and backward.
+
+struct Forward {
+    const Transform& t;
+    Vec3 point(Vec3 p) const { return t.apply(p); }
+    Vec3 rotate(Vec3 v) const { return t.rotation * v; }
+    double size(double s) const { return s * t.scale; }
+    // n.x = d and x' = p + s R x give (R n).x' = s d + (R n).p
+    Plane plane(const Plane& plane) const {
+        const Vec3 normal = rotate(plane.normal);
+        return {normal, plane.distance * t.scale + dot(normal, t.position)};
+    }
+};
+
+struct Backward {
+    const Transform& t;
+    Vec3 point(Vec3 p) const { return t.inverse_apply(p); }
+    Vec3 rotate(Vec3 v) const { return transpose_times(t.rotation, v); }
+    double size(double s) const { return s / t.scale; }
+    Plane plane(const Plane& plane) const {
+        return {rotate(plane.normal), (plane.distance - dot(plane.normal, t.position)) / t.scale};
+    }
+};
+
+template <class Map>
+Sphere moved(const Sphere& sphere, const Map& map) {
+    return {map.point(sphere.center), map.size(sphere.radius)};
+}
+template <class Map>
+Capsule moved(const Capsule& capsule, const Map& map) {
+    return {map.point(capsule.a), map.point(capsule.b), map.size(capsule.radius)};
+}
+template <class Map>
+Obb moved(const Obb& box, const Map& map) {
+    return {map.point(box.center),
+            {map.size(box.half.x), map.size(box.half.y), map.size(box.half.z)},
+            {map.rotate(box.axes.x), map.rotate(box.axes.y), map.rotate(box.axes.z)}};
+}
+template <class Map>
+Obb moved(const Aabb& box, const Map& map) {
+    return moved(as_obb(box), map);
+}
+template <class Map>
+Plane moved(const Plane& plane, const Map& map) {
+    return map.plane(plane);
+}
+template <class Map>
+Triangle moved(const Triangle& triangle, const Map& map) {
+    return {map.point(triangle.a), map.point(triangle.b), map.point(triangle.c)};
+}
+template <class Map>
+Frustum moved(const Frustum& frustum, const Map& map) {
+    Frustum result{map.point(frustum.origin), {}};
+    for (int i = 0; i < 6; ++i) {
+        const Plane& plane = frustum.planes[i];
+        // An infinite far plane bounds nothing, wherever it is moved.
+        result.planes[i] = plane.normal == Vec3{} ? plane : Plane{map.rotate(plane.normal), map.size(plane.distance)};
+    }
+    return result;
+}
+
+}  // namespace
+
+Ray transformed(const Ray& ray, const Transform& t) {
+    return {t.apply(ray.origin), t.apply_to_vector(ray.direction), ray.t_max};
+}
+Segment transformed(const Segment& segment, const Transform& t) { return {t.apply(segment.a), t.apply(segment.b)}; }
+Sphere transformed(const Sphere& sphere, const Transform& t) { return moved(sphere, Forward{t}); }
+Capsule transformed(const Capsule& capsule, const Transform& t) { return moved(capsule, Forward{t}); }
+Obb transformed(const Aabb& box, const Transform& t) { return moved(box, Forward{t}); }
+Obb transformed(const Obb& box, const Transform& t) { return moved(box, Forward{t}); }
+Plane transformed(const Plane& plane, const Transform& t) { return moved(plane, Forward{t}); }
+Triangle transformed(const Triangle& triangle, const Transform& t) { return moved(triangle, Forward{t}); }
+Frustum transformed(const Frustum& frustum, const Transform& t) { return moved(frustum, Forward{t}); }
+
+Shape inverse_transformed(const Shape& shape, const Transform& t) {
+    return std::visit([&](const auto& s) { return Shape(moved(s, Backward{t})); }, shape);
+}
+
+Obb as_obb(const Aabb& box) { return {(box.min + box.max) * 0.5, (box.max - box.min) * 0.5, {}}; }
+
+bool axis_parallel(const Mat3& axes) {
+    const auto along_one_axis = [](Vec3 v) { return (v.x != 0) + (v.y != 0) + (v.z != 0) == 1; };
+    return along_one_axis(axes.x) && along_one_axis(axes.y) && along_one_axis(axes.z);
+}
+
+bool corners(const Frustum& frustum, Vec3 out[8]) {
+    constexpr int depth[2] = {GPHYS_FRUSTUM_NEAR, GPHYS_FRUSTUM_FAR};
+    constexpr int around[4][2] = {{GPHYS_FRUSTUM_LEFT, GPHYS_FRUSTUM_BOTTOM},
+                                  {GPHYS_FRUSTUM_RIGHT, GPHYS_FRUSTUM_BOTTOM},
+                                  {GPHYS_FRUSTUM_RIGHT, GPHYS_FRUSTUM_TOP},
+                                  {GPHYS_FRUSTUM_LEFT, GPHYS_FRUSTUM_TOP}};
+    Vec3 found[8];
+    for (int i = 0; i < 8; ++i) {
+        const Plane& a = frustum.planes[depth[i / 4]];
+        const Plane& b = frustum.planes[around[i % 4][0]];
+        const Plane& c = frustum.planes[around[i % 4][1]];
+        Vec3 from_origin;
+        if (!common_point(a, b, c, from_origin)) return false;
+        found[i] = frustum.origin + from_origin;
+    }
+    std::copy(found, found + 8, out);
+    return true;
+}
+
+Plane scaled_to_one(const Plane& plane) {
+    const double largest = max_component(abs(plane.normal));
+    if (largest == 0) return plane;
+    const double scale = std::scalbn(1.0, -std::ilogb(largest));
+    return {plane.normal * scale, plane.distance * scale};
+}
+
+bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out) {
+    const auto determinant = [](Vec3 x, Vec3 y, Vec3 z) {
+        return value_of([&](auto number) {
+            using V = VecOf<decltype(number)>;
+            return dot(V::of(x), cross(V::of(y), V::of(z)));
+        });
+    };
+    const double volume = determinant(a.normal, b.normal, c.normal);
+    if (volume == 0) return false;
+    // Cramer's rule: the column of an axis is replaced by the distances.
+    const Vec3 d{a.distance, b.distance, c.distance};
+    const Vec3 x{a.normal.x, b.normal.x, c.normal.x};
+    const Vec3 y{a.normal.y, b.normal.y, c.normal.y};
+    const Vec3 z{a.normal.z, b.normal.z, c.normal.z};
+    out = Vec3{determinant(d, y, z), determinant(x, d, z), determinant(x, y, d)} / volume;
+    return true;
+}
+
+}  // namespace gphys

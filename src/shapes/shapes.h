@@ -1,0 +1,140 @@
+// The primitives in double precision: data, widening from the public float structs, validity,
+// bounds and placement. Questions about them are in intersect.h.
+#pragma once
+
+#include <variant>
+
+#include "foundation/math.h"
+
+namespace gphys {
+
+struct Ray {
+    Vec3 origin, direction;
+    double t_max = infinity;
+};
+
+struct Segment {
+    Vec3 a, b;
+};
+
+struct Sphere {
+    Vec3 center;
+    double radius;
+};
+
+struct Capsule {
+    Vec3 a, b;
+    double radius;
+};
+
+struct Aabb {
+    Vec3 min, max;
+};
+
+struct Obb {
+    Vec3 center, half;
+    Mat3 axes;
+};
+
+/// dot(normal, x) = distance; the normal need not be unit.
+struct Plane {
+    Vec3 normal;
+    double distance;
+};
+
+struct Triangle {
+    Vec3 a, b, c;
+};
+
+/// dot(planes[i].normal, x - origin) >= planes[i].distance for all i; order of gphys_frustum.
+struct Frustum {
+    Vec3 origin;
+    Plane planes[6];
+};
+
+/// Any primitive that can stand in a scene or be tested for overlap.
+using Shape = std::variant<Sphere, Capsule, Aabb, Obb, Plane, Triangle, Frustum>;
+
+/// A float box that trees are made of; empty when min > max.
+struct Box {
+    float min[3] = {std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
+                    std::numeric_limits<float>::max()};
+    float max[3] = {std::numeric_limits<float>::lowest(), std::numeric_limits<float>::lowest(),
+                    std::numeric_limits<float>::lowest()};
+
+    void include(const Box& other) {
+        for (int k = 0; k < 3; ++k) {
+            min[k] = std::min(min[k], other.min[k]);
+            max[k] = std::max(max[k], other.max[k]);
+        }
+    }
+};
+
+inline Ray widen(const gphys_ray& r) { return {widen(r.origin), widen(r.direction), r.t_max}; }
+inline Segment widen(const gphys_segment& s) { return {widen(s.a), widen(s.b)}; }
+inline Sphere widen(const gphys_sphere& s) { return {widen(s.center), s.radius}; }
+inline Capsule widen(const gphys_capsule& c) { return {widen(c.a), widen(c.b), c.radius}; }
+inline Aabb widen(const gphys_aabb& b) { return {widen(b.min), widen(b.max)}; }
+inline Obb widen(const gphys_obb& b) {
+    return {widen(b.center), widen(b.half_extents), rotation_matrix(widen(b.rotation))};
+}
+inline Plane widen(const gphys_plane& p) { return {widen(p.normal), p.distance}; }
+inline Triangle widen(const gphys_triangle& t) { return {widen(t.a), widen(t.b), widen(t.c)}; }
+inline Frustum widen(const gphys_frustum& f) {
+    return {widen(f.origin),
+            {widen(f.planes[0]), widen(f.planes[1]), widen(f.planes[2]), widen(f.planes[3]), widen(f.planes[4]),
+             widen(f.planes[5])}};
+}
+
+/// What is wrong with a value that came from outside, as a sentence, or nullptr if nothing is.
+const char* defect(const gphys_vec3& point);
+const char* defect(const gphys_quat& rotation);
+const char* defect(const gphys_transform& transform);
+const char* defect(const gphys_ray& ray);
+const char* defect(const gphys_segment& segment);
+const char* defect(const gphys_sphere& sphere);
+const char* defect(const gphys_capsule& capsule);
+const char* defect(const gphys_aabb& box);
+const char* defect(const gphys_obb& box);
+const char* defect(const gphys_plane& plane);
+const char* defect(const gphys_triangle& triangle);
+const char* defect(const gphys_frustum& frustum);
+
+/// Smallest float box around a shape, each side rounded outward.
+Box bounds(const Segment& segment);
+Box bounds(const Sphere& sphere);
+Box bounds(const Capsule& capsule);
+Box bounds(const Aabb& box);
+Box bounds(const Obb& box);
+Box bounds(const Triangle& triangle);
+/// False if the ray ends at infinity or beyond the largest float.
+bool bounds(const Ray& ray, Box& out);
+
+/// The shape as seen after the transform. A box keeps its faces, so an Aabb becomes an Obb.
+Ray transformed(const Ray& ray, const Transform& t);
+Segment transformed(const Segment& segment, const Transform& t);
+Sphere transformed(const Sphere& sphere, const Transform& t);
+Capsule transformed(const Capsule& capsule, const Transform& t);
+Obb transformed(const Aabb& box, const Transform& t);
+Obb transformed(const Obb& box, const Transform& t);
+Plane transformed(const Plane& plane, const Transform& t);
+Triangle transformed(const Triangle& triangle, const Transform& t);
+Frustum transformed(const Frustum& frustum, const Transform& t);
+/// The inverse: a world-space shape seen from inside a model's own coordinates.
+Shape inverse_transformed(const Shape& shape, const Transform& t);
+
+Obb as_obb(const Aabb& box);
+/// Whether each axis is exactly parallel to a world axis.
+bool axis_parallel(const Mat3& axes);
+
+/// The same plane with a normal between 1 and 4 long, by a power of two that rounds nothing, so that
+/// products of several normals neither overflow nor vanish. A zero normal stays.
+Plane scaled_to_one(const Plane& plane);
+/// The point of three planes, each coordinate within 2^-42 of itself; false if their normals lie in
+/// a plane.
+bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out);
+
+/// The eight corners in the order of gphys_frustum_corners; false if three planes do not meet.
+bool corners(const Frustum& frustum, Vec3 out[8]);
+
+}  // namespace gphys
