@@ -262,7 +262,7 @@ public:
     }
 
     void change() {
-        if (ids_.size() < 20 || random.index(4) == 0) return add();
+        if (ids_.size() < 20 || (ids_.size() < 150 && random.index(4) == 0)) return add();
         const gphys_model_id model = any_model();
         switch (random.index(8)) {
             case 0:
