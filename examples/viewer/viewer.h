@@ -31,7 +31,7 @@ enum { KIND_GROUND = 1, KIND_STATUE, KIND_COPY, KIND_STONE, KIND_POST, KIND_CLOT
 #define TAG_KIND(tag) ((tag) >> 24)
 #define TAG_NUMBER(tag) ((tag)&0xffffffu)
 
-enum { ROPE_COUNT = 16, CLOTH_SIDE = 90 };
+enum { ROPE_COUNT = 16, CLOTH_SIDE = 72 };
 
 typedef struct world {
     triangle_mesh source; /* the file's triangles, for smooth shading */

@@ -118,7 +118,10 @@ void world_create(world* w, const char* path, uint32_t copies) {
                             w->source.indices, w->source.index_count, &w->mesh),
           "create mesh");
     check(gphys_scene_create(NULL, &w->scene), "create scene");
-    check(gphys_solver_create(NULL, &w->solver), "create solver");
+    gphys_solver_desc desc;
+    check(gphys_solver_desc_init(&desc, sizeof desc), "solver desc");
+    desc.substeps = 24; /* cloth hanging on a few contacts stretches with the square of the substep */
+    check(gphys_solver_create(&desc, &w->solver), "create solver");
     add_models(w, copies);
     add_ropes(w);
     add_cloth(w);
