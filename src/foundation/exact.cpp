@@ -160,11 +160,4 @@ Vec3 accurate_cross(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
             value_of(cross_component(a, b, c, d, 2))};
 }
 
-int side_of_plane(Vec3 normal, double distance, Vec3 origin, Vec3 point) {
-    return sign_of([&](auto number) {
-        using N = decltype(number);
-        return dot(VecOf<N>::of(normal), VecOf<N>::difference(point, origin)) - N(distance);
-    });
-}
-
 }  // namespace gphys

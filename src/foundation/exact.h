@@ -108,7 +108,5 @@ int orientation(Vec3 a, Vec3 b, Vec3 c, int axis);
 int turning_axis(Vec3 a, Vec3 b, Vec3 c);
 /// cross(b - a, d - c) with a relative error below 2^-44 in each component, whatever cancels.
 Vec3 accurate_cross(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
-/// Sign of dot(normal, point - origin) - distance.
-int side_of_plane(Vec3 normal, double distance, Vec3 origin, Vec3 point);
 
 }  // namespace gphys

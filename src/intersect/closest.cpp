@@ -1,8 +1,9 @@
 // contains: exact signs where the tolerance is 0. closest_point: in double, everything relative to
 // the query point or to a corner of the shape, so that an offset from the origin costs nothing.
 #include "foundation/exact.h"
-#include "shapes/halfspaces.h"
+#include "intersect/heights.h"
 #include "intersect/intersect.h"
+#include "shapes/halfspaces.h"
 
 namespace gphys {
 
@@ -114,10 +115,15 @@ bool contains(const Triangle& triangle, Vec3 point, double tolerance) {
 
 bool contains(const Frustum& frustum, Vec3 point, double tolerance) {
     bool inside = true;
-    for (const Plane& plane : frustum.planes) {
-        inside = inside && side_of_plane(plane.normal, plane.distance, frustum.origin, point) >= 0;
+    for (int i = 0; i < 6; ++i) {
+        const PlaneAt plane = plane_at(frustum, i);
+        const double height = value_of([&](auto number) { return height_above<decltype(number)>(plane, point); });
+        if (height >= 0) continue;
+        // Beyond one plane by more than the tolerance (and what was rounded here): most points are.
+        if (-height > tolerance * length(plane.normal) * (1 + 0x1p-40)) return false;
+        inside = false;
     }
-    if (inside || tolerance == 0) return inside;
+    if (inside) return true;
     Frustum around = frustum;
     around.origin -= point;
     Vec3 nearest;
@@ -213,6 +219,8 @@ public:
     }
 
     bool found() const { return square_ < infinity; }
+    /// A foot well inside all planes but its own was met, so the frustum is not empty.
+    bool proves_a_point() const { return proves_a_point_; }
     Vec3 foot() const { return foot_; }
 
 private:
@@ -222,13 +230,22 @@ private:
     void add(Vec3 foot, int own_planes) {
         const double square = length_squared(foot - point_);
         if (!(square < square_)) return;
+        bool well_inside = true;
         for (int i = 0; i < 6; ++i) {
             const Plane& plane = planes_[i];
             // Rounding moves a foot by some 2^-50 of its distance; through a corner of more than
             // three planes none may be lost, so 2^-40 is forgiven.
             const double slack = 0x1p-40 * length(plane.normal) * (length(foot) + length(point_));
-            if (!(own_planes >> i & 1) && dot(plane.normal, foot) < plane.distance - slack) return;
+            const double height = dot(plane.normal, foot) - plane.distance;
+            if (own_planes >> i & 1) {
+                // A foot that planes at a small angle left inaccurate proves nothing.
+                well_inside = well_inside && std::fabs(height) <= slack;
+                continue;
+            }
+            if (height < -slack) return;
+            well_inside = well_inside && height > 0x1p20 * slack;
         }
+        proves_a_point_ = proves_a_point_ || well_inside;
         foot_ = foot;
         square_ = square;
     }
@@ -236,6 +253,7 @@ private:
     Plane planes_[6];
     Vec3 point_, foot_;
     double square_ = infinity;
+    bool proves_a_point_ = false;
 };
 
 }  // namespace
@@ -245,7 +263,6 @@ bool closest_point(const Frustum& frustum, Vec3 point, Vec3& out) {
         out = point;
         return true;
     }
-    if (is_empty(frustum)) return false;
     NearestFoot nearest(frustum.planes, point - frustum.origin);
     for (int i = 0; i < 6; ++i) {
         if (frustum.planes[i].normal == Vec3{}) continue;
@@ -255,7 +272,7 @@ bool closest_point(const Frustum& frustum, Vec3 point, Vec3& out) {
             for (int k = j + 1; k < 6; ++k) nearest.try_corner(i, j, k);
         }
     }
-    if (!nearest.found()) return false;
+    if (!nearest.found() || (!nearest.proves_a_point() && is_empty(frustum))) return false;
     out = frustum.origin + nearest.foot();
     return true;
 }

@@ -1,10 +1,10 @@
 // Every pair of shapes, in the order of the alternatives of Shape. Triangles with triangles and
 // boxes are in overlap_triangle.cpp, capsules with what has edges in overlap_capsule.cpp.
 #include "foundation/exact.h"
-#include "shapes/halfspaces.h"
 #include "intersect/heights.h"
 #include "intersect/intersect.h"
 #include "intersect/overlap_capsule.h"
+#include "shapes/halfspaces.h"
 
 namespace gphys {
 
@@ -154,10 +154,13 @@ bool meet(const Aabb& box, const Frustum& frustum) { return box_meets_frustum(bo
 bool meet(const Obb& box, const Frustum& frustum) { return box_meets_frustum(box, box.center, frustum); }
 
 bool meet(const Plane& plane, const Frustum& frustum) {
-    Halfspaces set;
-    set.add(frustum);
-    set.add(plane);
-    return set.have_common_point();
+    // A convex set meets a plane if it reaches to both sides of it.
+    Halfspaces front, back;
+    front.add(frustum);
+    front.add(plane);
+    back.add(frustum);
+    back.add(Plane{-plane.normal, -plane.distance});
+    return front.have_common_point() && back.have_common_point();
 }
 
 bool meet(const Triangle& triangle, const Frustum& frustum) {

@@ -2,8 +2,9 @@
 // outside, the closest pair is an end of the segment with the shape, or the segment with an edge.
 #include "intersect/overlap_capsule.h"
 
-#include "shapes/halfspaces.h"
+#include "intersect/heights.h"
 #include "intersect/intersect.h"
+#include "shapes/halfspaces.h"
 
 namespace gphys {
 
@@ -100,6 +101,9 @@ bool edge_beside(const Frustum& frustum, int i, int j, const Segment& segment, S
 }  // namespace
 
 bool capsule_meets(const Capsule& capsule, const Frustum& frustum) {
+    for (int i = 0; i < 6; ++i) {
+        if (heights(capsule, plane_at(frustum, i)).high < 0) return false;
+    }
     if (an_end_meets(capsule, frustum)) return true;
     Halfspaces set;
     set.add(frustum);

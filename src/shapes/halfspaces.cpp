@@ -28,10 +28,7 @@ void Halfspaces::add(const Frustum& frustum) {
     }
 }
 
-void Halfspaces::add(const Plane& plane) {
-    halfspace_[count_++] = {plane.normal, {}, plane.distance};
-    halfspace_[count_++] = {-plane.normal, {}, -plane.distance};
-}
+void Halfspaces::add(const Plane& plane) { halfspace_[count_++] = {plane.normal, {}, plane.distance}; }
 
 namespace {
 
@@ -72,18 +69,21 @@ struct Halfspaces::Minors {
         spans = false;
     }
 
+    /// Number of i < j < k among all such triples.
+    static int triple(int i, int j, int k) { return k * (k - 1) * (k - 2) / 6 + j * (j - 1) / 2 + i; }
+
     /// Signs of the weights of halfspaces i < j < k < l: minors of the other three, alternating.
     void weights(int i, int j, int k, int l, int out[4]) const {
-        out[0] = sign[j][k][l];
-        out[1] = -sign[i][k][l];
-        out[2] = sign[i][j][l];
-        out[3] = -sign[i][j][k];
+        out[0] = sign[triple(j, k, l)];
+        out[1] = -sign[triple(i, k, l)];
+        out[2] = sign[triple(i, j, l)];
+        out[3] = -sign[triple(i, j, k)];
     }
 
     /// Sign of the sum of weights times heights.
     int weighted_height(int i, int j, int k, int l) const {
-        const Bounded quick = value[j][k][l] * height[i] - value[i][k][l] * height[j] + value[i][j][l] * height[k] -
-                              value[i][j][k] * height[l];
+        const Bounded quick = value[triple(j, k, l)] * height[i] - value[triple(i, k, l)] * height[j] +
+                              value[triple(i, j, l)] * height[k] - value[triple(i, j, k)] * height[l];
         if (quick.certain()) return quick.sign();
         const Halfspace &a = halfspaces[i], &b = halfspaces[j], &c = halfspaces[k], &d = halfspaces[l];
         using N = Exact;
@@ -115,20 +115,28 @@ struct Halfspaces::Minors {
     bool spans = false;
     Halfspace halfspaces[room];
     Bounded height[room];
-    int sign[room][room][room];  // for i < j < k
-    Bounded value[room][room][room];
+    int sign[room * (room - 1) * (room - 2) / 6];  // by triple
+    Bounded value[room * (room - 1) * (room - 2) / 6];
 
 private:
+    /// With the exact sign. Faces of boxes and near and far planes are opposite, which needs no sum.
+    static Bounded volume(Vec3 a, Vec3 b, Vec3 c) {
+        if (a == -b || b == -c || c == -a) return Bounded(0);
+        const Bounded quick = determinant<Bounded>(a, b, c);
+        if (quick.certain()) return quick;
+        const double exact = determinant<Exact>(a, b, c).value();
+        return {exact, rounding * std::fabs(exact)};
+    }
+
     void compute() {
         for (int i = 0; i < count; ++i) height[i] = height_over<Bounded>(halfspaces[i], reference());
         for (int i = 0; i < count; ++i) {
             for (int j = i + 1; j < count; ++j) {
                 for (int k = j + 1; k < count; ++k) {
-                    const Vec3 a = halfspaces[i].normal, b = halfspaces[j].normal, c = halfspaces[k].normal;
-                    const Bounded quick = determinant<Bounded>(a, b, c);
-                    value[i][j][k] = quick;
-                    sign[i][j][k] = quick.certain() ? quick.sign() : determinant<Exact>(a, b, c).sign();
-                    spans = spans || sign[i][j][k] != 0;
+                    const int t = triple(i, j, k);
+                    value[t] = volume(halfspaces[i].normal, halfspaces[j].normal, halfspaces[k].normal);
+                    sign[t] = value[t].sign();
+                    spans = spans || sign[t] != 0;
                 }
             }
         }
@@ -258,8 +266,8 @@ bool bounds(const Frustum& frustum, Box& out) {
     if (!minors.spans) return false;
 
     const auto triple_sign = [&](int i, int j, int l) {
-        if (l > j) return minors.sign[i][j][l];
-        return l > i ? -minors.sign[i][l][j] : minors.sign[l][i][j];
+        if (l > j) return minors.sign[minors.triple(i, j, l)];
+        return l > i ? -minors.sign[minors.triple(i, l, j)] : minors.sign[minors.triple(l, i, j)];
     };
     Box box;
     for (int i = 0; i < minors.count; ++i) {
@@ -276,7 +284,7 @@ bool bounds(const Frustum& frustum, Box& out) {
                 }
             }
             for (int k = j + 1; k < minors.count; ++k) {
-                if (minors.sign[i][j][k] == 0) continue;
+                if (minors.sign[minors.triple(i, j, k)] == 0) continue;
                 const bool is_corner = all_others(minors.count, i, j, k, [&](int l) {
                     int m[4] = {i, j, k, l};
                     std::sort(m, m + 4);

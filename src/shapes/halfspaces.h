@@ -23,7 +23,7 @@ public:
     void add(const Aabb& box);
     void add(const Obb& box);
     void add(const Frustum& frustum);
-    /// Both sides of a plane: its points.
+    /// What is on the plane or in front of it.
     void add(const Plane& plane);
 
     bool have_common_point() const;
