@@ -503,7 +503,8 @@ TEST_CASE("raycast: a far-off origin and the largest coordinates raise no except
             Hit hit;
             if (raycast(shape, ray, hit)) {
                 CHECK((hit.t >= 0 && hit.t <= ray.t_max));
-                to_hit(hit);
+                const gphys_vec3 point = to_hit(hit).point;
+                CHECK((std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)));
             }
         }
     }

@@ -21,12 +21,16 @@ struct Hit {
     uint32_t flags = 0;   // GPHYS_HIT_...
 };
 
-/// The public form, rounded; model 0 when the question was not of a scene. A t beyond all floats
-/// (a direction of almost no length) stays at the largest: the cast would trap.
+/// The public form, rounded; model 0 when the question was not of a scene. A t beyond all floats (a
+/// direction of almost no length) and a point beyond them (a plane almost parallel to the ray) stay
+/// at the largest: the cast would trap.
 inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
-    const float t = static_cast<float>(std::min<double>(hit.t, std::numeric_limits<float>::max()));
+    constexpr double largest = std::numeric_limits<float>::max();
+    constexpr Vec3 corner{largest, largest, largest};
+    const float t = static_cast<float>(std::min(hit.t, largest));
     const float u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
-    return {model, tag, t, narrow(hit.point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
+    const Vec3 point = min(max(hit.point, -corner), corner);
+    return {model, tag, t, narrow(point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
 }
 inline gphys_nearest to_nearest(Vec3 point, double distance, uint32_t triangle = GPHYS_NO_TRIANGLE, uint32_t model = 0,
                                 uint32_t tag = 0) {
