@@ -2,11 +2,11 @@
 # ./demo.sh [mesh file]: builds the viewer and lets it draw build/demo/scene.png, pick.png and
 # cloth.png. Without a file it takes a mesh from a distribution package. Installs what is missing.
 set -euo pipefail
+mesh=${1:+$(realpath "$1")}
 cd "$(dirname "$0")"
 source cmake/install_packages.sh
 
 install_packages g++ cmake ninja-build libassimp-dev libstb-dev
-mesh=${1:-}
 if [ -z "$mesh" ]; then
     install_packages assimp-testmodels
     mesh=/usr/share/assimp/models/Collada/duck.dae
