@@ -10,8 +10,8 @@
 // nodes whose children are items. All bounds are tight at all times.
 #pragma once
 
-#include "octree/box8.h"
 #include "foundation/memory.h"
+#include "octree/sah.h"
 
 namespace gphys {
 
@@ -101,19 +101,14 @@ private:
     // Each level leaves at most seven siblings on a depth-first stack.
     static constexpr int stack_size = 7 * max_levels + 8;
 
-    struct Item {
-        Box box;
-        uint32_t item;
-    };
     class Builder;
 
     const Node& node_of(uint32_t item) const { return nodes_[place_of_[item] / 8]; }
     static Box union_of(const Node& node);
-    static double half_area(const Box& box);
 
-    void build_from(Vector<Item>& items, size_t item_limit);
+    void build_from(Vector<BoxedItem>& items, size_t item_limit);
     void rebuild();
-    void append_items(Vector<Item>& to) const;
+    void append_items(Vector<BoxedItem>& to) const;
     double area_below(NodeRef ref) const;
     bool degraded() const;
     void improve() noexcept;

@@ -160,7 +160,7 @@ void Octree::insert(uint32_t item, const Box& box) {
 
 void Octree::insert_many(const uint32_t* items, const Box* boxes, uint32_t count) {
     if (count > size_ / 4) {
-        Vector<Item> all(nodes_.get_allocator());
+        Vector<BoxedItem> all(nodes_.get_allocator());
         all.reserve(size_t{size_} + count);
         append_items(all);
         size_t limit = place_of_.size();

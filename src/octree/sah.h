@@ -1,0 +1,28 @@
+// Boxes cut in two by the expected cost of the parts (surface area heuristic): what every tree here
+// is built from.
+#pragma once
+
+#include "octree/box8.h"
+
+namespace gphys {
+
+struct BoxedItem {
+    Box box;
+    uint32_t item;
+};
+
+/// What a leaf of any tree holds at most: eight tests at the price of one.
+constexpr uint32_t leaf_size = 8;
+
+/// Half the surface; 0 if the box is empty.
+double half_area(const Box& box);
+Box union_of(const BoxedItem* first, const BoxedItem* last);
+
+// Both put more than one item in order so that no part is empty, and return where the second begins.
+
+/// Where the expected cost of both parts is least, a part being as many tests as it fills leaves.
+BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last);
+/// In equal number, along the axis on which the centres spread most.
+BoxedItem* split_by_count(BoxedItem* first, BoxedItem* last);
+
+}  // namespace gphys
