@@ -46,8 +46,11 @@ foreach(kind LIBDIR INCLUDEDIR)
   endif()
 endforeach()
 list(TRANSFORM GAMEPHYS_CXX_RUNTIME PREPEND -l OUTPUT_VARIABLE GAMEPHYS_PC_RUNTIME)
+if(CMAKE_USE_PTHREADS_INIT)
+  list(APPEND GAMEPHYS_PC_RUNTIME -pthread)
+endif()
 list(JOIN GAMEPHYS_PC_RUNTIME " " GAMEPHYS_PC_RUNTIME)
-# Only users of the archive need the C++ runtime; without a shared library that is everybody.
+# Only users of the archive need the C++ runtime and threads; without a shared library that is everybody.
 if(BUILD_SHARED_LIBS)
   set(GAMEPHYS_PC_LIBS_PRIVATE ${GAMEPHYS_PC_RUNTIME})
 else()

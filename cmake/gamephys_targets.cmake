@@ -31,6 +31,9 @@ function(gamephys_exact_traps target)
   endif()
 endfunction()
 
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+
 # What both forms of the library share.
 function(gamephys_library target)
   add_library(${target} ${ARGN} ${GAMEPHYS_SOURCES})
@@ -38,6 +41,7 @@ function(gamephys_library target)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${target} PRIVATE Threads::Threads)
   set_target_properties(
     ${target}
     PROPERTIES CXX_EXTENSIONS OFF

@@ -49,8 +49,9 @@
  * Memory     Queries allocate nothing. Nothing that the library returns has to be freed except
  *            handles. Arrays are copied in and copied out, never kept.
  * Threads    Different objects: any threads. One object: functions that take it as const may run
- *            at the same time, all others need the caller's lock. No thread is ever started and
- *            no lock is held.
+ *            at the same time, all others need the caller's lock. No thread is started unless a
+ *            desc asks for it (gphys_scene_desc says which calls its workers share). Callbacks come
+ *            on the thread that called the library, never on a worker.
  */
 #ifndef GAMEPHYS_C_H
 #define GAMEPHYS_C_H
@@ -122,6 +123,19 @@ typedef struct gphys_allocator {
     void (*release)(void* user, void* memory, size_t size, size_t alignment);
     void* user;
 } gphys_allocator;
+
+/** One part of a call's work: the function to call, with the context and an index. Any thread may
+ *  call it; it returns when that part is done, without calling back. */
+typedef void (*gphys_task)(void* context, uint32_t index);
+
+/** The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
+ *  each once, in any order, on any threads, several at a time or not, and returns when all have
+ *  returned. It is called on the thread that called the library, by several at the same time if
+ *  several ask. The struct is copied at creation. */
+typedef struct gphys_task_runner {
+    void (*run)(void* user, gphys_task task, void* context, uint32_t count);
+    void* user;
+} gphys_task_runner;
 
 /* ------------------------------------------------------------------------------------------
  * Values. Frozen: their layout never changes. All fields are four bytes wide.
@@ -502,12 +516,21 @@ typedef uint32_t gphys_model_id;
 
 typedef struct gphys_scene_desc {
     uint32_t struct_size;
-    const gphys_allocator* allocator; /* NULL: the C++ runtime's */
-    uint32_t reserve_models;          /* models to make room for at once; 0 */
+    const gphys_allocator* allocator;     /* NULL: the C++ runtime's */
+    uint32_t reserve_models;              /* models to make room for at once; 0 */
+    const gphys_task_runner* task_runner; /* whose threads worker_count counts; NULL: the scene's own */
+    uint32_t worker_count; /* threads for one call, its own included, at most 1024; 0 and 1: that alone */
 } gphys_scene_desc;
 
 GPHYS_API gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t size);
-/** @param desc  may be NULL */
+/** With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
+ *  adding and moving many models, share their work among n threads; the results have the same bits
+ *  for every n. Without a task_runner n - 1 threads are started here and joined by
+ *  gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
+ *  work. They take no signals but faults, and the floating-point settings of the thread that
+ *  created them. In a child of fork they are gone: calls there run on one thread.
+ *  @param desc  may be NULL
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started */
 GPHYS_API gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_scene);
 GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
 

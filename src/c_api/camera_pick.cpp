@@ -2,6 +2,7 @@
 #include "pick/pick.h"
 
 #include "c_api/api.h"
+#include "c_api/batch.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
 #include "c_api/shape_input.h"
@@ -46,17 +47,17 @@ gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_sce
     GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof *out_hits), "out_stride: must be a multiple of 4, at least 52");
     const Strided<Pixel> in(reinterpret_cast<const Pixel*>(pixels), pixel_stride);
     const StridedOut<gphys_hit> out(out_hits, out_stride);
-    for (uint32_t i = 0; i < count; ++i) {
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_each(workers, distinct(pixel_stride, count), [&](uint32_t i) -> gphys_status {
         GPHYS_REQUIRE(is_pixel(in[i].x, in[i].y), "pixels: not finite or out of range");
-    }
-    return guarded([&] {
-        for (uint32_t i = 0; i < count; ++i) {
-            gphys_hit hit = no_hit();
-            pick(*unwrap(camera), *unwrap(scene), in[i].x, in[i].y, layers, hit);
-            out[i] = hit;
-        }
         return GPHYS_OK;
+    }));
+    answer_each(workers, count, [&](uint32_t i) {
+        gphys_hit hit = no_hit();
+        pick(*unwrap(camera), *unwrap(scene), in[i].x, in[i].y, layers, hit);
+        out[i] = hit;
     });
+    return GPHYS_OK;
 }
 
 gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0, float y0,

@@ -1,9 +1,11 @@
 // gphys_scene_*: scenes, models and their transforms. Queries are in scene_queries.cpp.
 #include "scene/scene.h"
 
+#include <cstddef>
 #include <cstring>
 
 #include "c_api/api.h"
+#include "c_api/batch.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
 #include "c_api/shape_input.h"
@@ -12,13 +14,16 @@ using namespace gphys;
 
 namespace {
 
-constexpr size_t scene_desc_size = sizeof(gphys_scene_desc);  // of release 1.0
+// Of release 1.0. A field appended to it must not lie in what was padding, whose bytes old clients
+// need not have cleared: hence a pointer follows.
+constexpr size_t scene_desc_size = offsetof(gphys_scene_desc, task_runner);
 constexpr size_t model_desc_size = sizeof(gphys_model_desc);
 
-constexpr gphys_scene_desc default_scene_desc{sizeof(gphys_scene_desc), nullptr, 0};
+constexpr gphys_scene_desc default_scene_desc{sizeof(gphys_scene_desc), nullptr, 0, nullptr, 0};
 constexpr gphys_model_desc default_model_desc{sizeof(gphys_model_desc), 0, 1, 0};
 
-gphys_status check_shapes(gphys_shape_type type, const void* shapes, uint32_t stride, uint32_t count) {
+gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const void* shapes, uint32_t stride,
+                          uint32_t count) {
     switch (type) {
         case GPHYS_SHAPE_MESH:
             GPHYS_REQUIRE(shapes, "shape is null");
@@ -35,19 +40,21 @@ gphys_status check_shapes(gphys_shape_type type, const void* shapes, uint32_t st
     GPHYS_REQUIRE(size != 0, "type: no such shape type");
     GPHYS_REQUIRE(valid_stride(stride, size), "shape_stride: must be 0 or a multiple of 4 that spans the struct");
     const Strided<char> shape(static_cast<const char*>(shapes), stride);
-    for (uint32_t i = 0; i < count; ++i) {
+    return check_each(workers, distinct(stride, count), [&](uint32_t i) {
         Shape widened;
-        GPHYS_TRY(read_shape(type, shapes ? &shape[i] : nullptr, widened));
-    }
-    return GPHYS_OK;
+        return read_shape(type, shapes ? &shape[i] : nullptr, widened);
+    });
 }
 
-gphys_status check_transforms(const gphys_transform* transforms, uint32_t stride, uint32_t count) {
+gphys_status check_transforms(const Workers& workers, const gphys_transform* transforms, uint32_t stride,
+                              uint32_t count) {
     GPHYS_REQUIRE(valid_stride(stride, sizeof(gphys_transform)),
                   "transform_stride: must be 0 or a multiple of 4 that spans the struct");
     const Strided<gphys_transform> transform(transforms, stride);
-    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(transform[i]);
-    return GPHYS_OK;
+    return check_each(workers, distinct(stride, count), [&](uint32_t i) -> gphys_status {
+        GPHYS_REQUIRE_VALID(transform[i]);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status add_models(gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,
@@ -56,8 +63,9 @@ gphys_status add_models(gphys_scene* scene, gphys_shape_type type, const void* s
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         GPHYS_REQUIRE(out_models || count == 0, "out_models is null");
-        GPHYS_TRY(check_shapes(type, shapes, shape_stride, count));
-        if (transforms) GPHYS_TRY(check_transforms(transforms, transform_stride, count));
+        const Workers& workers = unwrap(scene)->workers();
+        GPHYS_TRY(check_shapes(workers, type, shapes, shape_stride, count));
+        if (transforms) GPHYS_TRY(check_transforms(workers, transforms, transform_stride, count));
         gphys_model_desc known = default_model_desc;
         GPHYS_TRY(read_desc(desc, known, model_desc_size));
         return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count, known, out_models);
@@ -73,9 +81,9 @@ gphys_status copy_transforms(const gphys_scene* scene, const gphys_model_id* mod
     GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(gphys_transform)),
                   "out_stride: must be a multiple of 4 that spans the struct");
     const Scene& known = *unwrap(scene);
-    for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(known.check(models[i]));
+    GPHYS_TRY(check_each(known.workers(), count, [&](uint32_t i) { return known.check(models[i]); }));
     const StridedOut<gphys_transform> out(out_transforms, out_stride);
-    for (uint32_t i = 0; i < count; ++i) out[i] = (known.*transform_of)(models[i]);
+    answer_each(known.workers(), count, [&](uint32_t i) { out[i] = (known.*transform_of)(models[i]); });
     return GPHYS_OK;
 }
 
@@ -98,7 +106,9 @@ gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_
         if (known.reserve_models > IdTable::capacity) {
             return fail(GPHYS_ERROR_CAPACITY, "desc.reserve_models: a scene holds at most 2^24 - 1 models");
         }
-        *out_scene = wrap(create<Scene>(known.allocator, known.reserve_models));
+        GPHYS_REQUIRE(!known.task_runner || known.task_runner->run, "desc.task_runner: run must be set");
+        GPHYS_REQUIRE(known.worker_count <= Workers::max_count, "desc.worker_count: at most 1024");
+        *out_scene = wrap(create<Scene>(known.allocator, known.reserve_models, known.worker_count, known.task_runner));
         return GPHYS_OK;
     });
 }
@@ -235,7 +245,7 @@ gphys_status gphys_scene_set_transforms(gphys_scene* scene, const gphys_model_id
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         GPHYS_REQUIRE((models && transforms) || count == 0, "models or transforms is null");
-        GPHYS_TRY(check_transforms(transforms, transform_stride, count));
+        GPHYS_TRY(check_transforms(unwrap(scene)->workers(), transforms, transform_stride, count));
         return unwrap(scene)->set_transforms(models, transforms, transform_stride, count);
     });
 }

@@ -2,6 +2,7 @@
 #include "scene/scene.h"
 
 #include "c_api/api.h"
+#include "c_api/batch.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
 #include "c_api/shape_input.h"
@@ -12,12 +13,14 @@ namespace {
 
 /// The input array of a batch: there, well spaced and, element by element, valid.
 template <class T>
-gphys_status check_inputs(const T* inputs, uint32_t stride, uint32_t count) {
+gphys_status check_inputs(const Workers& workers, const T* inputs, uint32_t stride, uint32_t count) {
     GPHYS_REQUIRE(inputs || count == 0, "the input array is null");
     GPHYS_REQUIRE(valid_stride(stride, sizeof(T)), "input stride: must be 0 or a multiple of 4 that spans the struct");
     const Strided<T> input(inputs, stride);
-    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(input[i]);
-    return GPHYS_OK;
+    return check_each(workers, distinct(stride, count), [&](uint32_t i) -> gphys_status {
+        GPHYS_REQUIRE_VALID(input[i]);
+        return GPHYS_OK;
+    });
 }
 
 template <class T>
@@ -67,15 +70,16 @@ gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray
                                        uint32_t count, uint32_t layers, gphys_hit* out_hits, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
-        GPHYS_TRY(check_inputs(rays, ray_stride, count));
+        const Workers& workers = unwrap(scene)->workers();
+        GPHYS_TRY(check_inputs(workers, rays, ray_stride, count));
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_ray> ray(rays, ray_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
-        for (uint32_t i = 0; i < count; ++i) {
+        answer_each(workers, count, [&](uint32_t i) {
             gphys_hit hit = no_hit();
             unwrap(scene)->raycast(widen(ray[i]), layers, hit);
             out[i] = hit;
-        }
+        });
         return GPHYS_OK;
     });
 }
@@ -96,11 +100,12 @@ gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys
                                            uint32_t count, uint32_t layers, int32_t* out_hits, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
-        GPHYS_TRY(check_inputs(rays, ray_stride, count));
+        const Workers& workers = unwrap(scene)->workers();
+        GPHYS_TRY(check_inputs(workers, rays, ray_stride, count));
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_ray> ray(rays, ray_stride);
         const StridedOut<int32_t> out(out_hits, out_stride);
-        for (uint32_t i = 0; i < count; ++i) out[i] = unwrap(scene)->raycast_any(widen(ray[i]), layers);
+        answer_each(workers, count, [&](uint32_t i) { out[i] = unwrap(scene)->raycast_any(widen(ray[i]), layers); });
         return GPHYS_OK;
     });
 }
@@ -123,7 +128,8 @@ gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys
                                            uint32_t* out_offsets) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
-        GPHYS_TRY(check_inputs(rays, ray_stride, count));
+        const Workers& workers = unwrap(scene)->workers();
+        GPHYS_TRY(check_inputs(workers, rays, ray_stride, count));
         GPHYS_TRY(check_concatenation(out_hits, capacity, out_offsets));
         const Strided<gphys_ray> ray(rays, ray_stride);
         return concatenate<gphys_hit, FirstHit>(out_hits, capacity, count, out_offsets, [&](uint32_t i, auto& hits) {
@@ -148,15 +154,16 @@ gphys_status gphys_scene_segment_test_batch(const gphys_scene* scene, const gphy
                                             gphys_hit* out_hits, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
-        GPHYS_TRY(check_inputs(segments, segment_stride, count));
+        const Workers& workers = unwrap(scene)->workers();
+        GPHYS_TRY(check_inputs(workers, segments, segment_stride, count));
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_segment> segment(segments, segment_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
-        for (uint32_t i = 0; i < count; ++i) {
+        answer_each(workers, count, [&](uint32_t i) {
             gphys_hit hit = no_hit();
             unwrap(scene)->raycast(ray_along(widen(segment[i])), layers, hit);
             out[i] = hit;
-        }
+        });
         return GPHYS_OK;
     });
 }
@@ -179,14 +186,18 @@ gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_typ
                                        gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
+        const Workers& workers = unwrap(scene)->workers();
         GPHYS_REQUIRE(valid_stride(shape_stride, shape_struct_size(type)),
                       "shape_stride: must be 0 or a multiple of 4 that spans the struct");
         const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
-        Shape query;
-        for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(read_shape(type, shapes ? &shape[i] : nullptr, query));
+        GPHYS_TRY(check_each(workers, distinct(shape_stride, count), [&](uint32_t i) {
+            Shape query;
+            return read_shape(type, shapes ? &shape[i] : nullptr, query);
+        }));
         GPHYS_TRY(check_concatenation(out_models, capacity, out_offsets));
         return concatenate<gphys_model_id, std::less<gphys_model_id>>(
             out_models, capacity, count, out_offsets, [&](uint32_t i, auto& models) {
+                Shape query;
                 if (read_shape(type, &shape[i], query) == GPHYS_OK) unwrap(scene)->overlap(query, layers, models);
             });
     });
@@ -222,16 +233,17 @@ gphys_status gphys_scene_nearest_batch(const gphys_scene* scene, const gphys_vec
                                        uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
-        GPHYS_TRY(check_inputs(points, point_stride, count));
+        const Workers& workers = unwrap(scene)->workers();
+        GPHYS_TRY(check_inputs(workers, points, point_stride, count));
         GPHYS_REQUIRE(valid_max_distance(max_distance), "max_distance: must be 0 or more and not NaN");
         GPHYS_TRY(check_outputs(out_nearest, out_stride, count));
         const Strided<gphys_vec3> point(points, point_stride);
         const StridedOut<gphys_nearest> out(out_nearest, out_stride);
-        for (uint32_t i = 0; i < count; ++i) {
+        answer_each(workers, count, [&](uint32_t i) {
             gphys_nearest nearest = no_nearest();
             unwrap(scene)->nearest(widen(point[i]), max_distance, layers, nearest);
             out[i] = nearest;
-        }
+        });
         return GPHYS_OK;
     });
 }
@@ -255,17 +267,18 @@ gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, const gphy
                                             gphys_hit* out_hits, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
-        GPHYS_TRY(check_inputs(spheres, sphere_stride, count));
-        GPHYS_TRY(check_inputs(displacements, displacement_stride, count));
+        const Workers& workers = unwrap(scene)->workers();
+        GPHYS_TRY(check_inputs(workers, spheres, sphere_stride, count));
+        GPHYS_TRY(check_inputs(workers, displacements, displacement_stride, count));
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_sphere> sphere(spheres, sphere_stride);
         const Strided<gphys_vec3> displacement(displacements, displacement_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
-        for (uint32_t i = 0; i < count; ++i) {
+        answer_each(workers, count, [&](uint32_t i) {
             gphys_hit hit = no_hit();
             unwrap(scene)->sweep(widen(sphere[i]), widen(displacement[i]), layers, hit);
             out[i] = hit;
-        }
+        });
         return GPHYS_OK;
     });
 }

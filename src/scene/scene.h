@@ -16,12 +16,13 @@
 #include <type_traits>
 
 #include "foundation/ids.h"
-#include "intersect/intersect.h"
-#include "mesh/mesh_instance.h"
-#include "octree/octree.h"
 #include "foundation/pool.h"
 #include "foundation/results.h"
 #include "foundation/status.h"
+#include "foundation/workers.h"
+#include "intersect/intersect.h"
+#include "mesh/mesh_instance.h"
+#include "octree/octree.h"
 
 namespace gphys {
 
@@ -36,7 +37,8 @@ public:
     /// harmless as they are.
     static constexpr float max_scale = GPHYS_MAX_COORDINATE;
 
-    explicit Scene(const gphys_allocator* hooks, uint32_t reserve_models = 0);
+    explicit Scene(const gphys_allocator* hooks, uint32_t reserve_models = 0, uint32_t worker_count = 1,
+                   const gphys_task_runner* task_runner = nullptr);
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
     ~Scene();
@@ -81,6 +83,7 @@ public:
     bool bounds(gphys_model_id model, Box& out) const;
 
     const Octree& octree() const { return octree_; }
+    const Workers& workers() const { return workers_; }
     uint32_t unbounded_count() const { return static_cast<uint32_t>(unbounded_.size()); }
     /// What is wrong inside, or nullptr.
     const char* defect() const;
@@ -164,6 +167,7 @@ private:
     void carry_back(uint32_t top);
     void publish_moves();
 
+    const Workers workers_;
     IdTable ids_{&memory};
     Vector<Model> models_{&memory};  // by slot
     Pool<gphys_sphere> spheres_{&memory};

@@ -2,12 +2,14 @@
 // then checks, then changes what cannot fail any more.
 #include <algorithm>
 
-#include "scene/scene.h"
 #include "foundation/strided.h"
+#include "scene/scene.h"
 
 namespace gphys {
 
-Scene::Scene(const gphys_allocator* hooks, uint32_t reserve_models) : memory(hooks) {
+Scene::Scene(const gphys_allocator* hooks, uint32_t reserve_models, uint32_t worker_count,
+             const gphys_task_runner* task_runner)
+    : memory(hooks), workers_(worker_count, task_runner, &memory) {
     ids_.reserve(reserve_models);
     models_.reserve(reserve_models);
 }

@@ -1,0 +1,124 @@
+#include "foundation/workers.h"
+
+#include <system_error>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <signal.h>
+#include <unistd.h>
+#endif
+
+namespace gphys {
+
+namespace {
+
+#if defined(__unix__) || defined(__APPLE__)
+long this_process() { return getpid(); }
+
+/// A thread inherits the mask of signals of its creator: while this lives, new threads leave those
+/// of the outside to the host's threads. Faults, which strike the thread that causes them, and a
+/// profiler's clock still come through.
+class SignalsBlocked {
+public:
+    SignalsBlocked() {
+        sigset_t outside;
+        sigfillset(&outside);
+        for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGPROF}) sigdelset(&outside, own);
+        pthread_sigmask(SIG_BLOCK, &outside, &before_);
+    }
+    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+private:
+    sigset_t before_;
+};
+#else
+long this_process() { return 0; }
+
+class SignalsBlocked {
+public:
+    SignalsBlocked() {}
+};
+#endif
+
+}  // namespace
+
+Workers::Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memory_resource* memory)
+    : count_(std::max(count, 1u)), threads_(memory), process_(this_process()) {
+    if (runner) runner_ = *runner;
+    if (runner || count_ == 1) return;
+    meeting_ = new (memory->allocate(sizeof(Meeting), alignof(Meeting))) Meeting;
+    try {
+        const SignalsBlocked blocked;
+        threads_.reserve(count_ - 1);
+        while (threads_.size() < count_ - 1) threads_.emplace_back([this] { serve(); });
+    } catch (const std::system_error&) {  // the system has no more threads
+        stop();
+        throw std::bad_alloc();
+    } catch (...) {
+        stop();
+        throw;
+    }
+}
+
+Workers::~Workers() {
+    if (meeting_) stop();
+}
+
+void Workers::stop() {
+    if (in_forked_child()) {
+        // There are no threads to join here, and what they wait at can never be left: destroying
+        // either would not return.
+        for (std::thread& lost : threads_) new (&lost) std::thread();
+    } else {
+        {
+            const std::lock_guard<std::mutex> lock(meeting_->mutex);
+            meeting_->stopping = true;
+        }
+        meeting_->wake.notify_all();
+        for (std::thread& thread : threads_) thread.join();
+        meeting_->~Meeting();
+    }
+    threads_.get_allocator().resource()->deallocate(meeting_, sizeof(Meeting), alignof(Meeting));
+}
+
+/// fork copies the calling thread only, and all locks as they were at that moment.
+bool Workers::in_forked_child() const { return process_ != this_process(); }
+
+void Workers::share(Job& job) const noexcept {
+    if (runner_.run) {
+        const auto take_part = [](void* context, uint32_t) { static_cast<Job*>(context)->drain(); };
+        runner_.run(runner_.user, take_part, &job, std::min(count_, job.count));
+        return;
+    }
+    if (in_forked_child() || !meeting_->serving.try_lock()) {
+        job.drain();
+        return;
+    }
+    const std::lock_guard<std::mutex> served(meeting_->serving, std::adopt_lock);
+    {
+        const std::lock_guard<std::mutex> lock(meeting_->mutex);
+        meeting_->job = &job;
+    }
+    meeting_->wake.notify_all();
+    job.drain();
+    std::unique_lock<std::mutex> lock(meeting_->mutex);
+    meeting_->job = nullptr;
+    meeting_->done.wait(lock, [this] { return meeting_->working == 0; });
+}
+
+/// The life of a thread.
+void Workers::serve() const {
+    std::unique_lock<std::mutex> lock(meeting_->mutex);
+    for (;;) {
+        meeting_->wake.wait(lock, [this] { return meeting_->stopping || meeting_->job; });
+        if (meeting_->stopping) return;
+        Job& job = *meeting_->job;
+        ++meeting_->working;
+        lock.unlock();
+        job.drain();
+        lock.lock();
+        meeting_->job = nullptr;
+        if (--meeting_->working == 0) meeting_->done.notify_one();
+    }
+}
+
+}  // namespace gphys
