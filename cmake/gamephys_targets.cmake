@@ -5,6 +5,19 @@
 # library would re-export the whole interface from any shared object that takes the archive in.
 
 file(GLOB GAMEPHYS_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.cpp)
+# Compiled once for each instruction set (src/foundation/isa.h has the same list).
+file(GLOB GAMEPHYS_KERNELS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*_kernels.cpp)
+list(REMOVE_ITEM GAMEPHYS_SOURCES ${GAMEPHYS_KERNELS})
+set(GAMEPHYS_ISAS scalar)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i[3-6]86)$")
+  list(APPEND GAMEPHYS_ISAS sse2 avx2)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+  list(APPEND GAMEPHYS_ISAS neon)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^wasm" AND CMAKE_CXX_FLAGS MATCHES "-msimd128")
+  list(APPEND GAMEPHYS_ISAS wasm)
+endif()
+set(GAMEPHYS_OPTIONS_sse2 -msse2)
+set(GAMEPHYS_OPTIONS_avx2 -mavx2)
 
 # Warnings, for everything that belongs to this project.
 function(gamephys_warnings target)
@@ -34,12 +47,9 @@ endfunction()
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
 
-# What both forms of the library share.
-function(gamephys_library target)
-  add_library(${target} ${ARGN} ${GAMEPHYS_SOURCES})
+# How everything in src is compiled.
+function(gamephys_compilation target)
   target_compile_features(${target} PRIVATE cxx_std_17)
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
-                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PRIVATE Threads::Threads)
   set_target_properties(
@@ -55,6 +65,23 @@ function(gamephys_library target)
     gamephys_exact_conversions(${target})
     gamephys_exact_traps(${target})
   endif()
+endfunction()
+
+# What both forms of the library share.
+function(gamephys_library target)
+  add_library(${target} ${ARGN} ${GAMEPHYS_SOURCES})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  gamephys_compilation(${target})
+  foreach(isa ${GAMEPHYS_ISAS})
+    set(kernels ${target}_${isa})
+    add_library(${kernels} OBJECT ${GAMEPHYS_KERNELS})
+    gamephys_compilation(${kernels})
+    target_include_directories(${kernels} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+    target_compile_definitions(${kernels} PRIVATE GPHYS_ISA=${isa})
+    target_compile_options(${kernels} PRIVATE ${GAMEPHYS_OPTIONS_${isa}})
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
+  endforeach()
 endfunction()
 
 gamephys_library(gamephys_static STATIC)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "gamephys_c.h"
@@ -125,7 +126,14 @@ constexpr gphys_quat narrow(Quat q) {
 inline float round_down(double v) {
     constexpr double last = std::numeric_limits<float>::max();
     const float f = static_cast<float>(std::clamp(v, -last, last));
-    return f <= v || v < -last ? f : std::nextafterf(f, -std::numeric_limits<float>::infinity());
+    if (f <= v || v < -last) return f;
+    // The float before f: of one sign, floats are in the order of their bits.
+    uint32_t bits;
+    std::memcpy(&bits, &f, sizeof bits);
+    bits = f > 0 ? bits - 1 : f < 0 ? bits + 1 : 0x80000001u;
+    float before;
+    std::memcpy(&before, &bits, sizeof before);
+    return before;
 }
 inline float round_up(double v) { return -round_down(-v); }
 

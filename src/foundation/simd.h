@@ -1,18 +1,31 @@
-// Eight floats side by side, and the one place with intrinsics. Everything is plain IEEE arithmetic
-// without fused operations, so each instruction set gives the same bits.
+// Eight floats side by side, for kernels (isa.h), and the one place with intrinsics. Everything is
+// plain IEEE arithmetic without fused operations, so each instruction set gives the same bits.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
 
-#if defined(__SSE2__)
+#define GPHYS_ISA_IS_scalar 1
+#define GPHYS_ISA_IS_sse2 2
+#define GPHYS_ISA_IS_avx2 3
+#define GPHYS_ISA_IS_neon 4
+#define GPHYS_ISA_IS_wasm 5
+#define GPHYS_ISA_JOIN(prefix, set) prefix##set
+#define GPHYS_ISA_NUMBER(set) GPHYS_ISA_JOIN(GPHYS_ISA_IS_, set)
+#define GPHYS_ISA_IS(set) (GPHYS_ISA_NUMBER(GPHYS_ISA) == GPHYS_ISA_NUMBER(set))
+
+#if GPHYS_ISA_IS(sse2) || GPHYS_ISA_IS(avx2)
 #include <immintrin.h>
+#elif GPHYS_ISA_IS(neon)
+#include <arm_neon.h>
+#elif GPHYS_ISA_IS(wasm)
+#include <wasm_simd128.h>
 #endif
 
-namespace gphys {
+namespace gphys::GPHYS_ISA {
 
-// Vectors of the compilers' own extension, as wide as the registers of the target.
-#if defined(__AVX__)
+// Vectors of the compilers' own extension, as wide as the registers of the set.
+#if GPHYS_ISA_IS(avx2)
 constexpr int register_lanes = 8;
 #else
 constexpr int register_lanes = 4;
@@ -43,18 +56,18 @@ inline Float8 splat(float value) {
 }
 
 inline FloatRegister minimum(FloatRegister a, FloatRegister b) {
-#if defined(__AVX__)
+#if GPHYS_ISA_IS(avx2)
     return _mm256_min_ps(a, b);
-#elif defined(__SSE2__)
+#elif GPHYS_ISA_IS(sse2)
     return _mm_min_ps(a, b);
 #else
     return a < b ? a : b;
 #endif
 }
 inline FloatRegister maximum(FloatRegister a, FloatRegister b) {
-#if defined(__AVX__)
+#if GPHYS_ISA_IS(avx2)
     return _mm256_max_ps(a, b);
-#elif defined(__SSE2__)
+#elif GPHYS_ISA_IS(sse2)
     return _mm_max_ps(a, b);
 #else
     return a > b ? a : b;
@@ -62,10 +75,14 @@ inline FloatRegister maximum(FloatRegister a, FloatRegister b) {
 }
 /// Bit i is set if lane i is.
 inline uint32_t lane_bits(MaskRegister mask) {
-#if defined(__AVX__)
+#if GPHYS_ISA_IS(avx2)
     return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
-#elif defined(__SSE2__)
+#elif GPHYS_ISA_IS(sse2)
     return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
+#elif GPHYS_ISA_IS(neon)
+    return vaddvq_u32(reinterpret_cast<uint32x4_t>(mask & MaskRegister{1, 2, 4, 8}));
+#elif GPHYS_ISA_IS(wasm)
+    return wasm_i32x4_bitmask(reinterpret_cast<v128_t>(mask));
 #else
     uint32_t bits = 0;
     for (int i = 0; i < register_lanes; ++i) bits |= static_cast<uint32_t>(mask[i] & 1) << i;
@@ -111,4 +128,4 @@ inline uint32_t bits(Mask8 mask) {
     return result;
 }
 
-}  // namespace gphys
+}  // namespace gphys::GPHYS_ISA

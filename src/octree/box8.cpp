@@ -55,11 +55,11 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root) 
     everything_ = margin > 0x1p53;
     if (everything_) {
         for (int k = 0; k < 3; ++k) {
-            near_row_[k] = k;
-            far_row_[k] = 3 + k;
-            near_origin_[k] = 0x1p56f;
-            far_origin_[k] = -0x1p56f;
-            inverse_[k] = 0x1p68f;
+            near_row[k] = k;
+            far_row[k] = 3 + k;
+            near_origin[k] = 0x1p56f;
+            far_origin[k] = -0x1p56f;
+            inverse[k] = 0x1p68f;
         }
         return;
     }
@@ -80,11 +80,11 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root) 
         const bool drifts = std::fabs(d[k]) < 0x1p-68;
         const float low = round_down(origin[k] - margin), high = round_up(origin[k] + margin);
         const bool forward = drifts || d[k] > 0;
-        near_row_[k] = forward ? k : 3 + k;
-        far_row_[k] = forward ? 3 + k : k;
-        near_origin_[k] = forward ? high : low;
-        far_origin_[k] = forward ? low : high;
-        inverse_[k] = drifts ? 0x1p68f : static_cast<float>(1 / d[k]);
+        near_row[k] = forward ? k : 3 + k;
+        far_row[k] = forward ? 3 + k : k;
+        near_origin[k] = forward ? high : low;
+        far_origin[k] = forward ? low : high;
+        inverse[k] = drifts ? 0x1p68f : static_cast<float>(1 / d[k]);
     }
 }
 
@@ -107,8 +107,8 @@ PointProbe::PointProbe(Vec3 point, const Box& root) {
     for (int k = 0; k < 3; ++k) {
         // Nearer to the tree than the point is: still a lower bound, and its square fits a float.
         const double clamped = std::clamp(point[k], -0x1p61, 0x1p61);
-        low_[k] = round_down(clamped);
-        high_[k] = round_up(clamped);
+        low[k] = round_down(clamped);
+        high[k] = round_up(clamped);
     }
 }
 
@@ -125,11 +125,11 @@ FrustumProbe::FrustumProbe(const Frustum& frustum) {
     const bool too_far = max_component(abs(frustum.origin)) > 0x1p57;
     for (int k = 0; k < 3; ++k) {
         const double origin = too_far ? 0 : frustum.origin[k];
-        origin_low_[k] = round_down(origin);
-        origin_high_[k] = round_up(origin);
+        origin_low[k] = round_down(origin);
+        origin_high[k] = round_up(origin);
     }
     for (int p = 0; p < 6; ++p) {
-        FloatPlane& plane = planes_[p];
+        FloatPlane& plane = planes[p];
         const Plane& exact = frustum.planes[p];
         const double scale = max_component(abs(exact.normal));
         if (too_far) {
@@ -154,31 +154,6 @@ FrustumProbe::FrustumProbe(const Frustum& frustum) {
             plane.inside_above = round_up(distance + slack);
         }
     }
-}
-
-uint32_t FrustumProbe::hits(const Box8& boxes, uint32_t planes, uint32_t inside[6]) const {
-    Float8 low[3], high[3];
-    for (int k = 0; k < 3; ++k) {
-        low[k] = load(boxes.row[k]) - splat(origin_high_[k]);
-        high[k] = load(boxes.row[3 + k]) - splat(origin_low_[k]);
-    }
-    const Float8 error = splat(8 * static_cast<float>(unit_roundoff));
-    uint32_t hit = 0xff;
-    for (uint32_t rest = planes; rest != 0; rest &= rest - 1) {
-        const int p = __builtin_ctz(rest);
-        const FloatPlane& plane = planes_[p];
-        Float8 most[3], least[3];  // products at the corners furthest in and furthest out
-        for (int k = 0; k < 3; ++k) {
-            const bool positive = plane.normal[k] >= 0;
-            most[k] = (positive ? high[k] : low[k]) * splat(plane.normal[k]);
-            least[k] = (positive ? low[k] : high[k]) * splat(plane.normal[k]);
-        }
-        const Float8 upper = most[0] + most[1] + most[2] + error * (abs(most[0]) + abs(most[1]) + abs(most[2]));
-        const Float8 lower = least[0] + least[1] + least[2] - error * (abs(least[0]) + abs(least[1]) + abs(least[2]));
-        hit &= bits(splat(plane.outside_below) <= upper);
-        inside[p] = bits(splat(plane.inside_above) <= lower);
-    }
-    return hit;
 }
 
 }  // namespace gphys

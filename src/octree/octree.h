@@ -6,24 +6,26 @@
 // overlap. Each item is in exactly one leaf, so no query meets it twice, and the root grows with its
 // items, so nothing lies outside.
 //
-// A node keeps the boxes of its children side by side and tests them together (box8.h). Leaves are
-// nodes whose children are items. All bounds are tight at all times.
+// A node keeps the boxes of its children side by side, and kernels test them together
+// (octree_traversal.h). Leaves are nodes whose children are items. All bounds are tight at all times.
 #pragma once
 
 #include "foundation/memory.h"
+#include "octree/octree_kernels.h"
 #include "octree/sah.h"
 
 namespace gphys {
 
 class Octree {
 public:
-    static constexpr uint32_t none = 0xffffffffu;
-    /// Levels that a tree can have, which bounds the stacks of its queries. Building makes at most
-    /// `max_built_levels`; an insertion that would go beyond `max_levels` rebuilds first.
-    static constexpr int max_levels = 32;
+    static constexpr uint32_t none = octree_none;
+    /// Building makes at most `max_built_levels`; an insertion that would go beyond `max_levels`
+    /// rebuilds first.
+    static constexpr int max_levels = octree_max_levels;
     static constexpr int max_built_levels = 24;
 
-    explicit Octree(std::pmr::memory_resource* memory) : nodes_(memory), place_of_(memory) {}
+    explicit Octree(std::pmr::memory_resource* memory, Isa isa = chosen_isa())
+        : kernels_(octree_kernels(isa)), nodes_(memory), place_of_(memory) {}
 
     // Changes. Boxes are within max_box_coordinate, items are small: memory is used for each number
     // up to the largest. What throws std::bad_alloc has changed nothing; what is noexcept cannot
@@ -47,18 +49,27 @@ public:
 
     // Queries. Visitors get items whose boxes meet the query, and in rare cases more; never fewer.
 
+    /// What a visitor reads of each item, an array, so that it can be fetched ahead.
+    struct ItemMemory {
+        const void* first = nullptr;
+        uint32_t size = 0;  // of one, in bytes
+    };
+
     /// Roughly nearest first. visit(item, t_max) may lower t_max; a negative one ends the query.
     /// Boxes entered exactly at t_max are still visited. A direction of zero asks for the boxes
     /// around the origin.
     template <class Visit>
-    void raycast(const Ray& ray, Visit&& visit) const;
-    /// Likewise for a sphere that moves from `center` to center + displacement, t = 0..1.
+    void raycast(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
+    /// In no order, until visit(item) is true for one: then the result is.
     template <class Visit>
-    void sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit) const;
+    bool raycast_any(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
+    /// As raycast, for a sphere that moves from `center` to center + displacement, t = 0..1.
+    template <class Visit>
+    void sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit, ItemMemory items = {}) const;
     /// Roughly nearest first. visit(item, max_distance) may lower max_distance; a negative one ends
     /// the query.
     template <class Visit>
-    void nearest(Vec3 point, double max_distance, Visit&& visit) const;
+    void nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items = {}) const;
     /// visit(item) returns whether to go on; the result is false if one did not.
     template <class Visit>
     bool overlap_box(const Box& box, Visit&& visit) const;
@@ -82,21 +93,11 @@ public:
     const char* defect() const;
 
 private:
-    // A reference to a node, with leaf_bit set if that node is a leaf.
+    using Node = OctreeNode;
     using NodeRef = uint32_t;
-    static constexpr NodeRef leaf_bit = 0x80000000u;
+    static constexpr NodeRef leaf_bit = octree_leaf_bit;
     static uint32_t index_of(NodeRef ref) { return ref & ~leaf_bit; }
     static bool is_leaf(NodeRef ref) { return (ref & leaf_bit) != 0; }
-
-    struct alignas(64) Node {
-        Box8 boxes;         // lanes from count on are unused, and finite
-        uint32_t child[8];  // NodeRefs; in a leaf, items
-        uint32_t count;     // 0: the node is free
-        uint32_t parent;    // its index, none at the root; in a free node, the next free one
-        uint32_t lane;      // in the parent
-
-        uint32_t lanes() const { return (1u << count) - 1; }
-    };
 
     // Each level leaves at most seven siblings on a depth-first stack.
     static constexpr int stack_size = 7 * max_levels + 8;
@@ -128,10 +129,12 @@ private:
     bool too_deep(NodeRef leaf) const;
 
     template <class Probe, class Visit>
-    void nearest_first(const Probe& probe, double bound, Visit&& visit) const;
-    template <class Hits, class Visit>
-    bool everywhere(Hits&& hits, Visit&& visit) const;
+    void walk_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
+                       const Probe& probe, double bound, Visit& visit, ItemMemory items) const;
+    template <class Visit>
+    static OctreeLeafVisitor by_item(Visit& visit);
 
+    const OctreeKernels& kernels_;
     Vector<Node> nodes_;
     Vector<uint32_t> place_of_;  // by item: 8 * leaf + lane, or none
     NodeRef root_ = none;

@@ -1,0 +1,35 @@
+// Which instruction set the kernels use. A file src/*/*_kernels.cpp is compiled once for each set,
+// with its own compiler options, into a namespace named after the set (GPHYS_ISA, given by the
+// build); a table of function pointers leads to each of them. All sets give the same answers.
+//
+// Kernels call nothing outside of their own namespace, so that no function compiled for a newer
+// processor can be taken for its namesake elsewhere. What they are handed is plain data, prepared
+// by ordinary code.
+#pragma once
+
+#if defined(__x86_64__) || defined(__i386__)
+#define GPHYS_FOR_EACH_ISA(X) X(scalar) X(sse2) X(avx2)
+#elif defined(__aarch64__)
+#define GPHYS_FOR_EACH_ISA(X) X(scalar) X(neon)
+#elif defined(__wasm_simd128__)
+#define GPHYS_FOR_EACH_ISA(X) X(scalar) X(wasm)
+#else
+#define GPHYS_FOR_EACH_ISA(X) X(scalar)
+#endif
+
+namespace gphys {
+
+enum class Isa {
+#define GPHYS_ISA_NAME(set) set,
+    GPHYS_FOR_EACH_ISA(GPHYS_ISA_NAME)
+#undef GPHYS_ISA_NAME
+};
+
+/// Whether this processor has it.
+bool has(Isa isa);
+/// The best that this processor has, or the one that the environment variable GAMEPHYS_ISA names.
+/// Looked up once, so that no object changes sides.
+Isa chosen_isa();
+const char* name_of(Isa isa);
+
+}  // namespace gphys

@@ -1,0 +1,129 @@
+// Eight boxes against a probe, for kernels. The bounds of rounding are derived in box8.cpp.
+#pragma once
+
+#include "foundation/simd.h"
+#include "octree/box8.h"
+
+namespace gphys::GPHYS_ISA {
+
+constexpr float float_roundoff = 0x1p-24f;
+
+class RayTest {
+public:
+    explicit RayTest(const RayProbe& probe) {
+        for (int k = 0; k < 3; ++k) {
+            near_row_[k] = probe.near_row[k];
+            far_row_[k] = probe.far_row[k];
+            near_origin_[k] = splat(probe.near_origin[k]);
+            far_origin_[k] = splat(probe.far_origin[k]);
+            inverse_[k] = splat(probe.inverse[k]);
+        }
+    }
+
+    /// Lanes that the ray meets no later than at `limit`; `entry` is where, in the same unit.
+    uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
+        const auto enters = [&](int k) { return (load(boxes.row[near_row_[k]]) - near_origin_[k]) * inverse_[k]; };
+        const auto leaves = [&](int k) { return (load(boxes.row[far_row_[k]]) - far_origin_[k]) * inverse_[k]; };
+        entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
+        const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
+        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), splat(limit)));
+    }
+
+private:
+    int near_row_[3], far_row_[3];
+    Float8 near_origin_[3], far_origin_[3], inverse_[3];
+};
+
+class PointTest {
+public:
+    explicit PointTest(const PointProbe& probe) {
+        for (int k = 0; k < 3; ++k) {
+            low_[k] = splat(probe.low[k]);
+            high_[k] = splat(probe.high[k]);
+        }
+    }
+
+    /// Lanes whose squared distance is at most `limit`.
+    uint32_t hits(const Box8& boxes, float limit, Float8& distance_squared) const {
+        const auto gap = [&](int k) {
+            return max(max(load(boxes.row[k]) - high_[k], low_[k] - load(boxes.row[3 + k])), splat(0));
+        };
+        const Float8 x = gap(0), y = gap(1), z = gap(2);
+        distance_squared = x * x + y * y + z * z;
+        return bits(distance_squared <= splat(limit));
+    }
+
+private:
+    Float8 low_[3], high_[3];
+};
+
+/// Boxes that share a point with a given one: exact.
+class BoxTest {
+public:
+    explicit BoxTest(const Box& box) {
+        for (int k = 0; k < 3; ++k) {
+            min_[k] = splat(box.min[k]);
+            max_[k] = splat(box.max[k]);
+        }
+    }
+    BoxTest(const Box8& boxes, uint32_t lane) {
+        for (int k = 0; k < 3; ++k) {
+            min_[k] = splat(boxes.row[k][lane]);
+            max_[k] = splat(boxes.row[3 + k][lane]);
+        }
+    }
+
+    uint32_t hits(const Box8& boxes) const {
+        return bits((load(boxes.row[0]) <= max_[0]) & (min_[0] <= load(boxes.row[3])) &
+                    (load(boxes.row[1]) <= max_[1]) & (min_[1] <= load(boxes.row[4])) &
+                    (load(boxes.row[2]) <= max_[2]) & (min_[2] <= load(boxes.row[5])));
+    }
+    /// Lanes wholly inside the box.
+    uint32_t holds(const Box8& boxes) const {
+        return bits((min_[0] <= load(boxes.row[0])) & (load(boxes.row[3]) <= max_[0]) &
+                    (min_[1] <= load(boxes.row[1])) & (load(boxes.row[4]) <= max_[1]) &
+                    (min_[2] <= load(boxes.row[2])) & (load(boxes.row[5]) <= max_[2]));
+    }
+
+private:
+    Float8 min_[3], max_[3];
+};
+
+class FrustumTest {
+public:
+    static constexpr uint32_t all_planes = 0x3f;
+
+    explicit FrustumTest(const FrustumProbe& probe) : probe_(probe) {}
+
+    /// Lanes that are not wholly outside one of `planes`; inside[p] are those wholly inside plane p.
+    uint32_t hits(const Box8& boxes, uint32_t planes, uint32_t inside[6]) const {
+        Float8 low[3], high[3];
+        for (int k = 0; k < 3; ++k) {
+            low[k] = load(boxes.row[k]) - splat(probe_.origin_high[k]);
+            high[k] = load(boxes.row[3 + k]) - splat(probe_.origin_low[k]);
+        }
+        const Float8 error = splat(8 * float_roundoff);
+        uint32_t hit = 0xff;
+        for (uint32_t rest = planes; rest != 0; rest &= rest - 1) {
+            const int p = __builtin_ctz(rest);
+            const FrustumProbe::FloatPlane& plane = probe_.planes[p];
+            Float8 most[3], least[3];  // products at the corners furthest in and furthest out
+            for (int k = 0; k < 3; ++k) {
+                const bool positive = plane.normal[k] >= 0;
+                most[k] = (positive ? high[k] : low[k]) * splat(plane.normal[k]);
+                least[k] = (positive ? low[k] : high[k]) * splat(plane.normal[k]);
+            }
+            const Float8 upper = most[0] + most[1] + most[2] + error * (abs(most[0]) + abs(most[1]) + abs(most[2]));
+            const Float8 lower =
+                least[0] + least[1] + least[2] - error * (abs(least[0]) + abs(least[1]) + abs(least[2]));
+            hit &= bits(splat(plane.outside_below) <= upper);
+            inside[p] = bits(splat(plane.inside_above) <= lower);
+        }
+        return hit;
+    }
+
+private:
+    const FrustumProbe& probe_;
+};
+
+}  // namespace gphys::GPHYS_ISA

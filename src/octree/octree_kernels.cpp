@@ -1,0 +1,132 @@
+#include "octree/octree_kernels.h"
+
+#include "octree/octree_traversal.h"
+
+namespace gphys::GPHYS_ISA {
+
+namespace {
+
+template <class Test, class Probe>
+void walk_nearest_first(const OctreeNode* nodes, uint32_t root, const Probe& probe, float limit,
+                        const OctreeVisitor& to) {
+    nearest_first(
+        nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); },
+        [&](uint32_t item) {
+            if (to.item_memory) {
+                fetch_ahead(static_cast<const char*>(to.item_memory) + size_t{item} * to.item_size, to.item_size);
+            }
+        });
+}
+
+void walk_ray_any(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to) {
+    if (!(limit >= 0)) return;
+    const RayTest test(probe);
+    everywhere(
+        nodes, root,
+        [&](const Box8& boxes) {
+            Float8 entry;
+            return test.hits(boxes, limit, entry);
+        },
+        [&](const OctreeNode& leaf, uint32_t lanes) {
+            for (; lanes != 0; lanes &= lanes - 1) {
+                if (to.visit(to.context, leaf.child[__builtin_ctz(lanes)]) < 0) return false;
+            }
+            return true;
+        });
+}
+
+bool walk_box(const OctreeNode* nodes, uint32_t root, const Box& box, const OctreeLeafVisitor& to) {
+    const BoxTest test(box);
+    return everywhere(
+        nodes, root, [&](const Box8& boxes) { return test.hits(boxes); },
+        [&](const OctreeNode& leaf, uint32_t lanes) {
+            return to.visit(to.context, leaf.child, lanes, lanes & test.holds(leaf.boxes));
+        });
+}
+
+/// Planes that a node is wholly inside need no test below it, and when none is left the whole
+/// subtree is inside (Assarsson and Möller 2000).
+bool walk_frustum(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeLeafVisitor& to) {
+    const FrustumTest test(probe);
+    struct Entry {
+        uint32_t ref, planes;
+    };
+    Entry stack[stack_size];
+    int size = 0;
+    stack[size++] = {root, FrustumTest::all_planes};
+    while (size > 0) {
+        const Entry entry = stack[--size];
+        const OctreeNode& node = node_at(nodes, entry.ref);
+        uint32_t inside[6] = {};
+        const uint32_t hits = lanes_of(node) & (entry.planes == 0 ? 0xff : test.hits(node.boxes, entry.planes, inside));
+        if (is_leaf(entry.ref)) {
+            uint32_t wholly = hits;
+            for (uint32_t rest = entry.planes; rest != 0; rest &= rest - 1) wholly &= inside[__builtin_ctz(rest)];
+            if (hits != 0 && !to.visit(to.context, node.child, hits, wholly)) return false;
+            continue;
+        }
+        for (uint32_t rest = hits; rest != 0; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest);
+            uint32_t planes = entry.planes;
+            for (int p = 0; p < 6; ++p) planes &= ~((inside[p] >> lane & 1) << p);
+            fetch_ahead(&node_at(nodes, node.child[lane]), sizeof(OctreeNode));
+            stack[size++] = {node.child[lane], planes};
+        }
+    }
+    return true;
+}
+
+/// Both trees at once: each lane of one node is tested against the eight of the other, and where
+/// one side is a leaf the other goes down alone.
+bool walk_pairs(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_nodes, uint32_t other_root,
+                const OctreePairVisitor& to) {
+    const auto below_other = [&](uint32_t item, const BoxTest& test, uint32_t ref) {
+        return everywhere(
+            other_nodes, ref, [&](const Box8& boxes) { return test.hits(boxes); },
+            [&](const OctreeNode& leaf, uint32_t lanes) {
+                for (; lanes != 0; lanes &= lanes - 1) {
+                    if (!to.visit(to.context, item, leaf.child[__builtin_ctz(lanes)])) return false;
+                }
+                return true;
+            });
+    };
+    struct Pair {
+        uint32_t a, b;
+    };
+    // Each step goes down at least one level on one side and leaves at most 63 pairs behind.
+    Pair stack[64 * octree_max_levels];
+    int size = 0;
+    stack[size++] = {root, other_root};
+    while (size > 0) {
+        const Pair pair = stack[--size];
+        const OctreeNode& a = node_at(nodes, pair.a);
+        const OctreeNode& b = node_at(other_nodes, pair.b);
+        for (uint32_t i = 0; i < a.count; ++i) {
+            const BoxTest test(a.boxes, i);
+            if (is_leaf(pair.a)) {
+                if (!below_other(a.child[i], test, pair.b)) return false;
+                continue;
+            }
+            uint32_t rest = test.hits(b.boxes) & lanes_of(b);
+            if (is_leaf(pair.b)) {
+                if (rest != 0) stack[size++] = {a.child[i], pair.b};
+            } else {
+                for (; rest != 0; rest &= rest - 1) stack[size++] = {a.child[i], b.child[__builtin_ctz(rest)]};
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+extern const OctreeKernels octree_kernels{
+    walk_nearest_first<RayTest, RayProbe>,
+    walk_nearest_first<PointTest, PointProbe>,
+    walk_ray_any,
+    walk_box,
+    walk_frustum,
+    walk_pairs,
+};
+
+}  // namespace gphys::GPHYS_ISA

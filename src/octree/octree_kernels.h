@@ -1,0 +1,63 @@
+// The traversals of an octree, once for each instruction set. They read nodes and probes, and give
+// each item found to a callback.
+#pragma once
+
+#include "foundation/isa.h"
+#include "octree/octree_node.h"
+
+namespace gphys {
+
+/// Who gets the items that a traversal with a limit finds.
+struct OctreeVisitor {
+    /// Returns the new limit, which may have come nearer; a negative one ends the traversal.
+    float (*visit)(void* context, uint32_t item);
+    void* context;
+    /// What visit will read of an item, to be fetched ahead; null: nothing.
+    const void* item_memory;
+    uint32_t item_size;
+};
+
+/// Who gets the leaves that a traversal without order finds: `lanes` of them meet the query, of
+/// which `inside` lie wholly in it. Returns whether to go on.
+struct OctreeLeafVisitor {
+    bool (*visit)(void* context, const uint32_t items[8], uint32_t lanes, uint32_t inside);
+    void* context;
+};
+
+/// Gets pairs of items. Returns whether to go on.
+struct OctreePairVisitor {
+    bool (*visit)(void* context, uint32_t item, uint32_t other_item);
+    void* context;
+};
+
+struct OctreeKernels {
+    // Roughly nearest first.
+    void (*ray)(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to);
+    void (*point)(const OctreeNode* nodes, uint32_t root, const PointProbe& probe, float limit,
+                  const OctreeVisitor& to);
+    // In no order.
+    void (*ray_any)(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit,
+                    const OctreeVisitor& to);
+    // False if a visitor ended it.
+    bool (*box)(const OctreeNode* nodes, uint32_t root, const Box& box, const OctreeLeafVisitor& to);
+    bool (*frustum)(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeLeafVisitor& to);
+    bool (*pairs)(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_nodes, uint32_t other_root,
+                  const OctreePairVisitor& to);
+};
+
+#define GPHYS_DECLARE_OCTREE_KERNELS(set)      \
+    namespace set {                            \
+    extern const OctreeKernels octree_kernels; \
+    }
+GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_OCTREE_KERNELS)
+#undef GPHYS_DECLARE_OCTREE_KERNELS
+
+inline const OctreeKernels& octree_kernels(Isa isa) {
+#define GPHYS_OCTREE_KERNELS_OF(set) \
+    if (isa == Isa::set) return set::octree_kernels;
+    GPHYS_FOR_EACH_ISA(GPHYS_OCTREE_KERNELS_OF)
+#undef GPHYS_OCTREE_KERNELS_OF
+    return scalar::octree_kernels;
+}
+
+}  // namespace gphys

@@ -1,0 +1,22 @@
+// How an octree lies in memory.
+#pragma once
+
+#include "octree/box8.h"
+
+namespace gphys {
+
+struct alignas(64) OctreeNode {
+    Box8 boxes;         // lanes from count on are unused, and finite
+    uint32_t child[8];  // references of nodes; in a leaf, items
+    uint32_t count;     // 0: the node is free
+    uint32_t parent;    // its index, octree_none at the root; in a free node, the next free one
+    uint32_t lane;      // in the parent
+};
+
+constexpr uint32_t octree_none = 0xffffffffu;
+/// A reference to a node is its index, with this bit set if the node is a leaf.
+constexpr uint32_t octree_leaf_bit = 0x80000000u;
+/// Levels that a tree can have, which bounds the stacks of its queries.
+constexpr int octree_max_levels = 32;
+
+}  // namespace gphys
