@@ -15,6 +15,43 @@ void count(uint32_t index, uint32_t& counter, uint32_t& first) {
     if (counter++ == 0) first = index;
 }
 
+/// The edges of the triangles that have three different vertices, all in range: visit(low, high).
+/// One that uses a vertex twice is no surface and joins nothing.
+template <class Visit>
+void for_each_edge(const MeshArrays& arrays, Visit&& visit) {
+    for (uint32_t triangle = 0; triangle < arrays.index_count / 3; ++triangle) {
+        const uint32_t* corner = arrays.indices + size_t{3} * triangle;
+        const uint32_t a = corner[0], b = corner[1], c = corner[2];
+        if (std::max({a, b, c}) >= arrays.vertex_count || a == b || b == c || c == a) continue;
+        visit(std::min(a, b), std::max(a, b));
+        visit(std::min(b, c), std::max(b, c));
+        visit(std::min(c, a), std::max(c, a));
+    }
+}
+
+/// Edges that do not join exactly two triangles.
+uint32_t count_open_edges(const MeshArrays& arrays, std::pmr::memory_resource* memory) {
+    // A counting sort by the lower vertex leaves a few edges a vertex to be sorted by the higher.
+    Vector<uint32_t> end(size_t{arrays.vertex_count} + 1, 0, memory);
+    for_each_edge(arrays, [&](uint32_t low, uint32_t) { ++end[low + 1]; });
+    for (uint32_t i = 0; i < arrays.vertex_count; ++i) end[i + 1] += end[i];
+    Vector<uint32_t> high_ends(end.back(), 0, memory);
+    for_each_edge(arrays, [&](uint32_t low, uint32_t high) { high_ends[end[low]++] = high; });
+
+    uint32_t open = 0;
+    auto first = high_ends.begin();
+    for (uint32_t low = 0; low < arrays.vertex_count; ++low) {
+        const auto last = high_ends.begin() + end[low];
+        std::sort(first, last);
+        while (first != last) {
+            const auto next = std::find_if(first, last, [high = *first](uint32_t other) { return other != high; });
+            open += next - first != 2;
+            first = next;
+        }
+    }
+    return open;
+}
+
 }  // namespace
 
 gphys_mesh_report examine(const MeshArrays& arrays, std::pmr::memory_resource* memory) {
@@ -25,10 +62,6 @@ gphys_mesh_report examine(const MeshArrays& arrays, std::pmr::memory_resource* m
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) {
         if (defect(arrays.vertex(i))) count(i, report.bad_vertex_count, report.first_bad_vertex);
     }
-
-    // Each triangle gives its three edges, as (lower index, higher index).
-    Vector<uint64_t> edges(memory);
-    edges.reserve(arrays.index_count);
     for (uint32_t triangle = 0; triangle < report.triangle_count; ++triangle) {
         const uint32_t* corner = arrays.indices + size_t{3} * triangle;
         if (std::max({corner[0], corner[1], corner[2]}) >= arrays.vertex_count) {
@@ -36,23 +69,12 @@ gphys_mesh_report examine(const MeshArrays& arrays, std::pmr::memory_resource* m
             continue;
         }
         const gphys_vec3 a = arrays.vertex(corner[0]), b = arrays.vertex(corner[1]), c = arrays.vertex(corner[2]);
-        const bool valid = !defect(a) && !defect(b) && !defect(c);
+        const bool valid = report.bad_vertex_count == 0 || (!defect(a) && !defect(b) && !defect(c));
         if (valid && turning_axis(widen(a), widen(b), widen(c)) < 0) {
             count(triangle, report.degenerate_count, report.first_degenerate);
         }
-        // One that uses a vertex twice is no surface and joins nothing.
-        if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
-        for (int k = 0; k < 3; ++k) {
-            const uint32_t from = corner[k], to = corner[(k + 1) % 3];
-            edges.push_back(uint64_t{std::min(from, to)} << 32 | std::max(from, to));
-        }
     }
-    std::sort(edges.begin(), edges.end());
-    for (auto edge = edges.begin(); edge != edges.end();) {
-        const auto next = std::upper_bound(edge, edges.end(), *edge);
-        if (next - edge != 2) ++report.open_edge_count;
-        edge = next;
-    }
+    report.open_edge_count = count_open_edges(arrays, memory);
     return report;
 }
 
