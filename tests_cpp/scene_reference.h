@@ -69,9 +69,7 @@ inline bool raycast(const PlacedModel& model, const Ray& ray, Hit& hit) {
     bool found = false;
     for (uint32_t i = 0; i < mesh.triangle_count(); ++i) {
         Hit candidate;
-        const bool met = local.direction == Vec3{} ? gphys::raycast(mesh.triangle(i), local, candidate)
-                                                   : gphys::raycast(mesh.triangle(i), ShearedRay(local), candidate);
-        if (!met || (found && candidate.t >= hit.t)) continue;
+        if (!gphys::raycast(mesh.triangle(i), local, candidate) || (found && candidate.t >= hit.t)) continue;
         hit = candidate;
         hit.triangle = i;
         found = true;

@@ -258,14 +258,14 @@ int leaks(const ClosedMesh& mesh, Vec3 center, double spread, bool at_vertices, 
         const Vec3 direction = as_floats(target - origin);
         if (direction == Vec3{}) continue;
         const ShearedRay ray(Ray{origin, direction});
-        Hit hit;
+        TriangleCrossing crossing;
         bool found = false;
         for (const int end : {corners[0], corners[1]}) {
-            for (const int near : mesh.around[end]) found = found || raycast(mesh.triangle(near), ray, hit);
+            for (const int near : mesh.around[end]) found = found || crosses(mesh.triangle(near), ray, crossing);
         }
         // Rounding the direction may have moved the ray beyond these.
         for (int k = 0; k < static_cast<int>(mesh.triangles.size()) && !found; ++k) {
-            found = raycast(mesh.triangle(k), ray, hit);
+            found = crosses(mesh.triangle(k), ray, crossing);
         }
         leaked += !found;
     }

@@ -17,11 +17,12 @@ inline gphys_status listed(uint32_t total, uint32_t capacity, uint32_t* out_tota
     return total > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
 }
 
-/// Boxes of an octree, parents first.
-inline gphys_status copy_boxes(const Octree& octree, gphys_octree_box* out, uint32_t capacity, uint32_t* out_total) {
+/// Boxes of an octree or of a mesh's, parents first.
+template <class Tree>
+gphys_status copy_boxes(const Tree& tree, gphys_octree_box* out, uint32_t capacity, uint32_t* out_total) {
     GPHYS_TRY(check_list(out, capacity, out_total));
     uint32_t total = 0;
-    octree.for_each_box([&](const gphys_octree_box& box) {
+    tree.for_each_box([&](const gphys_octree_box& box) {
         if (total < capacity) out[total] = box;
         ++total;
     });

@@ -132,12 +132,12 @@ gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, c
 gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_stats* out_stats) {
     GPHYS_REQUIRE(mesh, "mesh is null");
     GPHYS_REQUIRE(out_stats, "out_stats is null");
-    *out_stats = unwrap(mesh)->octree().stats();
+    *out_stats = unwrap(mesh)->octree_stats();
     return GPHYS_OK;
 }
 
 gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys_octree_box* out_boxes, uint32_t capacity,
                                          uint32_t* out_total) {
     GPHYS_REQUIRE(mesh, "mesh is null");
-    return copy_boxes(unwrap(mesh)->octree(), out_boxes, capacity, out_total);
+    return copy_boxes(*unwrap(mesh), out_boxes, capacity, out_total);
 }

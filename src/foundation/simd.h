@@ -121,6 +121,10 @@ inline Mask8 operator&(Mask8 a, Mask8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] &= b.part[i];
     return a;
 }
+inline Mask8 operator|(Mask8 a, Mask8 b) {
+    for (int i = 0; i < register_count; ++i) a.part[i] |= b.part[i];
+    return a;
+}
 /// Bit i is set if lane i is.
 inline uint32_t bits(Mask8 mask) {
     uint32_t result = 0;

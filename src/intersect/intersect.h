@@ -94,8 +94,15 @@ struct ShearedRay {
     int kx, ky, kz;  // kz: the axis along which the direction is longest
     double sx, sy;
 };
-/// Hit of either side. Leaves hit.triangle alone.
-bool raycast(const Triangle& triangle, const ShearedRay& ray, Hit& hit);
+/// Where a ray first meets a triangle, of either side.
+struct TriangleCrossing {
+    double t;
+    double u, v;  // weights of b and c; rounding may leave them barely outside of 0..1
+    int facing;   // sign of dot(normal, direction)
+};
+bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing);
+/// The whole answer, which costs more than the question: to be made of the nearest crossing.
+Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossing& crossing);
 
 /// Weights of b and c of a point on the triangle; both 0 if it is degenerate.
 void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v);

@@ -28,29 +28,11 @@ bool in_time(double t, double t_max, double denominator, const Excess& excess) {
     return sign_of(excess) * sign(denominator) <= 0;
 }
 
-/// t, u, v are known; facing is the sign of dot(normal, direction).
-bool surface_hit(const Triangle& triangle, const ShearedRay& ray, double t, double u, double v, int facing, Hit& hit) {
-    const Vec3 normal = accurate_cross(triangle.a, triangle.b, triangle.a, triangle.c);
-    hit.t = std::min(t, ray.t_max);  // in time, exactly: only rounding can put it beyond
-    if (normal != Vec3{}) {
-        hit.normal = normalized(normal) * (facing > 0 ? -1.0 : 1.0);
-    } else {
-        hit.normal = ray.direction != Vec3{} ? -normalized(ray.direction) : Vec3{};
-    }
-    hit.u = std::clamp(u, 0.0, 1.0);
-    hit.v = std::clamp(v, 0.0, 1.0 - hit.u);
-    hit.point = triangle.a + hit.u * (triangle.b - triangle.a) + hit.v * (triangle.c - triangle.a);
-    hit.flags = (t == 0 ? GPHYS_HIT_INSIDE : 0) | (facing > 0 ? GPHYS_HIT_BACK : 0);
-    return true;
-}
-
 /// A ray of zero length.
-bool hit_by_point(const Triangle& triangle, const ShearedRay& ray, Hit& hit) {
+bool crossed_by_point(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {
     if (!contains(triangle, ray.origin, 0)) return false;
-    double u, v;
-    barycentric(triangle, ray.origin, u, v);
-    surface_hit(triangle, ray, 0, u, v, 0, hit);
-    hit.point = ray.origin;
+    crossing = {0, 0, 0, 0};
+    barycentric(triangle, ray.origin, crossing.u, crossing.v);
     return true;
 }
 
@@ -104,7 +86,7 @@ Meeting meeting_between(const Corner& from, const Corner& to, const ShearedRay& 
     return {t, from.u + weight * (to.u - from.u), from.v + weight * (to.v - from.v), by_the_end};
 }
 
-bool raycast_in_plane(const Triangle& triangle, const ShearedRay& ray, Hit& hit) {
+bool crosses_in_plane(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {
     Corner corners[3] = {{triangle.a, 0, 0, 0}, {triangle.b, 1, 0, 0}, {triangle.c, 0, 1, 0}};
     // All of the plane turns about one direction; an axis serves if it sees any of that turning.
     int axis = 0;
@@ -133,11 +115,14 @@ bool raycast_in_plane(const Triangle& triangle, const ShearedRay& ray, Hit& hit)
         if (sign(here.side) * sign(next.side) < 0) include(meeting_between(here, next, ray, axis));
     }
     if (last.t < 0 || !any_in_time) return false;
-    if (first.t > 0) return surface_hit(triangle, ray, first.t, first.u, first.v, 0, hit);
+    if (first.t > 0) {
+        crossing = {std::min(first.t, ray.t_max), first.u, first.v, 0};
+        return true;
+    }
     // The origin is between the two.
     const double weight = first.t < last.t ? first.t / (first.t - last.t) : 0;
-    return surface_hit(triangle, ray, 0, first.u + weight * (last.u - first.u), first.v + weight * (last.v - first.v),
-                       0, hit);
+    crossing = {0, first.u + weight * (last.u - first.u), first.v + weight * (last.v - first.v), 0};
+    return true;
 }
 
 // --- Rays through the plane ---------------------------------------------------------------------
@@ -185,8 +170,8 @@ ShearedRay::ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direc
     sy = size[kz] > 0 ? direction[ky] / direction[kz] : 0;
 }
 
-bool raycast(const Triangle& triangle, const ShearedRay& ray, Hit& hit) {
-    if (ray.direction[ray.kz] == 0) return hit_by_point(triangle, ray, hit);
+bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {
+    if (ray.direction[ray.kz] == 0) return crossed_by_point(triangle, ray, crossing);
     const auto shear = [&](Vec3 corner) {
         const Vec3 offset = corner - ray.origin;
         const double z = offset[ray.kz];
@@ -216,7 +201,7 @@ bool raycast(const Triangle& triangle, const ShearedRay& ray, Hit& hit) {
     const int sign_c = exact_sign(volume_c, triangle.b, triangle.a);
     const int least = std::min(sign_a, std::min(sign_b, sign_c)), most = std::max(sign_a, std::max(sign_b, sign_c));
     if (least < 0 && most > 0) return false;
-    if (least == 0 && most == 0) return raycast_in_plane(triangle, ray, hit);
+    if (least == 0 && most == 0) return crosses_in_plane(triangle, ray, crossing);
     // The volumes add up to -dot(normal, direction).
     const int facing = least < 0 ? 1 : -1;
 
@@ -242,9 +227,37 @@ bool raycast(const Triangle& triangle, const ShearedRay& ray, Hit& hit) {
         const auto normal = cross(V::difference(triangle.b, triangle.a), V::difference(triangle.c, triangle.a));
         return dot(normal, V::difference(triangle.a, ray.origin)) - N(ray.t_max) * dot(normal, V::of(ray.direction));
     });
-    return by_the_end && surface_hit(triangle, ray, t, u, v, facing, hit);
+    // In time, exactly: only rounding can put it beyond.
+    crossing = {std::min(t, ray.t_max), u, v, facing};
+    return by_the_end;
 }
 
-bool raycast(const Triangle& triangle, const Ray& ray, Hit& hit) { return raycast(triangle, ShearedRay(ray), hit); }
+Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossing& crossing) {
+    Hit hit;
+    hit.t = crossing.t;
+    const Vec3 normal = accurate_cross(triangle.a, triangle.b, triangle.a, triangle.c);
+    if (normal != Vec3{}) {
+        hit.normal = normalized(normal) * (crossing.facing > 0 ? -1.0 : 1.0);
+    } else if (ray.direction != Vec3{}) {
+        hit.normal = -normalized(ray.direction);
+    }
+    hit.u = std::clamp(crossing.u, 0.0, 1.0);
+    hit.v = std::clamp(crossing.v, 0.0, 1.0 - hit.u);
+    hit.point = ray.direction != Vec3{}
+                    ? triangle.a + hit.u * (triangle.b - triangle.a) + hit.v * (triangle.c - triangle.a)
+                    : ray.origin;
+    hit.flags = (crossing.t == 0 ? GPHYS_HIT_INSIDE : 0) | (crossing.facing > 0 ? GPHYS_HIT_BACK : 0);
+    return hit;
+}
+
+bool raycast(const Triangle& triangle, const Ray& ray, Hit& hit) {
+    const ShearedRay sheared(ray);
+    TriangleCrossing crossing;
+    if (!crosses(triangle, sheared, crossing)) return false;
+    const uint32_t index = hit.triangle;
+    hit = hit_at(triangle, sheared, crossing);
+    hit.triangle = index;
+    return true;
+}
 
 }  // namespace gphys

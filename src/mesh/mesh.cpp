@@ -2,27 +2,17 @@
 
 namespace gphys {
 
-namespace {
-
-bool earlier(const Hit& a, const Hit& b) { return a.t < b.t || (a.t == b.t && a.triangle < b.triangle); }
-
-}  // namespace
-
-Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report)
-    : memory(hooks), report_(report) {
+Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa)
+    : memory(hooks), kernels_(mesh_kernels(isa)), report_(report), octree_(&memory, isa) {
     vertices_.reserve(arrays.vertex_count);
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) vertices_.push_back(arrays.vertex(i));
     if (arrays.index_count > 0) indices_.assign(arrays.indices, arrays.indices + arrays.index_count);
 
     Vector<Box> boxes(&memory);
-    Vector<uint32_t> triangles(&memory);
-    boxes.reserve(report.triangle_count);
-    triangles.reserve(report.triangle_count);
-    for (uint32_t i = 0; i < report.triangle_count; ++i) {
-        boxes.push_back(gphys::bounds(triangle(i)));
-        triangles.push_back(i);
-    }
-    octree_.build(boxes.data(), triangles.data(), report.triangle_count);
+    pack_triangles(arrays, packets_, boxes);
+    Vector<uint32_t> numbers(boxes.size(), &memory);
+    for (uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
+    octree_.build(boxes.data(), numbers.data(), static_cast<uint32_t>(numbers.size()));
 }
 
 void Mesh::release(const Mesh* mesh) noexcept {
@@ -30,46 +20,78 @@ void Mesh::release(const Mesh* mesh) noexcept {
     if (mesh->holds_.fetch_sub(1, std::memory_order_acq_rel) == 1) destroy(const_cast<Mesh*>(mesh));
 }
 
+gphys_octree_stats Mesh::octree_stats() const {
+    gphys_octree_stats stats = octree_.stats();
+    stats.item_count = triangle_count();
+    stats.leaf_count = static_cast<uint32_t>(packets_.size());
+    stats.node_count += stats.leaf_count;
+    if (stats.depth > 0) ++stats.depth;
+    const uint64_t bytes = stats.memory_bytes + uint64_t{packets_.capacity()} * sizeof(TrianglePacket);
+    stats.memory_bytes = static_cast<uint32_t>(std::min<uint64_t>(bytes, std::numeric_limits<uint32_t>::max()));
+    return stats;
+}
+
 bool Mesh::raycast(const Ray& ray, Hit& hit) const {
-    const MeshRay mesh_ray(ray);
-    Hit first;
-    octree_.raycast(ray, [&](uint32_t triangle, double& t_max) {
-        Hit candidate;
-        if (mesh_ray.hits(*this, triangle, candidate) && earlier(candidate, first)) {
-            first = candidate;
-            t_max = first.t;
-        }
+    const ShearedRay sheared(ray);
+    TriangleCrossing first{infinity, 0, 0, 0};
+    uint32_t nearest = GPHYS_NO_TRIANGLE;
+    Triangle nearest_corners;
+    // Asked for is always the ray as given: comparing hits, not cutting the ray short, is what makes
+    // the answer independent of their order.
+    walk(ray, [&](const TrianglePacket& packet, uint32_t lanes, double& t_max) {
+        for_each_lane(lanes, [&](int lane) {
+            const Triangle corners = packet.triangle(lane);
+            const uint32_t index = packet.index[lane];
+            TriangleCrossing crossing;
+            if (!crosses(corners, sheared, crossing)) return true;
+            if (crossing.t < first.t || (crossing.t == first.t && index < nearest)) {
+                first = crossing;
+                nearest = index;
+                nearest_corners = corners;
+                t_max = first.t;
+            }
+            return true;
+        });
     });
-    if (first.triangle == GPHYS_NO_TRIANGLE) return false;
-    hit = first;
+    if (nearest == GPHYS_NO_TRIANGLE) return false;
+    hit = hit_at(nearest_corners, sheared, first);
+    hit.triangle = nearest;
     return true;
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {
-    const MeshRay mesh_ray(ray);
+    const ShearedRay sheared(ray);
     bool found = false;
-    octree_.raycast(ray, [&](uint32_t triangle, double& t_max) {
-        Hit hit;
-        if (!mesh_ray.hits(*this, triangle, hit)) return;
-        found = true;
-        t_max = -1;
+    walk(ray, [&](const TrianglePacket& packet, uint32_t lanes, double& t_max) {
+        for_each_lane(lanes, [&](int lane) {
+            TriangleCrossing crossing;
+            found = crosses(packet.triangle(lane), sheared, crossing);
+            return !found;
+        });
+        if (found) t_max = -1;
     });
     return found;
 }
 
 bool Mesh::closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) const {
+    if (packets_.empty()) return false;
+    const PointProbe probe(point, bounds());
     double least = max_distance * max_distance;
     uint32_t nearest = GPHYS_NO_TRIANGLE;
     Vec3 nearest_point;
-    octree_.nearest(point, max_distance, [&](uint32_t index, double& bound) {
-        const Vec3 candidate = gphys::closest_point(this->triangle(index), point);
-        const double squared = length_squared(candidate - point);
-        if (squared < least || (squared == least && index < nearest)) {
-            least = squared;
-            nearest = index;
-            nearest_point = candidate;
-            bound = std::sqrt(least);
-        }
+    octree_.nearest(point, max_distance, [&](uint32_t number, double& bound) {
+        const TrianglePacket& packet = packets_[number];
+        for_each_lane(kernels_.lanes_near(packet, probe, probe.limit(bound)), [&](int lane) {
+            const Vec3 candidate = gphys::closest_point(packet.triangle(lane), point);
+            const double squared = length_squared(candidate - point);
+            if (squared < least || (squared == least && packet.index[lane] < nearest)) {
+                least = squared;
+                nearest = packet.index[lane];
+                nearest_point = candidate;
+                bound = std::sqrt(least);
+            }
+            return true;
+        });
     });
     if (nearest == GPHYS_NO_TRIANGLE) return false;
     out = nearest_point;
@@ -78,15 +100,21 @@ bool Mesh::closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& t
 }
 
 bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const {
+    if (packets_.empty()) return false;
+    const RayProbe probe(moving.center, displacement, moving.radius, bounds());
     Hit first;
-    octree_.sweep(moving.center, displacement, moving.radius, [&](uint32_t index, double& t_max) {
-        Hit candidate;
-        if (!gphys::sweep(triangle(index), moving, displacement, candidate)) return;
-        candidate.triangle = index;
-        if (earlier(candidate, first)) {
-            first = candidate;
-            t_max = first.t;
-        }
+    octree_.sweep(moving.center, displacement, moving.radius, [&](uint32_t number, double& t_max) {
+        const TrianglePacket& packet = packets_[number];
+        for_each_lane(kernels_.lanes_along(packet, probe, probe.limit(t_max)), [&](int lane) {
+            Hit candidate;
+            if (!gphys::sweep(packet.triangle(lane), moving, displacement, candidate)) return true;
+            candidate.triangle = packet.index[lane];
+            if (candidate.t < first.t || (candidate.t == first.t && candidate.triangle < first.triangle)) {
+                first = candidate;
+                t_max = first.t;
+            }
+            return true;
+        });
     });
     if (first.triangle == GPHYS_NO_TRIANGLE) return false;
     hit = first;
@@ -104,7 +132,12 @@ bool Mesh::overlaps(const Shape& shape) const {
 
 bool Mesh::overlaps(const Mesh& other) const {
     return !octree_.overlap_pairs(other.octree_, [&](uint32_t mine, uint32_t theirs) {
-        return !gphys::overlaps(triangle(mine), other.triangle(theirs));
+        const TrianglePacket &a = packets_[mine], &b = other.packets_[theirs];
+        return for_each_lane(kernels_.lanes_in_box(a, other.octree_.box(theirs)), [&](int lane) {
+            const Triangle triangle = a.triangle(lane);
+            return for_each_lane(kernels_.lanes_in_box(b, gphys::bounds(triangle)),
+                                 [&](int other_lane) { return !gphys::overlaps(triangle, b.triangle(other_lane)); });
+        });
     });
 }
 

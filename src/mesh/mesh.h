@@ -1,14 +1,15 @@
 // A triangle surface with its own tree. Immutable once made, so that models, scenes and threads can
 // share one; the last to let go destroys it.
 //
-// All queries are in the mesh's own coordinates and agree with asking each triangle in turn: the
-// tree only leaves out triangles that cannot matter (box8.h). Equal results go to the lower index.
+// The tree's items are packets of up to eight triangles. All queries are in the mesh's own
+// coordinates and agree with asking each triangle in turn: tree and packets only leave out triangles
+// that cannot matter (box8.h, triangle_probe.h). Equal results go to the lower index.
 #pragma once
 
 #include <atomic>
 
 #include "intersect/intersect.h"
-#include "mesh/mesh_report.h"
+#include "mesh/mesh_kernels.h"
 #include "octree/octree.h"
 
 namespace gphys {
@@ -16,7 +17,8 @@ namespace gphys {
 class Mesh {
 public:
     /// `report` is that of the arrays and finds no bad vertex and no index out of range.
-    Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report);
+    Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report,
+         Isa isa = chosen_isa());
 
     void retain() const noexcept { holds_.fetch_add(1, std::memory_order_relaxed); }
     static void release(const Mesh* mesh) noexcept;
@@ -32,6 +34,13 @@ public:
     /// Empty without triangles.
     Box bounds() const { return octree_.bounds(); }
     const Octree& octree() const { return octree_; }
+    const Vector<TrianglePacket>& packets() const { return packets_; }
+
+    /// Of the tree whose items are triangles: its leaves are the packets.
+    gphys_octree_stats octree_stats() const;
+    /// Each box of that tree, parents first: visit(gphys_octree_box).
+    template <class Visit>
+    void for_each_box(Visit&& visit) const;
 
     bool raycast(const Ray& ray, Hit& hit) const;
     bool raycast_any(const Ray& ray) const;
@@ -50,6 +59,11 @@ public:
     Memory memory;
 
 private:
+    /// Packets with triangles that the ray may hit, roughly nearest first: visit(packet, lanes, t_max)
+    /// may lower t_max; a negative one ends the walk.
+    template <class Visit>
+    void walk(const Ray& ray, Visit&& visit) const;
+
     template <class Visit>
     void for_each_overlap_of(const Plane& plane, Visit&& visit) const;
     template <class Visit>
@@ -58,37 +72,51 @@ private:
     void for_each_overlap_of(const Bounded& shape, Visit&& visit) const;
 
     mutable std::atomic<uint32_t> holds_{1};
+    const MeshKernels& kernels_;
     gphys_mesh_report report_;
     Vector<gphys_vec3> vertices_{&memory};
     Vector<uint32_t> indices_{&memory};
-    Octree octree_{&memory};
-};
-
-/// A ray against one triangle after the other. What it is asked for is always the ray as given:
-/// comparing hits, not cutting the ray short, is what makes the answer independent of their order.
-class MeshRay {
-public:
-    explicit MeshRay(const Ray& ray) : ray_(ray), sheared_(ray), still_(ray.direction == Vec3{}) {}
-
-    bool hits(const Mesh& mesh, uint32_t triangle, Hit& hit) const {
-        const Triangle corners = mesh.triangle(triangle);
-        if (!(still_ ? gphys::raycast(corners, ray_, hit) : gphys::raycast(corners, sheared_, hit))) return false;
-        hit.triangle = triangle;
-        return true;
-    }
-
-private:
-    Ray ray_;
-    ShearedRay sheared_;
-    bool still_;
+    Vector<TrianglePacket> packets_{&memory};
+    Octree octree_;
 };
 
 template <class Visit>
+void Mesh::walk(const Ray& ray, Visit&& visit) const {
+    if (packets_.empty()) return;
+    struct Walk {
+        const RayProbe along;
+        std::remove_reference_t<Visit>& visit;
+        double t_max;
+        float limit;
+    };
+    const Box root = bounds();
+    Walk walk{RayProbe(ray.origin, ray.direction, 0, root), visit, ray.t_max, 0};
+    walk.limit = walk.along.limit(ray.t_max);
+    if (!(walk.limit >= 0)) return;
+    const auto step = [](void* context, const TrianglePacket& packet, uint32_t lanes) {
+        Walk& w = *static_cast<Walk*>(context);
+        const double before = w.t_max;
+        w.visit(packet, lanes, w.t_max);
+        if (w.t_max != before) w.limit = w.along.limit(w.t_max);
+        return w.limit;
+    };
+    kernels_.ray(octree_.nodes(), octree_.root(), packets_.data(), walk.along, TriangleProbe(ray, walk.along, root),
+                 walk.limit, {step, &walk});
+}
+
+template <class Visit>
 void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
-    const MeshRay mesh_ray(ray);
-    octree_.raycast(ray, [&](uint32_t triangle, double&) {
-        Hit hit;
-        if (mesh_ray.hits(*this, triangle, hit)) visit(hit);
+    const ShearedRay sheared(ray);
+    walk(ray, [&](const TrianglePacket& packet, uint32_t lanes, double&) {
+        for_each_lane(lanes, [&](int lane) {
+            const Triangle corners = packet.triangle(lane);
+            TriangleCrossing crossing;
+            if (!crosses(corners, sheared, crossing)) return true;
+            Hit hit = hit_at(corners, sheared, crossing);
+            hit.triangle = packet.index[lane];
+            visit(hit);
+            return true;
+        });
     });
 }
 
@@ -99,8 +127,13 @@ void Mesh::for_each_overlap(const Shape& shape, Visit&& visit) const {
 
 template <class Bounded, class Visit>
 void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit) const {
-    octree_.overlap_box(gphys::bounds(shape),
-                        [&](uint32_t index) { return !gphys::overlaps(shape, triangle(index)) || visit(index); });
+    const Box box = gphys::bounds(shape);
+    octree_.overlap_box(box, [&](uint32_t number) {
+        const TrianglePacket& packet = packets_[number];
+        return for_each_lane(kernels_.lanes_in_box(packet, box), [&](int lane) {
+            return !gphys::overlaps(shape, packet.triangle(lane)) || visit(packet.index[lane]);
+        });
+    });
 }
 
 template <class Visit>
@@ -109,14 +142,35 @@ void Mesh::for_each_overlap_of(const Plane& plane, Visit&& visit) const {
         const Aabb exact{{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
         return gphys::overlaps(exact, plane);
     };
-    octree_.overlap(touches, [&](uint32_t index) { return !gphys::overlaps(plane, triangle(index)) || visit(index); });
+    octree_.overlap(touches, [&](uint32_t number) {
+        const TrianglePacket& packet = packets_[number];
+        return for_each_lane(packet.lanes(), [&](int lane) {
+            return !gphys::overlaps(plane, packet.triangle(lane)) || visit(packet.index[lane]);
+        });
+    });
 }
 
 template <class Visit>
 void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit) const {
-    octree_.frustum(frustum, [&](uint32_t index, bool wholly_inside) {
-        return !(wholly_inside || gphys::overlaps(frustum, triangle(index))) || visit(index);
+    octree_.frustum(frustum, [&](uint32_t number, bool wholly_inside) {
+        const TrianglePacket& packet = packets_[number];
+        return for_each_lane(packet.lanes(), [&](int lane) {
+            return !(wholly_inside || gphys::overlaps(frustum, packet.triangle(lane))) || visit(packet.index[lane]);
+        });
     });
+}
+
+template <class Visit>
+void Mesh::for_each_box(Visit&& visit) const {
+    octree_.for_each_box(
+        [&](gphys_octree_box box) {
+            box.item_count = 0;
+            visit(box);
+        },
+        [&](uint32_t number, gphys_octree_box box) {
+            box.item_count = packets_[number].count();
+            visit(box);
+        });
 }
 
 }  // namespace gphys

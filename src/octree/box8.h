@@ -36,6 +36,13 @@ struct RayProbe {
     /// `root` encloses all boxes that will be tested.
     RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root);
 
+    /// Where the tests begin, in the unit of limit(): before it the ray meets no box.
+    double start() const { return start_; }
+    /// What the query's own arithmetic may be off by, in that unit and on each axis.
+    double slack() const { return slack_; }
+    /// False if the query is so large that the tests let every box pass.
+    bool excludes() const { return !everything_; }
+
     /// What box tests compare with, for a ray that ends at t_max; negative if it meets nothing.
     float limit(double t_max) const;
 

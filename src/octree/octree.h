@@ -1,5 +1,5 @@
 // A tree of boxes with eight children a node. It knows boxes and small integers ("items": slots of
-// a scene, triangles of a mesh) and nothing of what they stand for.
+// a scene, packets of triangles) and nothing of what they stand for.
 //
 // Where the octree of textbooks cuts space at the centre, this one cuts the items by expected cost
 // (surface area heuristic), three times a level, which makes the same eight children with far less
@@ -85,10 +85,19 @@ public:
     template <class Visit>
     bool overlap_pairs(const Octree& other, Visit&& visit) const;
 
+    // For kernels that bring tests of their own items; only while the tree is not empty.
+    const OctreeNode* nodes() const { return nodes_.data(); }
+    uint32_t root() const { return root_; }
+
     gphys_octree_stats stats() const;
     /// Each node's box, parents first: visit(gphys_octree_box).
     template <class Visit>
-    void for_each_box(Visit&& visit) const;
+    void for_each_box(Visit&& visit) const {
+        for_each_box(visit, [](uint32_t, const gphys_octree_box&) {});
+    }
+    /// And each item's after that of its leaf: visit_item(item, gphys_octree_box).
+    template <class Visit, class VisitItem>
+    void for_each_box(Visit&& visit, VisitItem&& visit_item) const;
     /// What is wrong with the tree, or nullptr; for tests.
     const char* defect() const;
 

@@ -116,8 +116,12 @@ bool Octree::overlap(Touches&& touches, Visit&& visit) const {
     return true;
 }
 
-template <class Visit>
-void Octree::for_each_box(Visit&& visit) const {
+template <class Visit, class VisitItem>
+void Octree::for_each_box(Visit&& visit, VisitItem&& visit_item) const {
+    const auto boxed = [](const Box& box, uint32_t depth, uint32_t items) {
+        return gphys_octree_box{
+            {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}}, depth, items};
+    };
     if (root_ == none) return;
     struct Entry {
         NodeRef ref;
@@ -130,13 +134,14 @@ void Octree::for_each_box(Visit&& visit) const {
     while (size > 0) {
         const Entry entry = stack[--size];
         const Node& node = nodes_[index_of(entry.ref)];
-        const Box& box = entry.box;
-        visit(gphys_octree_box{{{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}},
-                               entry.depth,
-                               is_leaf(entry.ref) ? node.count : 0});
-        if (is_leaf(entry.ref)) continue;
+        visit(boxed(entry.box, entry.depth, is_leaf(entry.ref) ? node.count : 0));
         for (uint32_t lane = node.count; lane-- > 0;) {
-            stack[size++] = {node.child[lane], entry.depth + 1, node.boxes.lane(static_cast<int>(lane))};
+            const Box box = node.boxes.lane(static_cast<int>(lane));
+            if (is_leaf(entry.ref)) {
+                visit_item(node.child[lane], boxed(box, entry.depth + 1, 1));
+            } else {
+                stack[size++] = {node.child[lane], entry.depth + 1, box};
+            }
         }
     }
 }

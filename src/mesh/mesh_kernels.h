@@ -1,0 +1,42 @@
+// What a mesh asks of its packets, once for each instruction set.
+#pragma once
+
+#include "mesh/triangle_packet.h"
+#include "mesh/triangle_probe.h"
+#include "octree/octree_kernels.h"
+
+namespace gphys {
+
+/// Who gets the packets that a ray meets, with the lanes it may hit.
+struct PacketVisitor {
+    /// Returns the new limit, which may have come nearer; a negative one ends the walk.
+    float (*visit)(void* context, const TrianglePacket& packet, uint32_t lanes);
+    void* context;
+};
+
+struct MeshKernels {
+    /// Roughly nearest first, through an octree whose items are the numbers of `packets`.
+    void (*ray)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe& along,
+                const TriangleProbe& probe, float limit, const PacketVisitor& to);
+    // The lanes of one packet whose boxes meet a query.
+    uint32_t (*lanes_in_box)(const TrianglePacket& packet, const Box& box);
+    uint32_t (*lanes_along)(const TrianglePacket& packet, const RayProbe& probe, float limit);
+    uint32_t (*lanes_near)(const TrianglePacket& packet, const PointProbe& probe, float limit);
+};
+
+#define GPHYS_DECLARE_MESH_KERNELS(set)    \
+    namespace set {                        \
+    extern const MeshKernels mesh_kernels; \
+    }
+GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_MESH_KERNELS)
+#undef GPHYS_DECLARE_MESH_KERNELS
+
+inline const MeshKernels& mesh_kernels(Isa isa) {
+#define GPHYS_MESH_KERNELS_OF(set) \
+    if (isa == Isa::set) return set::mesh_kernels;
+    GPHYS_FOR_EACH_ISA(GPHYS_MESH_KERNELS_OF)
+#undef GPHYS_MESH_KERNELS_OF
+    return scalar::mesh_kernels;
+}
+
+}  // namespace gphys

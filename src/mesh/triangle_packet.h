@@ -1,0 +1,42 @@
+// Up to eight triangles side by side, so that a query tests them together and reads nothing else:
+// what the items of a mesh's octree stand for.
+#pragma once
+
+#include "foundation/memory.h"
+#include "mesh/mesh_report.h"
+#include "octree/box8.h"
+
+namespace gphys {
+
+struct alignas(64) TrianglePacket {
+    float corner[3][3][8];  // a, b, c; x, y, z
+    uint32_t index[8];      // of each triangle in the mesh; in unused lanes, which repeat lane 0, none
+
+    static constexpr uint32_t none = 0xffffffffu;
+
+    uint32_t count() const {
+        uint32_t used = 8;
+        while (index[used - 1] == none) --used;
+        return used;
+    }
+    /// Those in use.
+    uint32_t lanes() const { return (1u << count()) - 1; }
+    Triangle triangle(int lane) const { return {point(0, lane), point(1, lane), point(2, lane)}; }
+
+private:
+    Vec3 point(int c, int lane) const { return {corner[c][0][lane], corner[c][1][lane], corner[c][2][lane]}; }
+};
+
+/// visit(lane) returns whether to go on; the result is false if one did not.
+template <class Visit>
+bool for_each_lane(uint32_t lanes, Visit&& visit) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+        if (!visit(__builtin_ctz(lanes))) return false;
+    }
+    return true;
+}
+
+/// The triangles of valid arrays, and the box of each packet. Throws std::bad_alloc.
+void pack_triangles(const MeshArrays& arrays, Vector<TrianglePacket>& packets, Vector<Box>& boxes);
+
+}  // namespace gphys

@@ -1,0 +1,71 @@
+// Eight triangles against a ray, for kernels. The bounds of rounding are derived in
+// triangle_probe.cpp.
+#pragma once
+
+#include "foundation/simd.h"
+#include "mesh/triangle_packet.h"
+#include "mesh/triangle_probe.h"
+
+namespace gphys::GPHYS_ISA {
+
+class TriangleTest {
+public:
+    explicit TriangleTest(const TriangleProbe& probe)
+        : forward_(probe.forward),
+          margin_(probe.margin),
+          slope_x_(splat(probe.slope[0])),
+          slope_y_(splat(probe.slope[1])),
+          error_slope_(splat(probe.error_slope)),
+          error_(splat(probe.error)) {
+        for (int k = 0; k < 3; ++k) {
+            axis_[k] = probe.axis[k];
+            origin_[k] = splat(probe.origin[k]);
+        }
+    }
+
+    /// Lanes that the ray may meet no later than at `limit` (RayProbe::limit).
+    uint32_t hits(const TrianglePacket& packet, float limit) const {
+        Float8 x[3], y[3], z[3];
+        for (int c = 0; c < 3; ++c) {
+            z[c] = load(packet.corner[c][axis_[2]]) - origin_[2];
+            x[c] = load(packet.corner[c][axis_[0]]) - origin_[0] - slope_x_ * z[c];
+            y[c] = load(packet.corner[c][axis_[1]]) - origin_[1] - slope_y_ * z[c];
+        }
+        const Float8 volume_a = x[2] * y[1] - y[2] * x[1];
+        const Float8 volume_b = x[0] * y[2] - y[0] * x[2];
+        const Float8 volume_c = x[1] * y[0] - y[1] * x[0];
+        const Float8 lowest = min3(volume_a, volume_b, volume_c);
+        const Float8 highest = max3(volume_a, volume_b, volume_c);
+        const Float8 reach = max(max(max3(x[0], x[1], x[2]), max3(y[0], y[1], y[2])),
+                                 splat(0) - min(min3(x[0], x[1], x[2]), min3(y[0], y[1], y[2])));
+        const Float8 error = error_slope_ * reach + error_;
+        // Off the ray if two volumes certainly differ in sign.
+        const Mask8 around = (splat(0) - error <= lowest) | (highest <= error);
+        const float low = forward_ ? -margin_ : -limit - margin_;
+        const float high = forward_ ? limit + margin_ : margin_;
+        return bits(around & (splat(low) <= max3(z[0], z[1], z[2])) & (min3(z[0], z[1], z[2]) <= splat(high)));
+    }
+
+private:
+    static Float8 min3(Float8 a, Float8 b, Float8 c) { return min(min(a, b), c); }
+    static Float8 max3(Float8 a, Float8 b, Float8 c) { return max(max(a, b), c); }
+
+    int axis_[3];
+    bool forward_;
+    float margin_;
+    Float8 origin_[3];
+    Float8 slope_x_, slope_y_, error_slope_, error_;
+};
+
+/// The boxes of a packet's triangles, for the tests of box8_tests.h.
+inline Box8 boxes_of(const TrianglePacket& packet) {
+    Box8 boxes;
+    for (int k = 0; k < 3; ++k) {
+        const Float8 a = load(packet.corner[0][k]), b = load(packet.corner[1][k]), c = load(packet.corner[2][k]);
+        store(boxes.row[k], min(min(a, b), c));
+        store(boxes.row[3 + k], max(max(a, b), c));
+    }
+    return boxes;
+}
+
+}  // namespace gphys::GPHYS_ISA
