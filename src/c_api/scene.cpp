@@ -2,7 +2,6 @@
 #include "scene/scene.h"
 
 #include <cstddef>
-#include <cstring>
 
 #include "c_api/api.h"
 #include "c_api/batch.h"
@@ -194,7 +193,7 @@ gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id mode
     }
     const size_t size = shape_struct_size(known.type(model));
     GPHYS_REQUIRE(out_size >= size, "out_size: below the size of the model's shape struct");
-    std::memcpy(out_shape, known.shape(model), size);
+    known.copy_shape(model, out_shape);
     return GPHYS_OK;
 }
 

@@ -13,7 +13,7 @@
 // know how near the best answer is.
 #pragma once
 
-#include <type_traits>
+#include <cstring>
 
 #include "foundation/ids.h"
 #include "foundation/pool.h"
@@ -21,8 +21,8 @@
 #include "foundation/status.h"
 #include "foundation/workers.h"
 #include "intersect/intersect.h"
-#include "mesh/mesh_instance.h"
 #include "octree/octree.h"
+#include "scene/quick_shape.h"
 
 namespace gphys {
 
@@ -71,14 +71,14 @@ public:
 
     gphys_shape_type type(gphys_model_id model) const { return at(model).type(); }
     uint32_t layers(gphys_model_id model) const { return at(model).layers; }
-    uint32_t tag(gphys_model_id model) const { return at(model).tag; }
+    uint32_t tag(gphys_model_id model) const { return tags_[IdTable::slot_of(model)]; }
     gphys_model_id parent(gphys_model_id model) const;
     uint32_t child_count(gphys_model_id model) const;
     const gphys_transform& local(gphys_model_id model) const { return local_of(IdTable::slot_of(model)); }
     const gphys_transform& world(gphys_model_id model) const { return at(model).world; }
     Transform world_transform(gphys_model_id model) const { return widen(at(model).world); }
     /// The public struct that add was given; a mesh's is a pointer to the Mesh.
-    const void* shape(gphys_model_id model) const;
+    void copy_shape(gphys_model_id model, void* out) const;
     /// False if the model is unbounded.
     bool bounds(gphys_model_id model, Box& out) const;
 
@@ -121,34 +121,56 @@ private:
         gphys_transform local;
     };
 
-    struct Model {
+    /// All that a query needs of a candidate, in one cache line.
+    struct alignas(64) Model {
         gphys_transform world;
         uint32_t layers;
-        uint32_t tag;
-        uint32_t family;      // in families_, or none: then local and world are the same
-        uint32_t shape : 24;  // in the pool of its type
+        uint32_t family : 24;  // in families_, or no_family: then local and world are the same
         uint32_t type_ : 6;
-        uint32_t moving : 1, carried : 1;  // marks of set_transforms, 0 between calls
+        uint32_t moving : 1, carried : 1;  // marks of set_transforms and remove, 0 between calls
+        uint32_t shape[6];                 // the public struct, or as much of it as fits
 
         gphys_shape_type type() const { return static_cast<gphys_shape_type>(type_); }
+        bool has_family() const { return family != no_family; }
     };
+    static constexpr uint32_t no_family = (1u << 24) - 1;
+    /// The rest of a struct that is larger than Model::shape: of a capsule, box or triangle.
+    struct ShapeTail {
+        uint32_t words[4];
+    };
+    /// The word of Model::shape, unused by planes, that holds where in unbounded_ a plane stands.
+    static constexpr size_t position_in_list = sizeof(gphys_plane) / sizeof(uint32_t);
+    template <class Stored>
+    static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
+    Octree::ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
     const Model& at(gphys_model_id model) const { return models_[IdTable::slot_of(model)]; }
 
-    // Shapes. visit gets the pool of a type; the model's shape placed in the world, or its instance.
-    template <class Self, class Visit>
-    static auto with_pool(Self& self, gphys_shape_type type, Visit&& visit);
+    // Shapes. visit gets some public struct, or const Mesh*, of the type; the model's; the same placed
+    // in the world.
     template <class Visit>
-    auto with_shape(const Model& model, Visit&& visit) const;
-    uint32_t store_shape(gphys_shape_type type, const void* shape);
-    void discard_shape(const Model& model);
+    static auto with_type(gphys_shape_type type, Visit&& visit);
+    template <class Visit>
+    auto with_stored(uint32_t slot, Visit&& visit) const;
+    template <class Visit>
+    auto with_shape(uint32_t slot, Visit&& visit) const;
+    template <class Stored>
+    Stored stored(uint32_t slot) const;
+    /// A question about a model: answered by the quick test of what is stored or, if that leaves it
+    /// open, by the exact one of the placed shape.
+    template <class Quick, class Exact>
+    bool decide(uint32_t slot, Quick&& quick, Exact&& exact) const;
+    void store_shape(uint32_t slot, const void* shape);
+    void discard_shape(uint32_t slot);
+    void list_unbounded(uint32_t slot);
+    void unlist_unbounded(uint32_t slot);
 
     // Families, by slot.
     Family& family(uint32_t slot) { return families_[models_[slot].family]; }
     const Family& family(uint32_t slot) const { return families_[models_[slot].family]; }
     Family& take_family(uint32_t slot);
     void drop_family_if_alone(uint32_t slot);
-    uint32_t parent_of(uint32_t slot) const { return models_[slot].family == none ? none : family(slot).parent; }
+    uint32_t parent_of(uint32_t slot) const { return models_[slot].has_family() ? family(slot).parent : none; }
     void link(uint32_t slot, uint32_t parent);
     void unlink(uint32_t slot);
     /// The slot after `slot` in a walk through the tree of models below `top`, parents first.
@@ -161,7 +183,7 @@ private:
     void set_local(uint32_t slot, const gphys_transform& local);
     void derive_world(uint32_t slot);
     /// The model's box, or what is wrong with where it stands. Leaves the box alone for planes.
-    const char* place(const Model& model, Box& box) const;
+    const char* place(uint32_t slot, Box& box) const;
     void reserve_moves(uint32_t count);
     const char* carry(uint32_t top);
     void carry_back(uint32_t top);
@@ -169,14 +191,9 @@ private:
 
     const Workers workers_;
     IdTable ids_{&memory};
-    Vector<Model> models_{&memory};  // by slot
-    Pool<gphys_sphere> spheres_{&memory};
-    Pool<gphys_capsule> capsules_{&memory};
-    Pool<gphys_aabb> aabbs_{&memory};
-    Pool<gphys_obb> obbs_{&memory};
-    Pool<gphys_plane> planes_{&memory};
-    Pool<gphys_triangle> triangles_{&memory};
-    Pool<const Mesh*> meshes_{&memory};
+    Vector<Model> models_{&memory};           // by slot
+    Vector<uint32_t> tags_{&memory};          // by slot
+    Vector<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
     Pool<Family> families_{&memory};
     Octree octree_{&memory};               // items are slots
     Vector<uint32_t> unbounded_{&memory};  // slots of planes: no octree holds them, and there are few
@@ -191,45 +208,54 @@ private:
     Vector<Box> moved_boxes_{&memory};
 };
 
-template <class Self, class Visit>
-auto Scene::with_pool(Self& self, gphys_shape_type type, Visit&& visit) {
+template <class Visit>
+auto Scene::with_type(gphys_shape_type type, Visit&& visit) {
     switch (type) {
         case GPHYS_SHAPE_SPHERE:
-            return visit(self.spheres_);
+            return visit(gphys_sphere());
         case GPHYS_SHAPE_CAPSULE:
-            return visit(self.capsules_);
+            return visit(gphys_capsule());
         case GPHYS_SHAPE_AABB:
-            return visit(self.aabbs_);
+            return visit(gphys_aabb());
         case GPHYS_SHAPE_OBB:
-            return visit(self.obbs_);
+            return visit(gphys_obb());
         case GPHYS_SHAPE_PLANE:
-            return visit(self.planes_);
+            return visit(gphys_plane());
         case GPHYS_SHAPE_TRIANGLE:
-            return visit(self.triangles_);
+            return visit(gphys_triangle());
         default:
-            return visit(self.meshes_);
+            return visit(static_cast<const Mesh*>(nullptr));
     }
 }
 
+template <class Stored>
+Stored Scene::stored(uint32_t slot) const {
+    Stored result;
+    constexpr size_t head = head_size<Stored>;
+    std::memcpy(&result, models_[slot].shape, head);
+    if constexpr (sizeof(Stored) > head) {
+        static_assert(sizeof(Stored) - head <= sizeof(ShapeTail));
+        std::memcpy(reinterpret_cast<char*>(&result) + head, &shape_tails_[slot], sizeof(Stored) - head);
+    }
+    return result;
+}
+
 template <class Visit>
-auto Scene::with_shape(const Model& model, Visit&& visit) const {
-    const Transform world = widen(model.world);
-    return with_pool(*this, model.type(), [&](const auto& pool) {
-        const auto& shape = pool[model.shape];
-        using Stored = std::decay_t<decltype(shape)>;
-        if constexpr (std::is_same_v<Stored, const Mesh*>) {
-            return visit(MeshInstance{*shape, world});
-        } else if constexpr (std::is_same_v<Stored, gphys_aabb>) {
-            // Without rotation a box keeps its faces where they are, to the last bit.
-            const gphys_quat& q = model.world.rotation;
-            if (q.x == 0 && q.y == 0 && q.z == 0) {
-                return visit(Aabb{world.position + widen(shape.min) * world.scale,
-                                  world.position + widen(shape.max) * world.scale});
-            }
-            return visit(transformed(widen(shape), world));
-        } else {
-            return visit(transformed(widen(shape), world));
-        }
+auto Scene::with_stored(uint32_t slot, Visit&& visit) const {
+    return with_type(models_[slot].type(), [&](auto type) { return visit(stored<decltype(type)>(slot)); });
+}
+
+template <class Visit>
+auto Scene::with_shape(uint32_t slot, Visit&& visit) const {
+    return with_stored(slot, [&](const auto& shape) { return with_placed(shape, models_[slot].world, visit); });
+}
+
+template <class Quick, class Exact>
+bool Scene::decide(uint32_t slot, Quick&& quick, Exact&& exact) const {
+    return with_stored(slot, [&](const auto& shape) {
+        const gphys_transform& world = models_[slot].world;
+        const Verdict verdict = quick_verdict(shape, world, quick);
+        return verdict == Verdict::open ? with_placed(shape, world, exact) : verdict == Verdict::yes;
     });
 }
 

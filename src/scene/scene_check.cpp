@@ -15,11 +15,8 @@ bool same_bits(const gphys_transform& a, const gphys_transform& b) { return std:
 const char* Scene::defect() const {
     if (const char* wrong = ids_.defect()) return wrong;
     if (const char* wrong = octree_.defect()) return wrong;
-    if (ids_.slots() > models_.size()) return "there are more slots than models";
+    if (ids_.slots() > models_.size() || ids_.slots() > tags_.size()) return "there are more slots than models";
 
-    constexpr gphys_shape_type types[] = {GPHYS_SHAPE_SPHERE, GPHYS_SHAPE_CAPSULE,  GPHYS_SHAPE_AABB, GPHYS_SHAPE_OBB,
-                                          GPHYS_SHAPE_PLANE,  GPHYS_SHAPE_TRIANGLE, GPHYS_SHAPE_MESH};
-    uint32_t shapes[GPHYS_SHAPE_MESH + 1] = {};
     uint32_t bounded = 0, unbounded = 0, families = 0, linked_children = 0, counted_children = 0;
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
         if (!ids_.live(slot)) {
@@ -29,13 +26,14 @@ const char* Scene::defect() const {
         const Model& model = models_[slot];
         if (model.moving || model.carried) return "a mark of a move was left behind";
 
-        ++shapes[model.type()];
         Box box;
-        if (place(model, box)) return "a model stands where the scene cannot hold it";
+        if (place(slot, box)) return "a model stands where the scene cannot hold it";
         const bool is_plane = model.type() == GPHYS_SHAPE_PLANE;
         if (is_plane == octree_.contains(slot)) return "a model is not where queries look for it";
         if (is_plane) {
-            if (std::count(unbounded_.begin(), unbounded_.end(), slot) != 1) return "an unbounded model is not listed";
+            const uint32_t position = model.shape[position_in_list];
+            if (position >= unbounded_.size() || unbounded_[position] != slot)
+                return "an unbounded model is not listed";
             ++unbounded;
         } else {
             const Box held = octree_.box(slot);
@@ -45,7 +43,7 @@ const char* Scene::defect() const {
             ++bounded;
         }
 
-        if (model.family == none) continue;
+        if (!model.has_family()) continue;
         ++families;
         const Family& record = family(slot);
         if (record.parent == none && record.first_child == none) return "a model without relatives keeps a record";
@@ -55,7 +53,7 @@ const char* Scene::defect() const {
         if (record.parent != none) ++linked_children;
         uint32_t previous = none, children = 0;
         for (uint32_t child = record.first_child; child != none; child = family(child).next) {
-            if (!ids_.live(child) || models_[child].family == none) return "a child does not exist";
+            if (!ids_.live(child) || !models_[child].has_family()) return "a child does not exist";
             if (family(child).parent != slot) return "a child has another parent";
             if (family(child).previous != previous) return "children are not linked both ways";
             if (++children > record.child_count) return "children are miscounted";
@@ -63,10 +61,6 @@ const char* Scene::defect() const {
         }
         if (children != record.child_count) return "children are miscounted";
         counted_children += children;
-    }
-    for (const gphys_shape_type type : types) {
-        const uint32_t stored = with_pool(*this, type, [](const auto& pool) { return pool.size(); });
-        if (stored != shapes[type]) return "a shape is stored for no model";
     }
     if (bounded != octree_.size()) return "the octree holds more than the models";
     if (unbounded != unbounded_.size()) return "the list of unbounded models holds more than them";

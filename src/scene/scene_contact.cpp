@@ -96,7 +96,8 @@ bool find_contact(const MeshInstance& instance, Vec3 point, Contact& out) {
 bool Scene::closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal,
                                 double& signed_distance) const {
     Contact contact;
-    if (!with_shape(at(model), [&](const auto& shape) { return find_contact(shape, point, contact); })) return false;
+    if (!with_shape(IdTable::slot_of(model), [&](const auto& shape) { return find_contact(shape, point, contact); }))
+        return false;
     out = contact.point;
     normal = contact.normal;
     signed_distance = contact.signed_distance;
@@ -104,7 +105,8 @@ bool Scene::closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec
 }
 
 bool Scene::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const {
-    return with_shape(at(model), [&](const auto& shape) { return gphys::sweep(shape, moving, displacement, hit); });
+    return with_shape(IdTable::slot_of(model),
+                      [&](const auto& shape) { return gphys::sweep(shape, moving, displacement, hit); });
 }
 
 }  // namespace gphys

@@ -1,17 +1,32 @@
 // Models come and go, and hang below one another. Every change first makes all room that it needs,
 // then checks, then changes what cannot fail any more.
 #include <algorithm>
+#include <type_traits>
 
 #include "foundation/strided.h"
 #include "scene/scene.h"
 
 namespace gphys {
 
+namespace {
+
+/// Make sure that slots below `size` exist. Other containers may fail later: more than needed is
+/// harmless.
+template <class T>
+void grow(Vector<T>& by_slot, size_t size) {
+    if (size <= by_slot.size()) return;
+    reserve_more(by_slot, size - by_slot.size());
+    by_slot.resize(size);
+}
+
+}  // namespace
+
 Scene::Scene(const gphys_allocator* hooks, uint32_t reserve_models, uint32_t worker_count,
              const gphys_task_runner* task_runner)
     : memory(hooks), workers_(worker_count, task_runner, &memory) {
     ids_.reserve(reserve_models);
     models_.reserve(reserve_models);
+    tags_.reserve(reserve_models);
 }
 
 Scene::~Scene() { clear(); }
@@ -20,22 +35,24 @@ gphys_status Scene::check(gphys_model_id model) const {
     return has(model) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "model: no such model, or no longer");
 }
 
-uint32_t Scene::store_shape(gphys_shape_type type, const void* shape) {
-    return with_pool(*this, type, [&](auto& pool) {
-        using Stored = std::decay_t<decltype(pool[0])>;
-        if constexpr (std::is_same_v<Stored, const Mesh*>) {
-            const Mesh* mesh = static_cast<const Mesh*>(shape);
-            mesh->retain();
-            return pool.add(mesh);
+void Scene::store_shape(uint32_t slot, const void* shape) {
+    with_type(models_[slot].type(), [&](auto stored) {
+        if constexpr (std::is_pointer_v<decltype(stored)>) {
+            stored = static_cast<const Mesh*>(shape);
+            stored->retain();
         } else {
-            return pool.add(*static_cast<const Stored*>(shape));
+            std::memcpy(&stored, shape, sizeof stored);
+        }
+        constexpr size_t head = head_size<decltype(stored)>;
+        std::memcpy(models_[slot].shape, &stored, head);
+        if constexpr (sizeof stored > head) {
+            std::memcpy(&shape_tails_[slot], reinterpret_cast<const char*>(&stored) + head, sizeof stored - head);
         }
     });
 }
 
-void Scene::discard_shape(const Model& model) {
-    if (model.type() == GPHYS_SHAPE_MESH) Mesh::release(meshes_[model.shape]);
-    with_pool(*this, model.type(), [&](auto& pool) { pool.remove(model.shape); });
+void Scene::discard_shape(uint32_t slot) {
+    if (models_[slot].type() == GPHYS_SHAPE_MESH) Mesh::release(stored<const Mesh*>(slot));
 }
 
 gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
@@ -52,11 +69,10 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     ids_.next_slots(count, slots.data());
     // New slots are numbered upwards, reused ones lie below them.
     const size_t slots_needed = *std::max_element(slots.begin(), slots.end()) + size_t{1};
-    if (slots_needed > models_.size()) {
-        reserve_more(models_, slots_needed - models_.size());
-        models_.resize(slots_needed);
-    }
-    with_pool(*this, type, [&](auto& pool) { pool.reserve(count); });
+    grow(models_, slots_needed);
+    grow(tags_, slots_needed);
+    if (with_type(type, [](auto stored) { return sizeof stored > sizeof Model::shape; }))
+        grow(shape_tails_, slots_needed);
     const bool bounded = type != GPHYS_SHAPE_PLANE;
     if (!bounded) reserve_more(unbounded_, count);
     if (desc.parent != 0) families_.reserve(count + 1);
@@ -67,20 +83,21 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     const Strided<gphys_transform> local(transforms ? transforms : &identity, transforms ? transform_stride : 0);
     uint32_t placed = 0;
     const auto discard_all = [&] {
-        for (uint32_t i = 0; i < placed; ++i) discard_shape(models_[slots[i]]);
+        for (uint32_t i = 0; i < placed; ++i) discard_shape(slots[i]);
     };
     const uint32_t parent = IdTable::slot_of(desc.parent);
     for (; placed < count;) {
-        Model& model = models_[slots[placed]];
+        const uint32_t slot = slots[placed];
+        Model& model = models_[slot];
         model = {};
         model.world = desc.parent != 0 ? composed(models_[parent].world, local[placed]) : local[placed];
         model.layers = desc.layers;
-        model.tag = desc.tag;
-        model.family = none;
+        model.family = no_family;
         model.type_ = static_cast<uint32_t>(type);
-        model.shape = store_shape(type, &shape[placed]);
+        tags_[slot] = desc.tag;
+        store_shape(slot, &shape[placed]);
         ++placed;
-        const char* wrong = place(model, boxes[placed - 1]);
+        const char* wrong = place(slot, boxes[placed - 1]);
         if (wrong) {
             discard_all();
             return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
@@ -97,7 +114,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
 
     for (uint32_t i = 0; i < count; ++i) {
         out_models[i] = ids_.add();
-        if (!bounded) unbounded_.push_back(slots[i]);
+        if (!bounded) list_unbounded(slots[i]);
         if (desc.parent != 0) {
             link(slots[i], parent);
             family(slots[i]).local = local[i];
@@ -126,19 +143,33 @@ gphys_status Scene::remove(const gphys_model_id* models, uint32_t count) {
 }
 
 void Scene::remove_slot(uint32_t slot) {
-    while (models_[slot].family != none && family(slot).first_child != none) {
+    while (models_[slot].has_family() && family(slot).first_child != none) {
         const uint32_t child = family(slot).first_child;
         family(child).local = models_[child].world;
         unlink(child);
     }
-    if (models_[slot].family != none) unlink(slot);
+    if (models_[slot].has_family()) unlink(slot);
     if (models_[slot].type() == GPHYS_SHAPE_PLANE) {
-        unbounded_.erase(std::find(unbounded_.begin(), unbounded_.end(), slot));
+        unlist_unbounded(slot);
     } else {
         octree_.remove(slot);
     }
-    discard_shape(models_[slot]);
+    discard_shape(slot);
     ids_.remove(ids_.id(slot));
+}
+
+/// Room was made before.
+void Scene::list_unbounded(uint32_t slot) {
+    models_[slot].shape[position_in_list] = static_cast<uint32_t>(unbounded_.size());
+    unbounded_.push_back(slot);
+}
+
+/// The last one takes its place.
+void Scene::unlist_unbounded(uint32_t slot) {
+    const uint32_t position = models_[slot].shape[position_in_list];
+    unbounded_[position] = unbounded_.back();
+    models_[unbounded_[position]].shape[position_in_list] = position;
+    unbounded_.pop_back();
 }
 
 gphys_status Scene::remove_subtree(gphys_model_id model) {
@@ -147,7 +178,7 @@ gphys_status Scene::remove_subtree(gphys_model_id model) {
     // Leaves first, so that no child is moved to the roots before it goes.
     const uint32_t top = IdTable::slot_of(model);
     for (uint32_t slot = top;;) {
-        while (models_[slot].family != none && family(slot).first_child != none) slot = family(slot).first_child;
+        while (models_[slot].has_family() && family(slot).first_child != none) slot = family(slot).first_child;
         const uint32_t parent = parent_of(slot);
         remove_slot(slot);
         if (slot == top) return GPHYS_OK;
@@ -159,7 +190,7 @@ void Scene::clear() {
     octree_.clear();
     unbounded_.clear();
     for_each_model([&](gphys_model_id model) {
-        discard_shape(at(model));
+        discard_shape(IdTable::slot_of(model));
         ids_.remove(model);
     });
     families_.clear();
@@ -173,7 +204,7 @@ gphys_status Scene::set_layers(gphys_model_id model, uint32_t layers) {
 
 gphys_status Scene::set_tag(gphys_model_id model, uint32_t tag) {
     const gphys_status status = check(model);
-    if (status == GPHYS_OK) models_[IdTable::slot_of(model)].tag = tag;
+    if (status == GPHYS_OK) tags_[IdTable::slot_of(model)] = tag;
     return status;
 }
 
@@ -183,12 +214,11 @@ gphys_model_id Scene::parent(gphys_model_id model) const {
 }
 
 uint32_t Scene::child_count(gphys_model_id model) const {
-    return at(model).family == none ? 0 : families_[at(model).family].child_count;
+    return at(model).has_family() ? families_[at(model).family].child_count : 0;
 }
 
-const void* Scene::shape(gphys_model_id model) const {
-    return with_pool(*this, type(model),
-                     [&](const auto& pool) { return static_cast<const void*>(&pool[at(model).shape]); });
+void Scene::copy_shape(gphys_model_id model, void* out) const {
+    with_stored(IdTable::slot_of(model), [&](const auto& stored) { std::memcpy(out, &stored, sizeof stored); });
 }
 
 bool Scene::bounds(gphys_model_id model, Box& out) const {
@@ -202,7 +232,7 @@ bool Scene::bounds(gphys_model_id model, Box& out) const {
 /// Room was made before; the record starts with the local transform that the model has.
 Scene::Family& Scene::take_family(uint32_t slot) {
     Model& model = models_[slot];
-    if (model.family == none) {
+    if (!model.has_family()) {
         Family alone;
         alone.local = model.world;
         model.family = families_.add(alone);
@@ -215,7 +245,7 @@ void Scene::drop_family_if_alone(uint32_t slot) {
     const Family& record = families_[model.family];
     if (record.parent != none || record.first_child != none) return;
     families_.remove(model.family);
-    model.family = none;
+    model.family = no_family;
 }
 
 void Scene::link(uint32_t slot, uint32_t parent) {
@@ -250,7 +280,7 @@ void Scene::unlink(uint32_t slot) {
 }
 
 uint32_t Scene::next_below(uint32_t slot, uint32_t top) const {
-    if (models_[slot].family != none && family(slot).first_child != none) return family(slot).first_child;
+    if (models_[slot].has_family() && family(slot).first_child != none) return family(slot).first_child;
     return next_beside(slot, top);
 }
 
@@ -278,7 +308,7 @@ gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool
     gphys_transform local = old_local;
     if (keep_world) local = new_parent == none ? old_world : relative(models_[new_parent].world, old_world);
     const auto hang_below = [&](uint32_t above, const gphys_transform& transform) {
-        if (models_[slot].family != none) unlink(slot);
+        if (models_[slot].has_family()) unlink(slot);
         if (above != none) link(slot, above);
         set_local(slot, transform);
     };

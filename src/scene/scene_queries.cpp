@@ -2,8 +2,9 @@
 // the exact shape of each candidate, and tells the octree what is not worth visiting any more.
 #include <cmath>
 
-#include "shapes/halfspaces.h"
+#include "scene/quick_tests.h"
 #include "scene/scene.h"
+#include "shapes/halfspaces.h"
 
 namespace gphys {
 
@@ -12,10 +13,11 @@ namespace {
 /// The best answer so far: smallest value, then lowest id, in whatever order the octree delivers.
 struct Winner {
     double value;
-    gphys_model_id model = 0;
+    uint32_t slot = Octree::none;
 
-    bool is_beaten_by(double other, gphys_model_id id) const {
-        return model == 0 || other < value || (other == value && id < model);
+    bool exists() const { return slot != Octree::none; }
+    bool is_beaten_by(double other, uint32_t other_slot, const IdTable& ids) const {
+        return !exists() || other < value || (other == value && ids.id(other_slot) < ids.id(slot));
     }
 };
 
@@ -58,72 +60,74 @@ bool may_touch(const Plane& plane, const Box& box) {
 }  // namespace
 
 gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
-    Hit first;
+    const QuickRay quick_ray(ray);
+    Hit first, hit;
     Winner winner{infinity};
     Ray rest = ray;
+    const auto quick = [&](const auto& shape) { return unless_no(quick_ray(shape, rest.t_max)); };
+    const auto exact = [&](const auto& shape) {
+        hit = Hit();
+        return gphys::raycast(shape, rest, hit);
+    };
     const auto ask = [&](uint32_t slot) {
-        const Model& model = models_[slot];
-        Hit hit;
-        if (!(model.layers & layers)) return;
-        if (!with_shape(model, [&](const auto& shape) { return gphys::raycast(shape, rest, hit); })) return;
-        if (!winner.is_beaten_by(hit.t, ids_.id(slot))) return;
-        winner = {hit.t, ids_.id(slot)};
+        if (!(models_[slot].layers & layers) || !decide(slot, quick, exact)) return;
+        if (!winner.is_beaten_by(hit.t, slot, ids_)) return;
+        winner = {hit.t, slot};
         first = hit;
         // Shapes tell exactly what lies beyond t_max, while t is rounded (to 2^-50 of it at worst).
         // The slack keeps those in whose rounded t is the same, for the lower id to win.
         rest.t_max = std::min(ray.t_max, hit.t * (1 + 0x1p-40));
     };
     for (const uint32_t slot : unbounded_) ask(slot);
-    octree_.raycast(rest, [&](uint32_t slot, double& t_max) {
+    const auto visit = [&](uint32_t slot, double& t_max) {
         ask(slot);
         t_max = rest.t_max;
-    });
-    if (winner.model == 0) return GPHYS_NO_HIT;
-    out = to_hit(first, winner.model, tag(winner.model));
+    };
+    octree_.raycast(rest, visit, model_memory());
+    if (!winner.exists()) return GPHYS_NO_HIT;
+    out = to_hit(first, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
 }
 
 bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
-    const auto met = [&](uint32_t slot) {
-        const Model& model = models_[slot];
-        return (model.layers & layers) && with_shape(model, [&](const auto& shape) { return is_met(shape, ray); });
-    };
+    const QuickRay quick_ray(ray);
+    const auto quick = [&](const auto& shape) { return quick_ray(shape, ray.t_max); };
+    const auto exact = [&](const auto& shape) { return is_met(shape, ray); };
+    const auto met = [&](uint32_t slot) { return (models_[slot].layers & layers) && decide(slot, quick, exact); };
     for (const uint32_t slot : unbounded_) {
         if (met(slot)) return true;
     }
-    bool found = false;
-    octree_.raycast(ray, [&](uint32_t slot, double& t_max) {
-        found = found || met(slot);
-        if (found) t_max = -1;
-    });
-    return found;
+    return octree_.raycast_any(ray, met, model_memory());
 }
 
 void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const {
+    const QuickRay quick_ray(ray);
+    Hit hit;
+    const auto quick = [&](const auto& shape) { return unless_no(quick_ray(shape, ray.t_max)); };
+    const auto exact = [&](const auto& shape) {
+        hit = Hit();
+        return gphys::raycast(shape, ray, hit);
+    };
     const auto ask = [&](uint32_t slot) {
-        const Model& model = models_[slot];
-        Hit hit;
-        if (!(model.layers & layers)) return;
-        if (!with_shape(model, [&](const auto& shape) { return gphys::raycast(shape, ray, hit); })) return;
-        out.add(to_hit(hit, ids_.id(slot), model.tag));
+        if (!(models_[slot].layers & layers) || !decide(slot, quick, exact)) return;
+        out.add(to_hit(hit, ids_.id(slot), tags_[slot]));
     };
     for (const uint32_t slot : unbounded_) ask(slot);
-    octree_.raycast(ray, [&](uint32_t slot, double&) { ask(slot); });
+    octree_.raycast(
+        ray, [&](uint32_t slot, double&) { ask(slot); }, model_memory());
 }
 
 void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id>& out) const {
-    const auto ask = [&](uint32_t slot) {
-        const Model& model = models_[slot];
-        if ((model.layers & layers) &&
-            with_shape(model, [&](const auto& shape) { return overlaps_shape(shape, query); })) {
-            out.add(ids_.id(slot));
-        }
-        return true;
-    };
-    for (const uint32_t slot : unbounded_) ask(slot);
+    const auto exact = [&](const auto& shape) { return overlaps_shape(shape, query); };
     std::visit(
         [&](const auto& shape) {
             using Query = std::decay_t<decltype(shape)>;
+            const auto quick = quick_overlap(shape);
+            const auto ask = [&](uint32_t slot) {
+                if ((models_[slot].layers & layers) && decide(slot, quick, exact)) out.add(ids_.id(slot));
+                return true;
+            };
+            for (const uint32_t slot : unbounded_) ask(slot);
             if constexpr (std::is_same_v<Query, Plane>) {
                 octree_.overlap([&](const Box& box) { return may_touch(shape, box); }, ask);
             } else if constexpr (std::is_same_v<Query, Frustum>) {
@@ -136,56 +140,54 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
 }
 
 gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const {
+    const QuickPoint quick_point(point);
     Winner winner{max_distance * max_distance};
-    Vec3 closest;
-    uint32_t closest_triangle = GPHYS_NO_TRIANGLE;
+    double reach = max_distance;
+    Vec3 closest, candidate;
+    uint32_t closest_triangle = GPHYS_NO_TRIANGLE, triangle = GPHYS_NO_TRIANGLE;
+    const auto quick = [&](const auto& shape) { return unless_no(quick_point(shape, reach)); };
+    const auto exact = [&](const auto& shape) { return closest_point_of(shape, point, reach, candidate, triangle); };
     const auto ask = [&](uint32_t slot) {
-        const Model& model = models_[slot];
-        Vec3 candidate;
-        uint32_t triangle;
-        if (!(model.layers & layers)) return;
-        if (!with_shape(model, [&](const auto& shape) {
-                return closest_point_of(shape, point, std::sqrt(winner.value), candidate, triangle);
-            })) {
-            return;
-        }
+        if (!(models_[slot].layers & layers) || !decide(slot, quick, exact)) return;
         const double square = length_squared(candidate - point);
-        if (square > winner.value || !winner.is_beaten_by(square, ids_.id(slot))) return;
-        winner = {square, ids_.id(slot)};
+        if (square > winner.value || !winner.is_beaten_by(square, slot, ids_)) return;
+        winner = {square, slot};
+        reach = std::sqrt(square);
         closest = candidate;
         closest_triangle = triangle;
     };
     for (const uint32_t slot : unbounded_) ask(slot);
-    octree_.nearest(point, std::sqrt(winner.value), [&](uint32_t slot, double& within) {
+    const auto visit = [&](uint32_t slot, double& within) {
         ask(slot);
-        within = std::sqrt(winner.value);
-    });
-    if (winner.model == 0) return GPHYS_NO_HIT;
-    out = to_nearest(closest, std::sqrt(winner.value), closest_triangle, winner.model, tag(winner.model));
+        within = reach;
+    };
+    octree_.nearest(point, reach, visit, model_memory());
+    if (!winner.exists()) return GPHYS_NO_HIT;
+    out = to_nearest(closest, reach, closest_triangle, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
 }
 
 gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
-    Hit first;
+    Hit first, hit;
     Winner winner{infinity};
+    const auto exact = [&](const auto& shape) {
+        hit = Hit();
+        return gphys::sweep(shape, moving, displacement, hit);
+    };
     const auto ask = [&](uint32_t slot) {
-        const Model& model = models_[slot];
-        Hit hit;
-        if (!(model.layers & layers)) return;
-        if (!with_shape(model, [&](const auto& shape) { return gphys::sweep(shape, moving, displacement, hit); })) {
-            return;
-        }
-        if (!winner.is_beaten_by(hit.t, ids_.id(slot))) return;
-        winner = {hit.t, ids_.id(slot)};
+        if (!(models_[slot].layers & layers) || !with_shape(slot, exact)) return;
+        if (!winner.is_beaten_by(hit.t, slot, ids_)) return;
+        winner = {hit.t, slot};
         first = hit;
     };
     for (const uint32_t slot : unbounded_) ask(slot);
-    octree_.sweep(moving.center, displacement, moving.radius, [&](uint32_t slot, double& t_max) {
+    const auto visit = [&](uint32_t slot, double& t_max) {
         ask(slot);
         t_max = std::min(t_max, winner.value);
-    });
-    if (winner.model == 0) return GPHYS_NO_HIT;
-    out = to_hit(first, winner.model, tag(winner.model));
+    };
+    octree_.sweep(moving.center, displacement, moving.radius, visit, model_memory());
+    if (!winner.exists()) return GPHYS_NO_HIT;
+    out = to_hit(first, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
 }
 
@@ -193,7 +195,7 @@ void Scene::cull(const Frustum& frustum, uint32_t layers, Smallest<gphys_model_i
     for (const uint32_t slot : unbounded_) {
         const Model& model = models_[slot];
         if ((model.layers & layers) &&
-            with_shape(model, [&](const auto& shape) { return overlaps_shape(shape, frustum); })) {
+            with_shape(slot, [&](const auto& shape) { return overlaps_shape(shape, frustum); })) {
             out.add(ids_.id(slot));
         }
     }

@@ -1,18 +1,18 @@
 // Models move, and their descendants with them. New transforms are written in place, where children
 // find their parent's. Should a model end up where the scene cannot hold it, the old transforms are
 // put back and all worlds are derived from them again, which gives the old bits.
-#include "scene/scene.h"
 #include "foundation/strided.h"
+#include "scene/scene.h"
 
 namespace gphys {
 
 const gphys_transform& Scene::local_of(uint32_t slot) const {
-    return models_[slot].family == none ? models_[slot].world : family(slot).local;
+    return models_[slot].has_family() ? family(slot).local : models_[slot].world;
 }
 
 /// Without a parent the world transform is the local one; with a parent, carry() derives it.
 void Scene::set_local(uint32_t slot, const gphys_transform& local) {
-    if (models_[slot].family != none) family(slot).local = local;
+    if (models_[slot].has_family()) family(slot).local = local;
     if (parent_of(slot) == none) models_[slot].world = local;
 }
 
@@ -21,12 +21,13 @@ void Scene::derive_world(uint32_t slot) {
     if (parent != none) models_[slot].world = composed(models_[parent].world, family(slot).local);
 }
 
-const char* Scene::place(const Model& model, Box& box) const {
+const char* Scene::place(uint32_t slot, Box& box) const {
+    const Model& model = models_[slot];
     const char* wrong = gphys::defect(model.world);
     if (wrong) return wrong;
     if (model.world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
     if (model.type() == GPHYS_SHAPE_PLANE) return nullptr;
-    box = with_shape(model, [](const auto& shape) {
+    box = with_shape(slot, [](const auto& shape) {
         if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Plane>) {
             return Box();
         } else {
@@ -57,7 +58,7 @@ const char* Scene::carry(uint32_t top) {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) {
         derive_world(slot);
         Box box;
-        const char* wrong = place(models_[slot], box);
+        const char* wrong = place(slot, box);
         if (wrong) return wrong;
         if (models_[slot].type() == GPHYS_SHAPE_PLANE) continue;
         moved_slots_.push_back(slot);

@@ -1,0 +1,33 @@
+// A public shape where a model's transform puts it, in double precision: visit gets the primitive, or
+// the instance of a mesh.
+#pragma once
+
+#include "intersect/intersect.h"
+#include "mesh/mesh_instance.h"
+
+namespace gphys {
+
+inline bool is_turned(const gphys_quat& rotation) { return rotation.x != 0 || rotation.y != 0 || rotation.z != 0; }
+
+template <class Stored, class Visit>
+auto with_placed(const Stored& shape, const gphys_transform& world, Visit&& visit) {
+    return visit(transformed(widen(shape), widen(world)));
+}
+
+/// Without rotation a box keeps its faces where they are, to the last bit.
+template <class Visit>
+auto with_placed(const gphys_aabb& shape, const gphys_transform& world, Visit&& visit) {
+    const Aabb box = widen(shape);
+    if (is_turned(world.rotation)) return visit(transformed(box, widen(world)));
+    const Vec3 position = widen(world.position);
+    const double scale = world.scale;
+    return visit(Aabb{position + box.min * scale, position + box.max * scale});
+}
+
+template <class Visit>
+auto with_placed(const Mesh* mesh, const gphys_transform& world, Visit&& visit) {
+    const Transform wide = widen(world);
+    return visit(MeshInstance{*mesh, wide});
+}
+
+}  // namespace gphys
