@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Tests the library: ./test.sh [--long]
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
-# under the address and undefined-behaviour sanitizers. --long adds a build with clang and tests of
-# minutes, such as a million queries of each kind against a linear scan.
+# under the address and undefined-behaviour sanitizers. --long adds a build with clang, tests of
+# minutes, such as a million queries of each kind against a linear scan, and the workers under the
+# thread sanitizer.
 # The last line is "N passed, N failed"; a build that fails counts as one failed test.
 set -uo pipefail
 cd "$(dirname "$0")"
@@ -13,7 +14,7 @@ configuration=()
 case ${1:-} in
     '') ;;
     --long)
-        presets=(release clang asan-ubsan)
+        presets=(release clang asan-ubsan tsan)
         configuration=(-C Long)
         ;;
     *)

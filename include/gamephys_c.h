@@ -649,6 +649,7 @@ GPHYS_API gphys_status gphys_scene_raycast_all(const gphys_scene* scene, const g
 /** The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
  *  @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
  *                      room. Where a ray's range crosses capacity, its first hits are written.
+ *  What stands in out_hits behind the last hit afterwards is unspecified.
  *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity */
 GPHYS_API gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* rays,
                                                      uint32_t ray_stride, uint32_t count, uint32_t layers,

@@ -74,18 +74,55 @@ static gphys_scene* make_scene(uint32_t worker_count, const gphys_task_runner* r
     return scene;
 }
 
-/* Every answer of every batch. */
+/* Every answer of every batch. Room that lists leave is cleared: nothing is said about it. */
 typedef struct answers {
     gphys_model_id models[MODELS];
     gphys_transform transforms[MODELS], world_transforms[MODELS];
     gphys_hit raycast[QUERIES], segment_test[QUERIES], sweep[QUERIES], pick[QUERIES], raycast_all[LIST];
-    gphys_hit raycast_all_cut[CUT];
+    gphys_hit raycast_all_cut[CUT], raycast_all_exact[LIST];
     int32_t raycast_any[QUERIES];
     gphys_nearest nearest[QUERIES];
-    gphys_model_id overlap[LIST], overlap_cut[CUT];
+    gphys_model_id overlap[LIST], overlap_cut[CUT], overlap_exact[LIST];
     uint32_t raycast_all_offsets[QUERIES + 1], raycast_all_cut_offsets[QUERIES + 1];
     uint32_t overlap_offsets[QUERIES + 1], overlap_cut_offsets[QUERIES + 1];
 } answers;
+
+/* Ask for lists with more room than they need, with just enough, with too little, and with none. */
+static void ask_for_lists(const gphys_scene* scene, answers* all) {
+    const uint32_t ray = sizeof *input.rays, sphere = sizeof *input.spheres, layers = GPHYS_ALL_LAYERS;
+    uint32_t total, offsets[QUERIES + 1];
+    assert_int_equal(gphys_scene_raycast_all_batch(scene, input.rays, ray, QUERIES, layers, all->raycast_all, LIST,
+                                                   all->raycast_all_offsets),
+                     GPHYS_OK);
+    total = all->raycast_all_offsets[QUERIES];
+    memset(all->raycast_all + total, 0, (LIST - total) * sizeof *all->raycast_all);
+    assert_int_equal(
+        gphys_scene_raycast_all_batch(scene, input.rays, ray, QUERIES, layers, all->raycast_all_exact, total, offsets),
+        GPHYS_OK);
+    assert_memory_equal(offsets, all->raycast_all_offsets, sizeof offsets);
+    assert_memory_equal(all->raycast_all_exact, all->raycast_all, total * sizeof *all->raycast_all);
+    assert_int_equal(gphys_scene_raycast_all_batch(scene, input.rays, ray, QUERIES, layers, all->raycast_all_cut, CUT,
+                                                   all->raycast_all_cut_offsets),
+                     GPHYS_INCOMPLETE);
+
+    assert_int_equal(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, input.spheres, sphere, QUERIES, layers,
+                                               all->overlap, LIST, all->overlap_offsets),
+                     GPHYS_OK);
+    total = all->overlap_offsets[QUERIES];
+    memset(all->overlap + total, 0, (LIST - total) * sizeof *all->overlap);
+    assert_int_equal(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, input.spheres, sphere, QUERIES, layers,
+                                               all->overlap_exact, total, offsets),
+                     GPHYS_OK);
+    assert_memory_equal(offsets, all->overlap_offsets, sizeof offsets);
+    assert_memory_equal(all->overlap_exact, all->overlap, total * sizeof *all->overlap);
+    assert_int_equal(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, input.spheres, sphere, QUERIES, layers,
+                                               all->overlap_cut, CUT, all->overlap_cut_offsets),
+                     GPHYS_INCOMPLETE);
+    assert_int_equal(
+        gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, input.spheres, sphere, QUERIES, layers, NULL, 0, offsets),
+        GPHYS_INCOMPLETE);
+    assert_memory_equal(offsets, all->overlap_offsets, sizeof offsets);
+}
 
 static answers* ask_everything(uint32_t worker_count, const gphys_task_runner* runner) {
     answers* all = (answers*)calloc(1, sizeof *all);
@@ -111,21 +148,10 @@ static answers* ask_everything(uint32_t worker_count, const gphys_task_runner* r
     assert_int_equal(gphys_scene_raycast_any_batch(scene, input.rays, sizeof *input.rays, QUERIES, layers,
                                                    all->raycast_any, sizeof *all->raycast_any),
                      GPHYS_OK);
-    assert_int_equal(gphys_scene_raycast_all_batch(scene, input.rays, sizeof *input.rays, QUERIES, layers,
-                                                   all->raycast_all, LIST, all->raycast_all_offsets),
-                     GPHYS_OK);
-    assert_int_equal(gphys_scene_raycast_all_batch(scene, input.rays, sizeof *input.rays, QUERIES, layers,
-                                                   all->raycast_all_cut, CUT, all->raycast_all_cut_offsets),
-                     GPHYS_INCOMPLETE);
+    ask_for_lists(scene, all);
     assert_int_equal(gphys_scene_segment_test_batch(scene, input.segments, sizeof *input.segments, QUERIES, layers,
                                                     all->segment_test, sizeof *all->segment_test),
                      GPHYS_OK);
-    assert_int_equal(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, input.spheres, sizeof *input.spheres, QUERIES,
-                                               layers, all->overlap, LIST, all->overlap_offsets),
-                     GPHYS_OK);
-    assert_int_equal(gphys_scene_overlap_batch(scene, GPHYS_SHAPE_SPHERE, input.spheres, sizeof *input.spheres, QUERIES,
-                                               layers, all->overlap_cut, CUT, all->overlap_cut_offsets),
-                     GPHYS_INCOMPLETE);
     assert_int_equal(gphys_scene_nearest_batch(scene, input.points, sizeof *input.points, QUERIES, 3, layers,
                                                all->nearest, sizeof *all->nearest),
                      GPHYS_OK);

@@ -95,7 +95,7 @@ struct Busy {
 
 }  // namespace
 
-TEST_CASE("every task runs once, on any number of threads") {
+TEST_CASE("workers run every task once, whatever their number") {
     test::WatchedMemory memory;
     for (const uint32_t count : {0u, 1u, 2u, 3u, 7u}) {
         const Workers own(count, nullptr, &memory), lent(count, &on_threads, &memory);
@@ -110,7 +110,7 @@ TEST_CASE("every task runs once, on any number of threads") {
     CHECK(Workers().count() == 1);
 }
 
-TEST_CASE("a run allocates nothing") {
+TEST_CASE("workers allocate nothing for a run") {
     test::WatchedMemory memory;
     const Workers workers(3, nullptr, &memory);
     const long before = memory.allocations;
@@ -125,7 +125,7 @@ TEST_CASE("two workers work at the same time") {
     run_two_together(lent, [] {});
 }
 
-TEST_CASE("threads are started with their owner and joined with it, none for one worker or a runner") {
+TEST_CASE("workers are started with their owner and joined with it, none for a count of one or a runner") {
     const size_t before = thread_count();
     {
         const Workers four(4, nullptr, std::pmr::new_delete_resource());
@@ -136,7 +136,7 @@ TEST_CASE("threads are started with their owner and joined with it, none for one
     CHECK(thread_count() == before);
 }
 
-TEST_CASE("several callers share workers or do without, and nobody waits for another") {
+TEST_CASE("workers serve one of several callers, and no caller waits for another") {
     const Workers workers(2, nullptr, std::pmr::new_delete_resource());
     std::atomic<int> wrong{0};
     std::vector<std::thread> callers;
@@ -174,7 +174,7 @@ TEST_CASE("workers leave signals to the host's threads, but not faults") {
     CHECK(sigismember(&blocked, SIGINT) == 0);
 }
 
-TEST_CASE("in a child of fork the caller works alone, and destroying returns") {
+TEST_CASE("workers are gone in a child of fork, where the caller works alone and destroying returns") {
     test::WatchedMemory memory;
     auto workers = std::make_unique<Workers>(4, nullptr, &memory);
     CHECK(each_once(*workers, 100));
@@ -186,7 +186,7 @@ TEST_CASE("in a child of fork the caller works alone, and destroying returns") {
     CHECK(each_once(*workers, 100));
 }
 
-TEST_CASE("threads that cannot be started are a failed allocation, and those before them end") {
+TEST_CASE("workers that cannot be started are a failed allocation, and those before them end") {
     test::WatchedMemory memory;
     for (long fail_at = 0; fail_at < 2; ++fail_at) {
         memory.fail_at = memory.allocations + fail_at;
@@ -210,7 +210,7 @@ TEST_CASE("threads that cannot be started are a failed allocation, and those bef
 #endif
 }
 
-TEST_CASE("a scene's hooks are called on the thread that calls the library") {
+TEST_CASE("workers never call a scene's hooks") {
     struct Heap {
         std::thread::id caller = std::this_thread::get_id();
         std::atomic<int> elsewhere{0}, calls{0};
@@ -237,7 +237,7 @@ TEST_CASE("a scene's hooks are called on the thread that calls the library") {
     CHECK(heap.calls > 0);
 }
 
-TEST_CASE("callers who query one scene at the same time get what one caller gets") {
+TEST_CASE("workers answer callers who query one scene at the same time as they answer one") {
     const Busy busy(nullptr);
     const std::vector<gphys_nearest> expected = busy.nearest();
     std::atomic<int> wrong{0};

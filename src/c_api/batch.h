@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "c_api/api.h"
+#include "foundation/results.h"
 #include "foundation/workers.h"
 
 namespace gphys {
@@ -14,11 +15,12 @@ namespace gphys {
 /// costs, and a thousandth of a batch that is worth sharing.
 constexpr uint32_t batch_chunk = 256;
 
+inline uint32_t chunks_in(uint32_t count) { return count / batch_chunk + (count % batch_chunk != 0); }
+
 /// visit(begin, end) for each chunk of 0 .. count - 1.
 template <class Visit>
 void for_each_chunk(const Workers& workers, uint32_t count, Visit&& visit) {
-    const uint32_t chunks = count / batch_chunk + (count % batch_chunk != 0);
-    workers.run(chunks, [&](uint32_t chunk) {
+    workers.run(chunks_in(count), [&](uint32_t chunk) {
         const uint32_t begin = chunk * batch_chunk;
         visit(begin, begin + std::min(batch_chunk, count - begin));
     });
@@ -50,6 +52,58 @@ gphys_status check_each(const Workers& workers, uint32_t count, Check&& check) {
     });
     const uint32_t bad = first_bad.load(std::memory_order_relaxed);
     return bad == count ? GPHYS_OK : check(bad);
+}
+
+/// a + b, or the largest number if that is less.
+inline uint32_t saturated_sum(uint32_t a, uint32_t b) { return b > UINT32_MAX - a ? UINT32_MAX : a + b; }
+
+/// The lists of items begin .. end - 1 behind one another; ends[i] is where that of item i ends.
+template <class T, class Less, class AddAll>
+void list_chunk(T* out, uint32_t capacity, uint32_t begin, uint32_t end, uint32_t* ends, AddAll&& add_all) {
+    uint32_t total = 0;
+    for (uint32_t i = begin; i < end; ++i) {
+        const uint32_t used = std::min(total, capacity);
+        Smallest<T, Less> list(capacity == 0 ? nullptr : out + used, capacity - used);
+        add_all(i, list);
+        total = saturated_sum(total, list.finish());
+        ends[i] = total;
+    }
+}
+
+/// Many lists behind one another: those of item i are added by add_all(i, list). How long a list
+/// gets is known only when it is there, and queries allocate nothing: so the room that is left is
+/// dealt out in equal shares to a wave of chunks, and their lists are moved together afterwards.
+/// Where a share was too small, the rest of the wave is listed again, by this thread and in place.
+template <class T, class Less, class AddAll>
+gphys_status concatenate(const Workers& workers, T* out, uint32_t capacity, uint32_t count, uint32_t* out_offsets,
+                         AddAll&& add_all) {
+    // Long enough that the wait for the last chunk of a wave is a few per cent of it.
+    const uint32_t wave = workers.count() == 1 ? 1 : 16 * workers.count();
+    uint32_t* const ends = out_offsets + 1;
+    uint32_t total = 0;
+    out_offsets[0] = 0;
+    for (uint32_t first = 0; first < count;) {
+        const uint32_t chunks = std::min(wave, chunks_in(count - first));
+        const auto begin_of = [&](uint32_t chunk) { return first + std::min(chunk * batch_chunk, count - first); };
+        const uint32_t used = std::min(total, capacity), share = (capacity - used) / chunks;
+        workers.run(chunks, [&](uint32_t chunk) {
+            list_chunk<T, Less>(out + used + chunk * share, share, begin_of(chunk), begin_of(chunk + 1), ends, add_all);
+        });
+        bool in_place = false;
+        for (uint32_t chunk = 0; chunk < chunks; ++chunk) {
+            const uint32_t begin = begin_of(chunk), end = begin_of(chunk + 1), place = std::min(total, capacity);
+            in_place = in_place || (ends[end - 1] > share && capacity - place > share);
+            if (in_place) {
+                list_chunk<T, Less>(out + place, capacity - place, begin, end, ends, add_all);
+            } else if (const uint32_t listed = used + chunk * share; listed != place) {
+                std::copy_n(out + listed, std::min(ends[end - 1], share), out + place);
+            }
+            for (uint32_t i = begin; i < end; ++i) ends[i] = saturated_sum(total, ends[i]);
+            total = ends[end - 1];
+        }
+        first = begin_of(chunks);
+    }
+    return total > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
 }
 
 }  // namespace gphys

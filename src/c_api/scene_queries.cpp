@@ -30,22 +30,6 @@ gphys_status check_outputs(const T* outputs, uint32_t stride, uint32_t count) {
     return GPHYS_OK;
 }
 
-/// Many lists behind one another: those of query i are added by add_all(i, list).
-template <class T, class Less, class AddAll>
-gphys_status concatenate(T* out, uint32_t capacity, uint32_t count, uint32_t* out_offsets, AddAll&& add_all) {
-    uint32_t end = 0;
-    out_offsets[0] = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t begin = std::min(end, capacity);
-        Smallest<T, Less> list(capacity == 0 ? nullptr : out + begin, capacity - begin);
-        add_all(i, list);
-        const uint32_t total = list.finish();
-        end = total > UINT32_MAX - end ? UINT32_MAX : end + total;
-        out_offsets[i + 1] = end;
-    }
-    return end > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
-}
-
 gphys_status check_concatenation(const void* out, uint32_t capacity, const uint32_t* out_offsets) {
     GPHYS_REQUIRE(capacity == 0 || out, "the output array is null");
     GPHYS_REQUIRE(out_offsets, "out_offsets is null");
@@ -132,9 +116,9 @@ gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys
         GPHYS_TRY(check_inputs(workers, rays, ray_stride, count));
         GPHYS_TRY(check_concatenation(out_hits, capacity, out_offsets));
         const Strided<gphys_ray> ray(rays, ray_stride);
-        return concatenate<gphys_hit, FirstHit>(out_hits, capacity, count, out_offsets, [&](uint32_t i, auto& hits) {
-            unwrap(scene)->raycast_all(widen(ray[i]), layers, hits);
-        });
+        return concatenate<gphys_hit, FirstHit>(
+            workers, out_hits, capacity, count, out_offsets,
+            [&](uint32_t i, auto& hits) { unwrap(scene)->raycast_all(widen(ray[i]), layers, hits); });
     });
 }
 
@@ -196,7 +180,7 @@ gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_typ
         }));
         GPHYS_TRY(check_concatenation(out_models, capacity, out_offsets));
         return concatenate<gphys_model_id, std::less<gphys_model_id>>(
-            out_models, capacity, count, out_offsets, [&](uint32_t i, auto& models) {
+            workers, out_models, capacity, count, out_offsets, [&](uint32_t i, auto& models) {
                 Shape query;
                 if (read_shape(type, &shape[i], query) == GPHYS_OK) unwrap(scene)->overlap(query, layers, models);
             });
