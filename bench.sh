@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times the library: ./bench.sh [scene mesh query update] [--peers] [--quick]
 # Installs what it needs, builds with the flags that users get, writes build/bench/<suite>.csv with
-# a plot beside each and the machine's description. --peers measures Embree and Bullet in the same
+# a plot beside each and the machine's description. --peers measures Embree, Bullet and FCL in the same
 # run; --quick is a few seconds of smaller work.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -21,7 +21,7 @@ done
 
 source cmake/install_packages.sh
 packages=(g++ cmake ninja-build libbenchmark-dev gnuplot-nox)
-[ $peers = ON ] && packages+=(pkg-config libembree-dev libbullet-dev)
+[ $peers = ON ] && packages+=(pkg-config libembree-dev libbullet-dev libfcl-dev)
 install_packages "${packages[@]}"
 
 cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_TESTS=OFF -DGAMEPHYS_EXAMPLES=OFF \

@@ -43,6 +43,7 @@ struct Count final : btCollisionWorld::ContactResultCallback {
 class Bullet final : public Implementation {
 public:
     ~Bullet() override { clear(); }
+    bool is_slow() const override { return true; }
 
     bool load(const std::vector<gphys_obb>& boxes) override {
         clear();

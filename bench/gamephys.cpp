@@ -15,6 +15,7 @@ const gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
 
 class Gamephys final : public Implementation {
 public:
+    explicit Gamephys(uint32_t worker_count) : worker_count_(worker_count) {}
     ~Gamephys() override { clear(); }
 
     bool load(const std::vector<gphys_obb>& boxes) override {
@@ -90,7 +91,7 @@ public:
         models_seen_.resize(models_.size());
         uint32_t seen = 0;
         check(gphys_scene_cull(scene_, &frustum, GPHYS_ALL_LAYERS, models_seen_.data(),
-                                  static_cast<uint32_t>(models_seen_.size()), &seen));
+                               static_cast<uint32_t>(models_seen_.size()), &seen));
         total = seen;
         return true;
     }
@@ -142,7 +143,10 @@ private:
              const std::vector<gphys_transform>& transforms) {
         gphys_scene_destroy(scene_);
         scene_ = nullptr;
-        check(gphys_scene_create(nullptr, &scene_));
+        gphys_scene_desc desc;
+        check(gphys_scene_desc_init(&desc, sizeof desc));
+        desc.worker_count = worker_count_;
+        check(gphys_scene_create(&desc, &scene_));
         models_.resize(transforms.size());
         check(gphys_scene_add_batch(scene_, type, shapes, stride, transforms.data(), sizeof transforms[0],
                                     static_cast<uint32_t>(transforms.size()), nullptr, models_.data()));
@@ -161,6 +165,7 @@ private:
         return true;
     }
 
+    uint32_t worker_count_;
     gphys_scene* scene_ = nullptr;
     gphys_mesh* mesh_ = nullptr;
     std::vector<gphys_model_id> models_;
@@ -171,6 +176,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Implementation> make_gamephys() { return std::make_unique<Gamephys>(); }
+std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count) {
+    return std::make_unique<Gamephys>(worker_count);
+}
 
 }  // namespace bench

@@ -27,6 +27,11 @@ public:
     virtual bool load(const std::vector<gphys_sphere>&) { return false; }
     virtual bool load(const Triangles&) { return false; }
     virtual bool load(const Triangles&, const std::vector<gphys_transform>&) { return false; }
+    /// Takes rays in packets, of which only those of a camera have any use.
+    virtual bool wants_packets() const { return false; }
+    /// So slow that a part of the rays must do.
+    virtual bool is_slow() const { return false; }
+
     /// Bytes that the content takes, 0 if unknown.
     virtual uint64_t memory() const { return 0; }
 
@@ -47,13 +52,15 @@ public:
     }
 };
 
-std::unique_ptr<Implementation> make_gamephys();
+/// `worker_count` of the scene.
+std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count);
 /// A flat sweep over all boxes with SIMD, the baseline for culling.
 std::unique_ptr<Implementation> make_simd_sweep();
 #ifdef GAMEPHYS_BENCH_PEERS
-enum class EmbreeMode { plain, robust, refit };
+enum class EmbreeMode { plain, robust, refit, packets };
 std::unique_ptr<Implementation> make_embree(EmbreeMode mode);
 std::unique_ptr<Implementation> make_bullet();
+std::unique_ptr<Implementation> make_fcl();
 #endif
 
 /// The true answer of one ray by a loop over everything in double precision.

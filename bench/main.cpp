@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -40,7 +41,9 @@ public:
     void ReportRuns(const std::vector<Run>& runs) override {
         for (const Run& run : runs) {
             if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-            const double time = run.cpu_accumulated_time / static_cast<double>(run.iterations);
+            const bool shared = !run.run_name.time_type.empty();  // "real_time", where that was asked for
+            const double time =
+                (shared ? run.real_accumulated_time : run.cpu_accumulated_time) / static_cast<double>(run.iterations);
             const auto found = seconds.try_emplace(run.run_name.function_name, time).first;
             found->second = std::min(found->second, time);
         }
@@ -50,20 +53,26 @@ public:
 struct Entry {
     std::string name;
     std::unique_ptr<Implementation> implementation;
+    /// Timed by the clock on the wall, not by what the calling thread takes of a processor.
+    bool several_threads = false;
 };
+
+Entry on_two_threads() { return {"gamephys_2_threads", make_gamephys(2), true}; }
 
 std::vector<Entry> everybody([[maybe_unused]] bool moving = false) {
     std::vector<Entry> all;
-    all.push_back({"gamephys", make_gamephys()});
+    all.push_back({"gamephys", make_gamephys(1)});
 #ifdef GAMEPHYS_BENCH_PEERS
     all.push_back({"embree", make_embree(moving ? EmbreeMode::refit : EmbreeMode::plain)});
     all.push_back({"embree_robust", make_embree(EmbreeMode::robust)});
     all.push_back({"bullet", make_bullet()});
+    all.push_back({"fcl", make_fcl()});
 #endif
     return all;
 }
 
-using Task = std::function<bool(Implementation&)>;
+/// Returns how many operations it did; 0 if the implementation has no such operation.
+using Task = std::function<double(Implementation&)>;
 /// How far the answers of an implementation are off, and in which unit.
 using Check = std::function<std::pair<double, std::string>(Implementation&)>;
 
@@ -72,27 +81,40 @@ public:
     explicit Bench(const Options& options) : options_(options) {}
 
     uint32_t ray_count(uint32_t n) const { return options_.quick ? 50000 : n >= 1000000 ? 500000 : 1000000; }
+    std::vector<gphys_ray> camera_rays(float half_side) const {
+        return options_.quick ? bench::camera_rays(half_side, 256, 192) : bench::camera_rays(half_side, 1024, 768);
+    }
     std::vector<uint32_t> sizes() const {
         return options_.quick ? std::vector<uint32_t>{1000, 10000}
                               : std::vector<uint32_t>{1000, 10000, 100000, 1000000};
     }
 
-    /// Time one task on all implementations, interleaved; `operations` per task.
-    void measure(const std::string& suite, const std::string& name, uint32_t n, double operations,
-                 std::vector<Entry>& entries, const Task& task, const Check& check) {
+    /// Time one task on all implementations that know it, interleaved. What takes seconds is timed
+    /// once: noise is small beside it.
+    void measure(const std::string& suite, const std::string& name, uint32_t n, std::vector<Entry>& entries,
+                 const Task& task, const Check& check) {
         Fastest fastest;
-        std::vector<Entry*> taking_part;
+        std::vector<std::pair<Entry*, double>> taking_part;  // and the operations of a task
         for (Entry& entry : entries) {
-            if (entry.implementation && task(*entry.implementation)) taking_part.push_back(&entry);
-        }
-        for (Entry* entry : taking_part) {
-            benchmark::RegisterBenchmark(entry->name.c_str(), [entry, &task](benchmark::State& state) {
-                for (auto _ : state) task(*entry->implementation);
-            })->Unit(benchmark::kMillisecond);
+            if (!entry.implementation) continue;
+            const auto start = std::chrono::steady_clock::now();
+            const double operations = task(*entry.implementation);
+            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            if (operations == 0) continue;
+            taking_part.emplace_back(&entry, operations);
+            if (seconds > 5) {
+                fastest.seconds[entry.name] = seconds;
+                continue;
+            }
+            benchmark::internal::Benchmark* registered = benchmark::RegisterBenchmark(
+                entry.name.c_str(), [implementation = entry.implementation.get(), &task](benchmark::State& state) {
+                    for (auto _ : state) task(*implementation);
+                });
+            if (entry.several_threads) registered->UseRealTime();
         }
         benchmark::RunSpecifiedBenchmarks(&fastest, ".*");
         benchmark::ClearRegisteredBenchmarks();
-        for (Entry* entry : taking_part) {
+        for (const auto& [entry, operations] : taking_part) {
             const auto [error, error_unit] = check(*entry->implementation);
             add({suite, name, entry->name, n, fastest.seconds.at(entry->name) / operations * 1e9, "ns", error,
                  error_unit});
@@ -100,7 +122,7 @@ public:
     }
 
     void add(Row row) {
-        std::printf("%-8s %-20s %-14s %9u %12.2f %-4s  error %.3g %s\n", row.suite.c_str(), row.name.c_str(),
+        std::printf("%-8s %-20s %-18s %9u %12.2f %-4s  error %.3g %s\n", row.suite.c_str(), row.name.c_str(),
                     row.implementation.c_str(), row.n, row.value, row.unit.c_str(), row.error, row.error_unit.c_str());
         std::fflush(stdout);
         rows_.push_back(std::move(row));
@@ -163,24 +185,42 @@ Check rays_right(const std::vector<gphys_ray>& rays, double tests_per_ray, Refer
 
 std::pair<double, std::string> unchecked(Implementation&) { return {0, "unchecked"}; }
 
+/// A part of the rays in which neighbours are still together: 8 by 8 rays of a camera are a tile.
+/// 61 is prime, so that the tiles come from all columns of the picture.
+std::vector<gphys_ray> every_61st_tile(const std::vector<gphys_ray>& rays) {
+    std::vector<gphys_ray> some;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        if (i / 64 % 61 == 0) some.push_back(rays[i]);
+    }
+    return some;
+}
+
+/// Closest hits of all rays, or of a part where all would take minutes.
+Task closest_hits(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) {
+    return [&rays, &answers, some = every_61st_tile(rays)](Implementation& i) -> double {
+        const std::vector<gphys_ray>& its_rays = i.is_slow() ? some : rays;
+        return i.closest(its_rays, answers) ? static_cast<double>(its_rays.size()) : 0;
+    };
+}
+
 void ray_cases(Bench& bench, const std::string& suite, const std::string& prefix, uint32_t n, float half,
                std::vector<Entry>& entries, double tests_per_ray, const std::function<Answer(const gphys_ray&)>& truth,
                bool with_any) {
     std::vector<Answer> answers;
-    const auto closest = [&](const std::vector<gphys_ray>& rays) {
-        return [&](Implementation& i) { return i.closest(rays, answers); };
-    };
     const std::vector<gphys_ray> random = random_rays(half, bench.ray_count(n));
-    bench.measure(suite, prefix + "_ray_random", n, static_cast<double>(random.size()), entries, closest(random),
-                  rays_right(random, tests_per_ray, truth));
-    const std::vector<gphys_ray> camera = camera_rays(half, 1024, 768);
-    bench.measure(suite, prefix + "_ray_camera", n, static_cast<double>(camera.size()), entries, closest(camera),
+    const auto closest_random = [task = closest_hits(random, answers)](Implementation& i) {
+        return i.wants_packets() ? 0 : task(i);
+    };
+    bench.measure(suite, prefix + "_ray_random", n, entries, closest_random, rays_right(random, tests_per_ray, truth));
+    const std::vector<gphys_ray> camera = bench.camera_rays(half);
+    bench.measure(suite, prefix + "_ray_camera", n, entries, closest_hits(camera, answers),
                   rays_right(camera, tests_per_ray, truth));
     if (!with_any) return;
     std::vector<int32_t> hits;
     bench.measure(
-        suite, prefix + "_ray_any", n, static_cast<double>(random.size()), entries,
-        [&](Implementation& i) { return i.any(random, hits); }, unchecked);
+        suite, prefix + "_ray_any", n, entries,
+        [&](Implementation& i) -> double { return !i.wants_packets() && i.any(random, hits) ? random.size() : 0; },
+        unchecked);
 }
 
 template <class... Content>
@@ -190,10 +230,19 @@ void load(std::vector<Entry>& entries, const Content&... content) {
     }
 }
 
+/// Embree's packets of eight: the same structure as without them, so that only rays are of interest.
+template <class Content>
+void add_packets([[maybe_unused]] std::vector<Entry>& entries, [[maybe_unused]] const Content& content) {
+#ifdef GAMEPHYS_BENCH_PEERS
+    entries.push_back({"embree_packets", make_embree(EmbreeMode::packets)});
+    entries.back().implementation->load(content);
+#endif
+}
+
 void report_memory(Bench& bench, const std::string& suite, const std::string& name, uint32_t n,
                    std::vector<Entry>& entries) {
     for (Entry& entry : entries) {
-        if (!entry.implementation || entry.implementation->memory() == 0) continue;
+        if (!entry.implementation || entry.several_threads || entry.implementation->memory() == 0) continue;
         bench.add(
             {suite, name, entry.name, n, static_cast<double>(entry.implementation->memory()) / n, "B", 0, "exact"});
     }
@@ -204,9 +253,11 @@ void scene_suite(Bench& bench) {
         const float half = half_side(n);
         const std::vector<gphys_obb> content = boxes(n);
         std::vector<Entry> entries = everybody();
+        entries.push_back(on_two_threads());
         bench.measure(
-            "scene", "build_scene", n, n, entries, [&](Implementation& i) { return i.load(content); }, unchecked);
+            "scene", "build_scene", n, entries, [&](Implementation& i) { return i.load(content) ? n : 0; }, unchecked);
         report_memory(bench, "scene", "memory_scene", n, entries);
+        add_packets(entries, content);
         ray_cases(
             bench, "scene", "scene", n, half, entries, n, [&](const gphys_ray& r) { return reference(content, r); },
             true);
@@ -236,9 +287,10 @@ void mesh_suite(Bench& bench) {
         const Triangles mesh = bumpy_sphere(level);
         std::vector<Entry> entries = everybody();
         bench.measure(
-            "mesh", "build_mesh", mesh.count(), mesh.count(), entries, [&](Implementation& i) { return i.load(mesh); },
-            unchecked);
+            "mesh", "build_mesh", mesh.count(), entries,
+            [&](Implementation& i) { return i.load(mesh) ? mesh.count() : 0; }, unchecked);
         report_memory(bench, "mesh", "memory_mesh", mesh.count(), entries);
+        add_packets(entries, mesh);
         ray_cases(
             bench, "mesh", "mesh", mesh.count(), 1.1f, entries, mesh.count(),
             [&](const gphys_ray& r) { return reference(mesh, r); }, false);
@@ -261,13 +313,14 @@ void query_suite(Bench& bench) {
         const std::vector<gphys_obb> content = boxes(n);
         const float half = half_side(n);
         std::vector<Entry> entries = everybody();
+        entries.push_back(on_two_threads());
         load(entries, content);
         uint64_t expected = 0, total = 0;
         const auto run = [&](const std::string& name, double operations,
                              const std::function<bool(Implementation&, uint64_t&)>& count) {
             count(*entries.front().implementation, expected);
             bench.measure(
-                "query", name, n, operations, entries, [&](Implementation& i) { return count(i, total); },
+                "query", name, n, entries, [&](Implementation& i) { return count(i, total) ? operations : 0; },
                 same_count(expected, count));
         };
         const std::vector<gphys_sphere> balls = query_spheres(half, 10000, 5);
@@ -292,11 +345,12 @@ void update_suite(Bench& bench) {
         frames.push_back(content);
     }
     std::vector<Entry> entries = everybody(true);
+    entries.push_back(on_two_threads());
     load(entries, boxes(n));
     size_t frame = 0;
     bench.measure(
-        "update", "update_all", n, n, entries,
-        [&](Implementation& i) { return i.move_all(frames[frame++ % frames.size()]); }, unchecked);
+        "update", "update_all", n, entries,
+        [&](Implementation& i) { return i.move_all(frames[frame++ % frames.size()]) ? n : 0; }, unchecked);
 
     // A hundred frames of motion, then rays; beside them a fresh build of the same boxes.
     for (uint64_t f = 16; f < 116; ++f) {
@@ -310,20 +364,18 @@ void update_suite(Bench& bench) {
     for (Entry& entry : fresh) entries.push_back({entry.name + "_fresh", std::move(entry.implementation)});
     std::vector<Answer> answers;
     const std::vector<gphys_ray> rays = random_rays(half_side(n), bench.ray_count(n));
-    bench.measure(
-        "update", "ray_after_update", n, static_cast<double>(rays.size()), entries,
-        [&](Implementation& i) { return i.closest(rays, answers); },
-        rays_right(rays, n, [&](const gphys_ray& r) { return reference(content, r); }));
+    bench.measure("update", "ray_after_update", n, entries, closest_hits(rays, answers),
+                  rays_right(rays, n, [&](const gphys_ray& r) { return reference(content, r); }));
 
     const uint32_t some = n / 100;
     uint32_t first = 0;
     const auto next = [&] { return first = (first + some) % (n - some); };
     bench.measure(
-        "update", "update_some", n, some, entries,
-        [&](Implementation& i) { return i.move_some(content, next(), some); }, unchecked);
+        "update", "update_some", n, entries,
+        [&](Implementation& i) { return i.move_some(content, next(), some) ? some : 0; }, unchecked);
     bench.measure(
-        "update", "replace_some", n, some, entries,
-        [&](Implementation& i) { return i.remove_and_insert(content, next(), some); }, unchecked);
+        "update", "replace_some", n, entries,
+        [&](Implementation& i) { return i.remove_and_insert(content, next(), some) ? some : 0; }, unchecked);
 }
 
 }  // namespace
