@@ -675,7 +675,8 @@ GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys
 /** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
  *  own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
  *  per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
- *  too many: the lowest. */
+ *  too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
+ *  as scratch memory to order them. */
 GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
                                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 

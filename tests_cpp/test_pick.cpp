@@ -143,9 +143,7 @@ TEST_CASE("whatever a pixel picks beyond the near plane, a rectangle around the 
             in_rectangle(camera, world.scene, x - 0.5, y - 0.5, x + 0.5, y + 0.5, GPHYS_ALL_LAYERS);
         REQUIRE(std::find(around.begin(), around.end(), hit.model) != around.end());
         std::vector<gphys_model_id> culled(1000);
-        Smallest<gphys_model_id> models(culled.data(), 1000);
-        cull(camera, world.scene, GPHYS_ALL_LAYERS, models);
-        culled.resize(models.finish());
+        culled.resize(cull(camera, world.scene, GPHYS_ALL_LAYERS, culled.data(), 1000));
         REQUIRE(std::is_sorted(culled.begin(), culled.end()));
         REQUIRE(std::find(culled.begin(), culled.end(), hit.model) != culled.end());
         // A superset of what the whole picture shows.

@@ -196,9 +196,14 @@ bool cull_agrees(RandomScene& world) {
     const Frustum frustum = widen(world.frustum());
     const uint32_t layers = random_layers(world);
     std::vector<gphys_model_id> found(1000);
-    Smallest<gphys_model_id> list(found.data(), 1000);
-    unwrap(world.scene)->cull(frustum, layers, list);
-    found.resize(list.finish());
+    found.resize(unwrap(world.scene)->cull(frustum, layers, found.data(), 1000));
+    // With less room, the lowest; whether or not there is some for ordering.
+    for (const size_t room : {found.size() / 2, found.size(), found.size() + 1, found.size() + 5}) {
+        std::vector<gphys_model_id> lowest(room);
+        const uint32_t total = unwrap(world.scene)->cull(frustum, layers, lowest.data(), static_cast<uint32_t>(room));
+        if (total != found.size()) return false;
+        if (!std::equal(found.begin(), found.begin() + std::min(room, found.size()), lowest.begin())) return false;
+    }
     for (const PlacedModel& model : world.models) {
         const bool kept = std::binary_search(found.begin(), found.end(), model.id);
         gphys_aabb box;

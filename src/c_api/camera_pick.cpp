@@ -21,11 +21,7 @@ bool is_pixel(float x, float y) { return std::fabs(x) <= GPHYS_MAX_COORDINATE &&
 template <class Find>
 gphys_status list_models(gphys_model_id* out, uint32_t capacity, uint32_t* out_total, Find&& find) {
     GPHYS_TRY(check_list(out, capacity, out_total));
-    return guarded([&] {
-        Smallest<gphys_model_id> models(out, capacity);
-        find(models);
-        return listed(models.finish(), capacity, out_total);
-    });
+    return guarded([&] { return listed(find(), capacity, out_total); });
 }
 
 }  // namespace
@@ -66,15 +62,16 @@ gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys
     GPHYS_REQUIRE(camera && scene, "camera or scene is null");
     GPHYS_REQUIRE(is_pixel(x0, y0) && is_pixel(x1, y1), "rectangle: not finite or out of range");
     GPHYS_REQUIRE(x0 != x1 && y0 != y1, "rectangle: has no area");
-    return list_models(out_models, capacity, out_total, [&](Smallest<gphys_model_id>& models) {
+    return list_models(out_models, capacity, out_total, [&] {
+        Smallest<gphys_model_id> models(out_models, capacity);
         pick_rectangle(*unwrap(camera), *unwrap(scene), x0, y0, x1, y1, layers, models);
+        return models.finish();
     });
 }
 
 gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* scene, uint32_t layers,
                                gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
     GPHYS_REQUIRE(camera && scene, "camera or scene is null");
-    return list_models(out_models, capacity, out_total, [&](Smallest<gphys_model_id>& models) {
-        cull(*unwrap(camera), *unwrap(scene), layers, models);
-    });
+    return list_models(out_models, capacity, out_total,
+                       [&] { return cull(*unwrap(camera), *unwrap(scene), layers, out_models, capacity); });
 }

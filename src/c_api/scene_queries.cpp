@@ -194,9 +194,8 @@ gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* fru
         GPHYS_REQUIRE(frustum, "frustum is null");
         GPHYS_REQUIRE_VALID(*frustum);
         GPHYS_TRY(check_list(out_models, capacity, out_total));
-        Smallest<gphys_model_id> models(out_models, capacity);
-        unwrap(scene)->cull(widen(*frustum), layers, models);
-        return listed(models.finish(), capacity, out_total);
+        const uint32_t total = unwrap(scene)->cull(widen(*frustum), layers, out_models, capacity);
+        return listed(total, capacity, out_total);
     });
 }
 

@@ -13,8 +13,8 @@ void pick_rectangle(const Camera& camera, const Scene& scene, double x0, double 
     scene.overlap(camera.frustum_of_pixels(x0, y0, x1, y1), layers, out);
 }
 
-void cull(const Camera& camera, const Scene& scene, uint32_t layers, Smallest<gphys_model_id>& out) {
-    scene.cull(camera.frustum(), layers, out);
+uint32_t cull(const Camera& camera, const Scene& scene, uint32_t layers, gphys_model_id* out, uint32_t capacity) {
+    return scene.cull(camera.frustum(), layers, out, capacity);
 }
 
 }  // namespace gphys

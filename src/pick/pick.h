@@ -15,6 +15,6 @@ void pick_rectangle(const Camera& camera, const Scene& scene, double x0, double 
                     uint32_t layers, Smallest<gphys_model_id>& out);
 
 /// The models whose boxes touch what the camera sees.
-void cull(const Camera& camera, const Scene& scene, uint32_t layers, Smallest<gphys_model_id>& out);
+uint32_t cull(const Camera& camera, const Scene& scene, uint32_t layers, gphys_model_id* out, uint32_t capacity);
 
 }  // namespace gphys

@@ -98,7 +98,8 @@ public:
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     /// World boxes that lie outside none of the six planes and of the frustum's own box, in
     /// arithmetic rounded outward: a superset of what the frustum sees.
-    void cull(const Frustum& frustum, uint32_t layers, Smallest<gphys_model_id>& out) const;
+    /// The lowest `capacity` ids, ascending; returns how many there are. Beyond them `out` is scratch.
+    uint32_t cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const;
     /// Candidates: models whose world box touches the box, and all unbounded ones. visit(id).
     template <class Visit>
     void for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const;
@@ -196,6 +197,7 @@ private:
     Vector<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
     Pool<Family> families_{&memory};
     Octree octree_{&memory};               // items are slots
+    uint32_t common_layers_ = ~0u;         // that each model is in; a change of layers may leave some out
     Vector<uint32_t> unbounded_{&memory};  // slots of planes: no octree holds them, and there are few
 
     // What is being moved; empty between calls, kept for its memory.

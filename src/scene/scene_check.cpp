@@ -26,6 +26,7 @@ const char* Scene::defect() const {
         const Model& model = models_[slot];
         if (model.moving || model.carried) return "a mark of a move was left behind";
 
+        if (common_layers_ & ~model.layers) return "a model is not in the layers common to all";
         Box box;
         if (place(slot, box)) return "a model stands where the scene cannot hold it";
         const bool is_plane = model.type() == GPHYS_SHAPE_PLANE;

@@ -112,6 +112,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         }
     }
 
+    common_layers_ = size() == 0 ? desc.layers : common_layers_ & desc.layers;
     for (uint32_t i = 0; i < count; ++i) {
         out_models[i] = ids_.add();
         if (!bounded) list_unbounded(slots[i]);
@@ -198,8 +199,10 @@ void Scene::clear() {
 
 gphys_status Scene::set_layers(gphys_model_id model, uint32_t layers) {
     const gphys_status status = check(model);
-    if (status == GPHYS_OK) models_[IdTable::slot_of(model)].layers = layers;
-    return status;
+    if (status != GPHYS_OK) return status;
+    models_[IdTable::slot_of(model)].layers = layers;
+    common_layers_ &= layers;
+    return GPHYS_OK;
 }
 
 gphys_status Scene::set_tag(gphys_model_id model, uint32_t tag) {

@@ -4,6 +4,7 @@
 
 #include "scene/quick_tests.h"
 #include "scene/scene.h"
+#include "scene/slot_set.h"
 #include "shapes/halfspaces.h"
 
 namespace gphys {
@@ -191,24 +192,46 @@ gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t laye
     return GPHYS_OK;
 }
 
-void Scene::cull(const Frustum& frustum, uint32_t layers, Smallest<gphys_model_id>& out) const {
-    for (const uint32_t slot : unbounded_) {
-        const Model& model = models_[slot];
-        if ((model.layers & layers) &&
-            with_shape(slot, [&](const auto& shape) { return overlaps_shape(shape, frustum); })) {
-            out.add(ids_.id(slot));
-        }
-    }
+uint32_t Scene::cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const {
     // The three axes of the boxes stand beside the six planes: without them a box behind the
     // viewer that crosses the planes of two sides would count.
     Box around;
     const bool bounded = gphys::bounds(frustum, around);
-    octree_.frustum(frustum, [&](uint32_t slot, bool) {
-        if ((models_[slot].layers & layers) && (!bounded || overlaps(octree_.box(slot), around))) {
-            out.add(ids_.id(slot));
+    const bool all_in_layers = (common_layers_ & layers) != 0;
+    const auto walk = [&](const auto& add) {
+        for (const uint32_t slot : unbounded_) {
+            if (!(models_[slot].layers & layers)) continue;
+            if (with_shape(slot, [&](const auto& shape) { return overlaps_shape(shape, frustum); })) add(slot);
         }
-        return true;
-    });
+        octree_.frustum(frustum, [&](uint32_t slot, bool wholly_inside) {
+            if (!all_in_layers && !(models_[slot].layers & layers)) return true;
+            if (wholly_inside || !bounded || overlaps(octree_.box(slot), around)) add(slot);
+            return true;
+        });
+    };
+
+    // Thousands of ids cost more to sort than to find. Where the array has room for it behind them,
+    // a set of their slots puts them in order.
+    const uint32_t words = SlotSet::words_for(ids_.slots());
+    if (capacity > words) {
+        SlotSet slots(out + (capacity - words), ids_.slots());
+        walk([&](uint32_t slot) { slots.add(slot); });
+        if (slots.size() <= capacity - words) {
+            gphys_model_id* end = out;
+            bool ascending = true;
+            slots.for_each([&](uint32_t slot) {
+                *end = ids_.id(slot);
+                ascending = ascending && (end == out || end[-1] < *end);
+                ++end;
+            });
+            // Slots that were used again have later generations.
+            if (!ascending) std::sort(out, end);
+            return slots.size();
+        }
+    }
+    Smallest<gphys_model_id> lowest(out, capacity);
+    walk([&](uint32_t slot) { lowest.add(ids_.id(slot)); });
+    return lowest.finish();
 }
 
 }  // namespace gphys
