@@ -1,9 +1,39 @@
 #include "foundation/memory.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 namespace gphys {
 
+namespace {
+
+/// Trees of this size are walked at random: with pages of 4 KiB each step would also miss the
+/// translation of its address.
+constexpr std::size_t huge_page = std::size_t{1} << 21;
+
+std::size_t alignment_for(std::size_t size, std::size_t alignment) {
+    return size >= huge_page ? std::max(alignment, huge_page) : alignment;
+}
+
+/// Only advice: without huge pages everything works as before.
+void advise(void* memory, std::size_t size) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    if (size >= huge_page) madvise(memory, size / huge_page * huge_page, MADV_HUGEPAGE);
+#else
+    (void)memory;
+    (void)size;
+#endif
+}
+
+}  // namespace
+
 void* Memory::do_allocate(std::size_t size, std::size_t alignment) {
-    if (!hooks_.allocate) return ::operator new(size, std::align_val_t(alignment));
+    if (!hooks_.allocate) {
+        void* memory = ::operator new(size, std::align_val_t(alignment_for(size, alignment)));
+        advise(memory, size);
+        return memory;
+    }
     void* memory = hooks_.allocate(hooks_.user, size, alignment);
     if (!memory) throw std::bad_alloc();
     return memory;
@@ -13,7 +43,7 @@ void Memory::do_deallocate(void* memory, std::size_t size, std::size_t alignment
     if (hooks_.release) {
         hooks_.release(hooks_.user, memory, size, alignment);
     } else {
-        ::operator delete(memory, std::align_val_t(alignment));
+        ::operator delete(memory, std::align_val_t(alignment_for(size, alignment)));
     }
 }
 
