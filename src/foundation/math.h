@@ -18,8 +18,11 @@ constexpr double pi = 3.14159265358979323846;
 struct Vec3 {
     double x = 0, y = 0, z = 0;
 
-    // A switch, not (&x)[axis]: that is undefined and was seen miscompiled.
-    constexpr double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+    // Not (&x)[axis]: that is undefined and was seen miscompiled. To read from a copy costs no branch.
+    constexpr double operator[](int axis) const {
+        const double all[] = {x, y, z};
+        return all[axis];
+    }
     constexpr double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
@@ -44,6 +47,12 @@ inline Vec3 abs(Vec3 a) { return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)
 inline Vec3 min(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 inline Vec3 max(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 inline double max_component(Vec3 a) { return std::max(a.x, std::max(a.y, a.z)); }
+
+/// The axis of the largest component, the first of equal ones.
+inline int longest_axis(Vec3 a) {
+    const Vec3 size = abs(a);
+    return size.z > std::max(size.x, size.y) ? 2 : size.y > size.x;
+}
 
 /// a / |a|; a must not be zero. Scaled first, so that lengths from 1e-300 to 1e300 survive.
 inline Vec3 normalized(Vec3 a) {

@@ -161,13 +161,13 @@ void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v) {
 }
 
 ShearedRay::ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direction), t_max(ray.t_max) {
-    const Vec3 size = abs(direction);
-    kz = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    kx = (kz + 1) % 3;
-    ky = (kz + 2) % 3;
-    if (direction[kz] < 0) std::swap(kx, ky);  // keeps the sense of rotation
-    sx = size[kz] > 0 ? direction[kx] / direction[kz] : 0;
-    sy = size[kz] > 0 ? direction[ky] / direction[kz] : 0;
+    kz = longest_axis(direction);
+    const double along = direction[kz];
+    const int next = kz == 2 ? 0 : kz + 1, last = kz == 0 ? 2 : kz - 1;
+    kx = along < 0 ? last : next;  // keeps the sense of rotation
+    ky = along < 0 ? next : last;
+    sx = along != 0 ? direction[kx] / along : 0;
+    sy = along != 0 ? direction[ky] / along : 0;
 }
 
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {

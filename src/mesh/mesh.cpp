@@ -38,7 +38,7 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     Triangle nearest_corners;
     // Asked for is always the ray as given: comparing hits, not cutting the ray short, is what makes
     // the answer independent of their order.
-    walk(ray, [&](const TrianglePacket& packet, uint32_t lanes, double& t_max) {
+    walk(sheared, [&](const TrianglePacket& packet, uint32_t lanes, double& t_max) {
         for_each_lane(lanes, [&](int lane) {
             const Triangle corners = packet.triangle(lane);
             const uint32_t index = packet.index[lane];
@@ -62,7 +62,7 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
 bool Mesh::raycast_any(const Ray& ray) const {
     const ShearedRay sheared(ray);
     bool found = false;
-    walk(ray, [&](const TrianglePacket& packet, uint32_t lanes, double& t_max) {
+    walk(sheared, [&](const TrianglePacket& packet, uint32_t lanes, double& t_max) {
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
             found = crosses(packet.triangle(lane), sheared, crossing);

@@ -62,7 +62,7 @@ private:
     /// Packets with triangles that the ray may hit, roughly nearest first: visit(packet, lanes, t_max)
     /// may lower t_max; a negative one ends the walk.
     template <class Visit>
-    void walk(const Ray& ray, Visit&& visit) const;
+    void walk(const ShearedRay& ray, Visit&& visit) const;
 
     template <class Visit>
     void for_each_overlap_of(const Plane& plane, Visit&& visit) const;
@@ -81,7 +81,7 @@ private:
 };
 
 template <class Visit>
-void Mesh::walk(const Ray& ray, Visit&& visit) const {
+void Mesh::walk(const ShearedRay& ray, Visit&& visit) const {
     if (packets_.empty()) return;
     struct Walk {
         const RayProbe along;
@@ -107,7 +107,7 @@ void Mesh::walk(const Ray& ray, Visit&& visit) const {
 template <class Visit>
 void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
     const ShearedRay sheared(ray);
-    walk(ray, [&](const TrianglePacket& packet, uint32_t lanes, double&) {
+    walk(sheared, [&](const TrianglePacket& packet, uint32_t lanes, double&) {
         for_each_lane(lanes, [&](int lane) {
             const Triangle corners = packet.triangle(lane);
             TriangleCrossing crossing;

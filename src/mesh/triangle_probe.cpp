@@ -16,40 +16,32 @@ namespace gphys {
 // 4 r e + 2 e^2 for the coordinates and by 4 u r^2 for its own three roundings. As r < 2 R + e, that
 // is at most 1.4 r e for most of them: 6 e (r + e) has room for what remains and for computing it.
 //
-// Numbers below 2^-126 may be flushed to zero by the host: each coordinate may be off by three such
+// Numbers below 2^-126 may be flushed to zero by the host: each coordinate may be off by four such
 // flushes, each volume by three more.
 //
 // Nothing overflows: the root is within 2^53 of the beginning, coordinates stay below 2^55 and
 // volumes below 2^111.
-TriangleProbe::TriangleProbe(const Ray& ray, const RayProbe& along, const Box& root) {
-    const Vec3 size = abs(ray.direction);
-    const int kz = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    axis[0] = (kz + 1) % 3;
-    axis[1] = (kz + 2) % 3;
-    axis[2] = kz;
-    forward = ray.direction[kz] >= 0;
-    if (size[kz] == 0 || !along.excludes()) {  // no ray to shear along, or one that is beyond floats
+TriangleProbe::TriangleProbe(const ShearedRay& ray, const RayProbe& along, const Box& root)
+    : axis{ray.kx, ray.ky, ray.kz}, forward(ray.direction[ray.kz] >= 0) {
+    if (ray.direction[ray.kz] == 0 || !along.excludes()) {  // nothing to shear along, or beyond floats
         for (int k = 0; k < 3; ++k) origin[k] = 0;
         slope[0] = slope[1] = 0;
         margin = error = 0x1p120f;
         error_slope = 0;
         return;
     }
-    const Vec3 across = ray.direction / size[kz];
     double off = 0, reach = 0;
     for (int k = 0; k < 3; ++k) {
-        const int from = axis[k];
-        const double begin = ray.origin[from] + across[from] * along.start();
+        const double begin = along.begin[axis[k]];
         origin[k] = static_cast<float>(begin);
         off = std::max(off, std::fabs(begin - origin[k]));
-        reach = std::max({reach, root.max[from] - begin, begin - root.min[from]});
+        reach = std::max({reach, root.max[axis[k]] - begin, begin - root.min[axis[k]]});
     }
-    for (int k = 0; k < 2; ++k) {
-        slope[k] = static_cast<float>(forward ? across[axis[k]] : -across[axis[k]]);
-    }
+    slope[0] = static_cast<float>(ray.sx);
+    slope[1] = static_cast<float>(ray.sy);
     constexpr double u = 0x1p-24, flushed = 0x1p-124;
     const double e = 2.01 * (off + along.slack()) + 6.1 * u * reach + flushed;
-    margin = static_cast<float>(e * 1.001);
+    margin = static_cast<float>(e * (1 + 2 * u));
     error_slope = static_cast<float>(6 * e);
     error = static_cast<float>(6 * e * e + flushed);
 }

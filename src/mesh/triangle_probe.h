@@ -2,15 +2,16 @@
 // (triangle_test.h). It may keep a triangle that the ray misses, never the reverse.
 #pragma once
 
+#include "intersect/intersect.h"
 #include "octree/box8.h"
 
 namespace gphys {
 
 struct TriangleProbe {
     /// `along` is the same ray's probe of boxes in `root`, and meets some of them.
-    TriangleProbe(const Ray& ray, const RayProbe& along, const Box& root);
+    TriangleProbe(const ShearedRay& ray, const RayProbe& along, const Box& root);
 
-    int axis[3];        // across the ray twice, and the one along which its direction is longest
+    int axis[3];        // kx, ky, kz of the sheared ray
     float origin[3];    // on these axes
     float slope[2];     // of the direction across, per step along
     bool forward;       // the direction along is positive

@@ -27,10 +27,10 @@ double rounding_slack(double w) { return 0x1p-48 * w + std::numeric_limits<float
 // and s = m t, so that |d| <= 1 and |d| = 1 on one axis, the main one. The origin is moved forward
 // to where the main axis enters the root box, which keeps all numbers as small as the tree.
 //
-// Let u = 2^-24. For d > 0 the entry into a box is (min - o) / d. With o rounded up to a float and
+// Let u = 2^-24. For d > 0 the entry into a box is (min - o) / d. With o moved up to a float and
 // 1 / d rounded to a float, the computed value is the quotient of a smaller difference times
 // (1 + e)^3 with |e| <= u: one rounding each of the difference, the inverse and the product. It
-// exceeds the true entry at most by the factor 1 + 3u + O(u^2). With o rounded down, the exit
+// exceeds the true entry at most by the factor 1 + 3u + O(u^2). With o moved down, the exit
 // (max - o) / d falls short of the true one at most by the factor 1 - 3u - O(u^2). A ray that meets
 // the box has entry <= exit in truth; hence computed entry <= computed exit * (1 + 7u), where one
 // more u is the rounding of that product: the factor in hits() is 1 + 8u. For d < 0 the roles of the
@@ -43,14 +43,11 @@ double rounding_slack(double w) { return 0x1p-48 * w + std::numeric_limits<float
 // is in front of the near one, entry < 0, and at least slack / 2 behind the far one: the exit is
 // beyond 2^-49 w * 2^68 > span, and this axis lets the box pass. Components of exactly zero need no
 // other case.
-RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root) {
-    const Vec3 magnitude = abs(direction);
-    scale_ = max_component(magnitude);
+RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
+    : begin{origin.x, origin.y, origin.z}, scale_(max_component(abs(direction))) {
     const double extent = largest_coordinate(root);
     slack_ = rounding_slack(std::max({extent, max_component(abs(origin)), radius}));
     const double margin = radius + slack_;
-    const Vec3 d = scale_ > 0 ? direction / scale_ : Vec3{};
-
     // Beyond this the margin alone is wider than any tree: no box can be excluded.
     everything_ = margin > 0x1p53;
     if (everything_) {
@@ -64,26 +61,30 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root) 
         return;
     }
 
+    const Vec3 unit = scale_ > 0 ? direction / scale_ : Vec3{};
+    const double d[3] = {unit.x, unit.y, unit.z};
     if (scale_ > 0) {
-        const int main = magnitude.x == scale_ ? 0 : magnitude.y == scale_ ? 1 : 2;
-        const double ahead = d[main] > 0 ? root.min[main] - origin[main] : origin[main] - root.max[main];
-        start_ = std::max(0.0, ahead - margin);
-        origin += d * start_;
-        span_ = (d[main] > 0 ? root.max[main] - origin[main] : origin[main] - root.min[main]) + margin;
+        const int main = longest_axis(direction);
+        const float* face[2] = {root.min, root.max};
+        const bool backward = d[main] < 0;
+        start_ = std::max(0.0, (face[backward][main] - begin[main]) * d[main] - margin);
+        for (int k = 0; k < 3; ++k) begin[k] += d[k] * start_;
+        span_ = (face[!backward][main] - begin[main]) * d[main] + margin;
     }
-    for (int k = 0; k < 3; ++k) {
-        // From further away the ray cannot come back to the root within its span.
-        if (std::fabs(origin[k]) > extent + span_ + margin) span_ = -1;
-    }
-    if (span_ < 0) origin = {};
+    // From further away the ray cannot come back to the root within its span.
+    const double furthest = std::max({std::fabs(begin[0]), std::fabs(begin[1]), std::fabs(begin[2])});
+    if (furthest > extent + span_ + margin) span_ = -1;
+    if (span_ < 0) begin[0] = begin[1] = begin[2] = 0;
     for (int k = 0; k < 3; ++k) {
         const bool drifts = std::fabs(d[k]) < 0x1p-68;
-        const float low = round_down(origin[k] - margin), high = round_up(origin[k] + margin);
-        const bool forward = drifts || d[k] > 0;
-        near_row[k] = forward ? k : 3 + k;
-        far_row[k] = forward ? 3 + k : k;
-        near_origin[k] = forward ? high : low;
-        far_origin[k] = forward ? low : high;
+        // Widened by what rounding to float may take back.
+        const double width = margin + 0x1p-23 * (std::fabs(begin[k]) + margin);
+        const float sides[2] = {static_cast<float>(begin[k] - width), static_cast<float>(begin[k] + width)};
+        const int backward = !drifts & (d[k] < 0);
+        near_row[k] = k + 3 * backward;
+        far_row[k] = k + 3 * !backward;
+        near_origin[k] = sides[!backward];
+        far_origin[k] = sides[backward];
         inverse[k] = drifts ? 0x1p68f : static_cast<float>(1 / d[k]);
     }
 }
@@ -96,7 +97,7 @@ float RayProbe::limit(double t_max) const {
     if (everything_) return 0x1p100f;
     const double s = scale_ > 0 ? std::min(t_max * scale_ - start_, span_) : 0;
     const double end = s + slack_;
-    return end < 0 ? -1 : round_up(end * (1 + 16 * unit_roundoff));
+    return end < 0 ? -1 : static_cast<float>(end * (1 + 17 * unit_roundoff));
 }
 
 // The gap on each axis is computed between the box and the interval of floats around the point:

@@ -36,9 +36,7 @@ struct RayProbe {
     /// `root` encloses all boxes that will be tested.
     RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root);
 
-    /// Where the tests begin, in the unit of limit(): before it the ray meets no box.
-    double start() const { return start_; }
-    /// What the query's own arithmetic may be off by, in that unit and on each axis.
+    /// What the query's own arithmetic may be off by on each axis.
     double slack() const { return slack_; }
     /// False if the query is so large that the tests let every box pass.
     bool excludes() const { return !everything_; }
@@ -50,6 +48,7 @@ struct RayProbe {
     // seen from each, and one over the direction.
     int near_row[3], far_row[3];
     float near_origin[3], far_origin[3], inverse[3];
+    double begin[3];  // the origin, moved forward to the root box
 
 private:
     double scale_;  // of t
