@@ -19,9 +19,9 @@ struct Arrays {
         return {reinterpret_cast<const float*>(vertices.data()), sizeof(gphys_vec3),
                 static_cast<uint32_t>(vertices.size()), indices.data(), static_cast<uint32_t>(indices.size())};
     }
-    gphys::Mesh* make(const gphys_allocator* hooks = nullptr) const {
+    gphys::Mesh* make(const gphys_allocator* hooks = nullptr, gphys::Isa isa = gphys::chosen_isa()) const {
         gphys::Memory memory(hooks);
-        return gphys::create<gphys::Mesh>(hooks, view(), gphys::examine(view(), &memory));
+        return gphys::create<gphys::Mesh>(hooks, view(), gphys::examine(view(), &memory), isa);
     }
     /// x -> offset + scale * x for each axis.
     Arrays placed(gphys::Vec3 offset, gphys::Vec3 scale) const {
@@ -33,6 +33,16 @@ struct Arrays {
         return result;
     }
 };
+
+/// The instruction sets that this processor has.
+inline std::vector<gphys::Isa> isas() {
+    std::vector<gphys::Isa> all;
+#define GPHYS_TEST_ISA(set) \
+    if (gphys::has(gphys::Isa::set)) all.push_back(gphys::Isa::set);
+    GPHYS_FOR_EACH_ISA(GPHYS_TEST_ISA)
+#undef GPHYS_TEST_ISA
+    return all;
+}
 
 /// The unit sphere: an octahedron whose faces are cut in four `levels` times.
 inline Arrays sphere(int levels) {

@@ -15,7 +15,9 @@ namespace {
 constexpr int trapped_exceptions = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
 
 using MeshHolder = std::unique_ptr<const Mesh, void (*)(const Mesh*)>;
-MeshHolder hold(const test::Arrays& arrays) { return {arrays.make(), Mesh::release}; }
+MeshHolder hold(const test::Arrays& arrays, Isa isa = chosen_isa()) {
+    return {arrays.make(nullptr, isa), Mesh::release};
+}
 
 /// The meshes on which answers are compared with those of a loop over all triangles.
 struct NamedArrays {
@@ -149,6 +151,44 @@ TEST_CASE("a mesh ray gives, bit for bit, the nearest of all triangles") {
             for (size_t k = 0; k < all.size(); ++k) REQUIRE(same_bits(all[k], expected[k]));
         }
         REQUIRE((mesh->triangle_count() < 2 || hit_count > 500));
+    }
+}
+
+TEST_CASE("rays in groups of any size and direction get what each would get alone, on every processor") {
+    test::Random random(9);
+    for (const NamedArrays& named : hard_meshes()) {
+        const MeshHolder expected = hold(named.arrays);
+        const Vec3 centre = centre_of(named);
+        for (const Isa isa : test::isas()) {
+            INFO(named.name << ", " << name_of(isa));
+            const MeshHolder mesh = hold(named.arrays, isa);
+            for (int i = 0; i < 300; ++i) {
+                // Unrelated rays; into one octant; from one eye past a few neighbouring points.
+                const int kind = i % 3;
+                const uint32_t count = 1 + random.index(Mesh::group);
+                Ray rays[Mesh::group];
+                for (Ray& ray : rays) {
+                    ray = random_ray(random, *mesh, centre, named.size);
+                    if (kind == 1) ray.direction = abs(ray.direction);
+                    if (kind == 2 && &ray != rays) {
+                        const Vec3 aside = random.direction() * (0.05 * max_component(abs(rays[0].direction)));
+                        ray = {rays[0].origin, widen(narrow(rays[0].direction + aside)), rays[0].t_max};
+                    }
+                }
+                Hit hits[Mesh::group];
+                std::feclearexcept(FE_ALL_EXCEPT);
+                const uint32_t found = mesh->raycast(rays, count, hits);
+                REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+                for (uint32_t k = 0; k < count; ++k) {
+                    Hit hit, alone;
+                    const bool hits_alone = expected->raycast(rays[k], hit);
+                    REQUIRE((found >> k & 1) == uint32_t{hits_alone});
+                    REQUIRE(mesh->raycast(rays[k], alone) == hits_alone);
+                    if (hits_alone) REQUIRE((same_bits(hits[k], hit) && same_bits(alone, hit)));
+                }
+                REQUIRE(found >> count == 0);
+            }
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 // Rays, segments and sweeps against one shape or mesh.
-#include "mesh/mesh.h"
 #include "c_api/shape_input.h"
+#include "mesh/mesh.h"
 
 namespace gphys {
 namespace {
@@ -42,9 +42,20 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape,
         const Strided<gphys_ray> each(rays, ray_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
         for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
+        if (target.mesh) {
+            for (uint32_t first = 0; first < count; first += Mesh::group) {
+                const uint32_t size = std::min(count - first, Mesh::group);
+                Ray group[Mesh::group];
+                Hit hits[Mesh::group];
+                for (uint32_t i = 0; i < size; ++i) group[i] = widen(each[first + i]);
+                const uint32_t found = target.mesh->raycast(group, size, hits);
+                for (uint32_t i = 0; i < size; ++i) out[first + i] = found >> i & 1 ? to_hit(hits[i]) : no_hit();
+            }
+            return GPHYS_OK;
+        }
         for (uint32_t i = 0; i < count; ++i) {
             Hit hit;
-            out[i] = raycast(target, widen(each[i]), hit) ? to_hit(hit) : no_hit();
+            out[i] = raycast(target.shape, widen(each[i]), hit) ? to_hit(hit) : no_hit();
         }
         return GPHYS_OK;
     });

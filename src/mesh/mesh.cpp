@@ -1,5 +1,7 @@
 #include "mesh/mesh.h"
 
+#include <optional>
+
 namespace gphys {
 
 Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa)
@@ -32,43 +34,51 @@ gphys_octree_stats Mesh::octree_stats() const {
 }
 
 bool Mesh::raycast(const Ray& ray, Hit& hit) const {
-    const ShearedRay sheared(ray);
-    TriangleCrossing first{infinity, 0, 0, 0};
-    uint32_t nearest = GPHYS_NO_TRIANGLE;
-    Triangle nearest_corners;
-    // Asked for is always the ray as given: comparing hits, not cutting the ray short, is what makes
-    // the answer independent of their order.
-    walk(sheared, [&](const TrianglePacket& packet, uint32_t lanes, double& t_max) {
-        for_each_lane(lanes, [&](int lane) {
-            const Triangle corners = packet.triangle(lane);
-            const uint32_t index = packet.index[lane];
-            TriangleCrossing crossing;
-            if (!crosses(corners, sheared, crossing)) return true;
-            if (crossing.t < first.t || (crossing.t == first.t && index < nearest)) {
-                first = crossing;
-                nearest = index;
-                nearest_corners = corners;
-                t_max = first.t;
-            }
-            return true;
-        });
+    MeshRay mesh_ray(ray, bounds());
+    walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
+        mesh_ray.meet(packet, lanes);
+        return mesh_ray.limit();
     });
-    if (nearest == GPHYS_NO_TRIANGLE) return false;
-    hit = hit_at(nearest_corners, sheared, first);
-    hit.triangle = nearest;
-    return true;
+    return mesh_ray.result(hit);
+}
+
+uint32_t Mesh::raycast(const Ray* rays, uint32_t count, Hit hits[group]) const {
+    if (packets_.empty()) return 0;
+    // All are prepared first: their arithmetic overlaps, which that of one ray and its walk does not.
+    std::optional<MeshRay> prepared[group];
+    const Box root = bounds();
+    const RayProbe* along[group] = {};
+    const TriangleProbe* probes[group] = {};
+    float limits[group] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    for (uint32_t i = 0; i < count; ++i) {
+        const MeshRay& ray = prepared[i].emplace(rays[i], root);
+        along[i] = &ray.along();
+        probes[i] = &ray.probe();
+        limits[i] = ray.limit();
+    }
+    const auto meet = [](void* context, int ray, const TrianglePacket& packet, uint32_t lanes) {
+        MeshRay& meeting = *static_cast<std::optional<MeshRay>*>(context)[ray];
+        meeting.meet(packet, lanes);
+        return meeting.limit();
+    };
+    kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), along, probes, count, limits, {meet, prepared});
+    uint32_t found = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        if (prepared[i]->result(hits[i])) found |= 1u << i;
+    }
+    return found;
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {
-    const ShearedRay sheared(ray);
+    const MeshRay mesh_ray(ray, bounds());
     bool found = false;
-    walk(sheared, [&](const TrianglePacket& packet, uint32_t lanes, double& t_max) {
+    walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
-            found = crosses(packet.triangle(lane), sheared, crossing);
+            found = mesh_ray.crosses(packet.triangle(lane), crossing);
             return !found;
         });
-        if (found) t_max = -1;
+        return found ? -1 : mesh_ray.limit();
     });
     return found;
 }

@@ -8,8 +8,8 @@
 
 #include <atomic>
 
-#include "intersect/intersect.h"
 #include "mesh/mesh_kernels.h"
+#include "mesh/mesh_ray.h"
 #include "octree/octree.h"
 
 namespace gphys {
@@ -43,6 +43,10 @@ public:
     void for_each_box(Visit&& visit) const;
 
     bool raycast(const Ray& ray, Hit& hit) const;
+    /// Up to `group` rays, with the same answers: bit i of the result is set if ray i hits. Faster
+    /// than one by one, the more so if they go the same way.
+    static constexpr uint32_t group = 8;
+    uint32_t raycast(const Ray* rays, uint32_t count, Hit hits[group]) const;
     bool raycast_any(const Ray& ray) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>
@@ -59,10 +63,10 @@ public:
     Memory memory;
 
 private:
-    /// Packets with triangles that the ray may hit, roughly nearest first: visit(packet, lanes, t_max)
-    /// may lower t_max; a negative one ends the walk.
+    /// Packets with triangles that the ray may hit, roughly nearest first: visit(packet, lanes) returns
+    /// the new limit; a negative one ends the walk.
     template <class Visit>
-    void walk(const ShearedRay& ray, Visit&& visit) const;
+    void walk(const MeshRay& ray, Visit&& visit) const;
 
     template <class Visit>
     void for_each_overlap_of(const Plane& plane, Visit&& visit) const;
@@ -81,42 +85,30 @@ private:
 };
 
 template <class Visit>
-void Mesh::walk(const ShearedRay& ray, Visit&& visit) const {
+void Mesh::walk(const MeshRay& ray, Visit&& visit) const {
     if (packets_.empty()) return;
-    struct Walk {
-        const RayProbe along;
-        std::remove_reference_t<Visit>& visit;
-        double t_max;
-        float limit;
-    };
-    const Box root = bounds();
-    Walk walk{RayProbe(ray.origin, ray.direction, 0, root), visit, ray.t_max, 0};
-    walk.limit = walk.along.limit(ray.t_max);
-    if (!(walk.limit >= 0)) return;
+    using Function = std::remove_reference_t<Visit>;
     const auto step = [](void* context, const TrianglePacket& packet, uint32_t lanes) {
-        Walk& w = *static_cast<Walk*>(context);
-        const double before = w.t_max;
-        w.visit(packet, lanes, w.t_max);
-        if (w.t_max != before) w.limit = w.along.limit(w.t_max);
-        return w.limit;
+        return (*static_cast<Function*>(context))(packet, lanes);
     };
-    kernels_.ray(octree_.nodes(), octree_.root(), packets_.data(), walk.along, TriangleProbe(ray, walk.along, root),
-                 walk.limit, {step, &walk});
+    kernels_.ray(octree_.nodes(), octree_.root(), packets_.data(), ray.along(), ray.probe(), ray.limit(),
+                 {step, const_cast<void*>(static_cast<const void*>(&visit))});
 }
 
 template <class Visit>
 void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
-    const ShearedRay sheared(ray);
-    walk(sheared, [&](const TrianglePacket& packet, uint32_t lanes, double&) {
+    const MeshRay mesh_ray(ray, bounds());
+    walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
             const Triangle corners = packet.triangle(lane);
             TriangleCrossing crossing;
-            if (!crosses(corners, sheared, crossing)) return true;
-            Hit hit = hit_at(corners, sheared, crossing);
+            if (!mesh_ray.crosses(corners, crossing)) return true;
+            Hit hit = mesh_ray.hit_at(corners, crossing);
             hit.triangle = packet.index[lane];
             visit(hit);
             return true;
         });
+        return mesh_ray.limit();
     });
 }
 

@@ -8,6 +8,13 @@
 
 namespace gphys::GPHYS_ISA {
 
+/// Unused lanes come last; they would be hit with lane 0.
+inline uint32_t used_lanes(const TrianglePacket& packet) {
+    uint32_t used = 0xff;
+    for (int lane = 8; packet.index[--lane] == TrianglePacket::none;) used >>= 1;
+    return used;
+}
+
 class TriangleTest {
 public:
     explicit TriangleTest(const TriangleProbe& probe)
@@ -43,7 +50,9 @@ public:
         const Mask8 around = (splat(0) - error <= lowest) | (highest <= error);
         const float low = forward_ ? -margin_ : -limit - margin_;
         const float high = forward_ ? limit + margin_ : margin_;
-        return bits(around & (splat(low) <= max3(z[0], z[1], z[2])) & (min3(z[0], z[1], z[2]) <= splat(high)));
+        const uint32_t hits =
+            bits(around & (splat(low) <= max3(z[0], z[1], z[2])) & (min3(z[0], z[1], z[2]) <= splat(high)));
+        return hits == 0 ? 0 : hits & used_lanes(packet);
     }
 
 private:
