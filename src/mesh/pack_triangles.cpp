@@ -21,33 +21,41 @@ Box bounds_of(const gphys_vec3& a, const gphys_vec3& b, const gphys_vec3& c) {
             {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
 
+/// Where each of a few values stands among them; equal ones stay in order. To compare all with all
+/// takes no unpredictable branch.
+void rank_all(const float* values, int count, int* rank) {
+    for (int i = 0; i < count; ++i) {
+        int below = 0;
+        for (int k = 0; k < i; ++k) below += values[k] <= values[i];
+        for (int k = i + 1; k < count; ++k) below += values[k] < values[i];
+        rank[i] = below;
+    }
+}
+
 /// Of all cuts with a full packet's multiple on one side, the one of least expected cost.
 BoxedItem* split_into_full_packets(BoxedItem* first, BoxedItem* last) {
-    struct Place {
-        float centre;
-        int index;
-    };
     const int count = static_cast<int>(last - first);
-    Place order[3][few];
+    int order[3][few];
     double least = infinity;
     int best_axis = 0, best_cut = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        Place* places = order[axis];
-        for (int i = 0; i < count; ++i) places[i] = {first[i].box.min[axis] + first[i].box.max[axis], i};
-        std::sort(places, places + count, [](const Place& a, const Place& b) {
-            return a.centre < b.centre || (a.centre == b.centre && a.index < b.index);
-        });
+        float centres[few];
+        int rank[few];
+        for (int i = 0; i < count; ++i) centres[i] = first[i].box.min[axis] + first[i].box.max[axis];
+        rank_all(centres, count, rank);
+        int* places = order[axis];
+        for (int i = 0; i < count; ++i) places[rank[i]] = i;
         const auto fills = [&](int cut) { return cut % lanes == 0 || (count - cut) % lanes == 0; };
         const auto packets = [](int n) { return (n + lanes - 1) / lanes; };
         double cost_above[few];
         Box box;
         for (int cut = count; cut-- > 1;) {
-            box.include(first[places[cut].index].box);
+            box.include(first[places[cut]].box);
             if (fills(cut)) cost_above[cut] = half_area(box) * packets(count - cut);
         }
         box = Box();
         for (int cut = 1; cut < count; ++cut) {
-            box.include(first[places[cut - 1].index].box);
+            box.include(first[places[cut - 1]].box);
             if (!fills(cut)) continue;
             const double cost = half_area(box) * packets(cut) + cost_above[cut];
             if (cost < least) {
@@ -58,7 +66,7 @@ BoxedItem* split_into_full_packets(BoxedItem* first, BoxedItem* last) {
         }
     }
     BoxedItem sorted[few];
-    for (int i = 0; i < count; ++i) sorted[i] = first[order[best_axis][i].index];
+    for (int i = 0; i < count; ++i) sorted[i] = first[order[best_axis][i]];
     std::copy(sorted, sorted + count, first);
     return first + best_cut;
 }

@@ -61,8 +61,9 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
         return;
     }
 
-    const Vec3 unit = scale_ > 0 ? direction / scale_ : Vec3{};
-    const double d[3] = {unit.x, unit.y, unit.z};
+    const double to_unit = scale_ > 0 ? 1 / scale_ : 0;
+    const double towards[3] = {direction.x, direction.y, direction.z};
+    const double d[3] = {towards[0] * to_unit, towards[1] * to_unit, towards[2] * to_unit};
     if (scale_ > 0) {
         const int main = longest_axis(direction);
         const float* face[2] = {root.min, root.max};
@@ -85,7 +86,7 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
         far_row[k] = k + 3 * !backward;
         near_origin[k] = sides[!backward];
         far_origin[k] = sides[backward];
-        inverse[k] = drifts ? 0x1p68f : static_cast<float>(1 / d[k]);
+        inverse[k] = drifts ? 0x1p68f : static_cast<float>(scale_ / towards[k]);
     }
 }
 
