@@ -7,10 +7,8 @@ namespace {
 constexpr double unit_roundoff = 0x1p-24;  // of float
 
 double largest_coordinate(const Box& box) {
-    double largest = 0;
-    for (int k = 0; k < 3; ++k) {
-        largest = std::max({largest, std::fabs(double{box.min[k]}), std::fabs(double{box.max[k]})});
-    }
+    float largest = 0;
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::max(std::fabs(box.min[k]), std::fabs(box.max[k])));
     return largest;
 }
 
@@ -37,16 +35,16 @@ double rounding_slack(double w) { return 0x1p-48 * w + std::numeric_limits<float
 // two faces and the two roundings change places.
 //
 // An axis with |d| < 2^-68 has an inverse too large for float: differences of up to 2^57 are to be
-// multiplied by it. It is treated as d = 2^-68. On it the ray moves by less than 2^-68 span within
+// multiplied by it. It is treated as d = 2^-68 with the same sign. On it the ray moves by less than 2^-68 span within
 // the root, which is span long on the main axis: far less than the slack by which the origin is
 // widened, 2^-48 w, as span < 8 w. So if the ray meets the box, then to the float origins the box
 // is in front of the near one, entry < 0, and at least slack / 2 behind the far one: the exit is
 // beyond 2^-49 w * 2^68 > span, and this axis lets the box pass. Components of exactly zero need no
 // other case.
 RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
-    : begin{origin.x, origin.y, origin.z}, scale_(max_component(abs(direction))) {
+    : scale_(max_component(abs(direction))) {
     const double extent = largest_coordinate(root);
-    slack_ = rounding_slack(std::max({extent, max_component(abs(origin)), radius}));
+    slack_ = rounding_slack(std::max(std::max(extent, radius), max_component(abs(origin))));
     const double margin = radius + slack_;
     // Beyond this the margin alone is wider than any tree: no box can be excluded.
     everything_ = margin > 0x1p53;
@@ -57,37 +55,41 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
             near_origin[k] = 0x1p56f;
             far_origin[k] = -0x1p56f;
             inverse[k] = 0x1p68f;
+            begin[k] = 0;
         }
         return;
     }
 
     const double to_unit = scale_ > 0 ? 1 / scale_ : 0;
-    const double towards[3] = {direction.x, direction.y, direction.z};
-    const double d[3] = {towards[0] * to_unit, towards[1] * to_unit, towards[2] * to_unit};
+    const Vec3 d = direction * to_unit;
     if (scale_ > 0) {
         const int main = longest_axis(direction);
         const float* face[2] = {root.min, root.max};
-        const bool backward = d[main] < 0;
-        start_ = std::max(0.0, (face[backward][main] - begin[main]) * d[main] - margin);
-        for (int k = 0; k < 3; ++k) begin[k] += d[k] * start_;
-        span_ = (face[!backward][main] - begin[main]) * d[main] + margin;
+        const int backward = direction[main] < 0;
+        const double sense = 1 - 2 * backward;
+        start_ = std::max(0.0, (face[backward][main] - origin[main]) * sense - margin);
+        origin += d * start_;
+        span_ = (face[1 - backward][main] - origin[main]) * sense + margin;
     }
     // From further away the ray cannot come back to the root within its span.
-    const double furthest = std::max({std::fabs(begin[0]), std::fabs(begin[1]), std::fabs(begin[2])});
-    if (furthest > extent + span_ + margin) span_ = -1;
-    if (span_ < 0) begin[0] = begin[1] = begin[2] = 0;
-    for (int k = 0; k < 3; ++k) {
-        const bool drifts = std::fabs(d[k]) < 0x1p-68;
+    if (max_component(abs(origin)) > extent + span_ + margin) span_ = -1;
+    if (span_ < 0) origin = {};
+    const auto prepare = [&](int k, double from, double along, double component) {
+        begin[k] = from;
         // Widened by what rounding to float may take back.
-        const double width = margin + 0x1p-23 * (std::fabs(begin[k]) + margin);
-        const float sides[2] = {static_cast<float>(begin[k] - width), static_cast<float>(begin[k] + width)};
-        const int backward = !drifts & (d[k] < 0);
+        const double width = std::copysign(margin + 0x1p-23 * (std::fabs(from) + margin), along);
+        const int backward = std::signbit(along);
         near_row[k] = k + 3 * backward;
-        far_row[k] = k + 3 * !backward;
-        near_origin[k] = sides[!backward];
-        far_origin[k] = sides[backward];
-        inverse[k] = drifts ? 0x1p68f : static_cast<float>(scale_ / towards[k]);
-    }
+        far_row[k] = k + 3 - 3 * backward;
+        near_origin[k] = static_cast<float>(from + width);
+        far_origin[k] = static_cast<float>(from - width);
+        const bool drifts = std::fabs(along) < 0x1p-68;
+        inverse[k] =
+            drifts ? std::copysign(0x1p68f, static_cast<float>(along)) : static_cast<float>(scale_ / component);
+    };
+    prepare(0, origin.x, d.x, direction.x);
+    prepare(1, origin.y, d.y, direction.y);
+    prepare(2, origin.z, d.z, direction.z);
 }
 
 // A computed entry exceeds the true one by a factor of at most 1 + 4u. The rest of the 16u is for
