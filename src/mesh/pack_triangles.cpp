@@ -72,13 +72,13 @@ BoxedItem* split_into_full_packets(BoxedItem* first, BoxedItem* last) {
 }
 
 /// Put the items in order and note where each packet ends.
-void cut_into_packets(BoxedItem* first, BoxedItem* last, int level, Vector<BoxedItem*>& ends) {
+void cut_into_packets(BoxedItem* first, BoxedItem* last, int level, BoxedItem* scratch, Vector<BoxedItem*>& ends) {
     while (last - first > lanes) {
         ++level;
         BoxedItem* middle = last - first <= few   ? split_into_full_packets(first, last)
-                            : level < cost_levels ? split_by_cost(first, last)
+                            : level < cost_levels ? split_by_cost(first, last, scratch)
                                                   : split_by_count(first, last);
-        cut_into_packets(first, middle, level, ends);
+        cut_into_packets(first, middle, level, scratch, ends);
         first = middle;
     }
     ends.push_back(last);
@@ -112,7 +112,8 @@ void pack_triangles(const MeshArrays& arrays, Vector<TrianglePacket>& packets, V
         items.push_back({bounds_of(arrays.vertex(corner[0]), arrays.vertex(corner[1]), arrays.vertex(corner[2])), i});
     }
     Vector<BoxedItem*> ends(boxes.get_allocator());
-    cut_into_packets(items.data(), items.data() + count, 0, ends);
+    Vector<BoxedItem> scratch(count, boxes.get_allocator());
+    cut_into_packets(items.data(), items.data() + count, 0, scratch.data(), ends);
 
     packets.reserve(ends.size());
     boxes.reserve(ends.size());

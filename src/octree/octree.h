@@ -51,8 +51,8 @@ public:
 
     /// What a visitor reads of each item, an array, so that it can be fetched ahead.
     struct ItemMemory {
-        const void* first = nullptr;
-        uint32_t size = 0;  // of one, in bytes
+        const void* first;
+        uint32_t size;  // of one, in bytes
     };
 
     /// Roughly nearest first. visit(item, t_max) may lower t_max; a negative one ends the query.

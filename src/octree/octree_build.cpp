@@ -1,16 +1,8 @@
 // Building the octree from scratch: boxes cut by expected cost, three times a level.
+#include "octree/cut_tree.h"
 #include "octree/octree.h"
 
 namespace gphys {
-
-namespace {
-
-// The first levels are cut by cost. Strange inputs (sizes in a geometric series) make such cuts
-// uneven; below that, halving three times a level brings any 2^32 items into leaves of eight within
-// eleven more levels and the leaf itself.
-constexpr int cost_levels = Octree::max_built_levels - 12;
-
-}  // namespace
 
 Box Octree::union_of(const Node& node) {
     Box box;
@@ -18,76 +10,94 @@ Box Octree::union_of(const Node& node) {
     return box;
 }
 
+/// Makes nodes of a CutTree, preserving its order.
 class Octree::Builder {
 public:
-    Builder(Vector<Node>& nodes, Vector<uint32_t>& place_of) : nodes_(nodes), place_of_(place_of) {}
+    Builder(const Vector<BoxedItem>& items, const CutTree& cuts, Node* nodes, uint32_t* place_of)
+        : items_(items), cuts_(cuts), nodes_(nodes), place_of_(place_of) {}
 
-    /// A subtree of the items of [first, last), which is not empty and is put in order.
-    NodeRef build(BoxedItem* first, BoxedItem* last, uint32_t parent, uint32_t lane, int level) {
-        const uint32_t index = static_cast<uint32_t>(nodes_.size());
-        nodes_.emplace_back();
-        nodes_[index].parent = parent;
-        nodes_[index].lane = lane;
-        if (static_cast<size_t>(last - first) <= leaf_size) {
-            for (BoxedItem* item = first; item != last; ++item) {
-                const uint32_t i = nodes_[index].count++;
-                nodes_[index].child[i] = item->item;
-                nodes_[index].boxes.set_lane(static_cast<int>(i), item->box);
-                place_of_[item->item] = 8 * index + i;
-            }
-            return index | leaf_bit;
-        }
-
-        Part parts[8];
-        const int part_count = partition(first, last, level, parts);
-        nodes_[index].count = static_cast<uint32_t>(part_count);
-        for (int i = 0; i < part_count; ++i) {
-            area += half_area(parts[i].box);
-            nodes_[index].boxes.set_lane(i, parts[i].box);
-            // Not in one statement: building below may move the nodes.
-            const NodeRef child = build(parts[i].first, parts[i].last, index, static_cast<uint32_t>(i), level + 1);
-            nodes_[index].child[i] = child;
-        }
-        return index;
-    }
-
-    double area = 0;  // of all nodes built, without the root
-
-private:
+    /// Items between two cuts, and the cut between them.
     struct Part {
-        BoxedItem *first, *last;
-        Box box;
+        uint32_t first, last, cut;
 
-        size_t size() const { return static_cast<size_t>(last - first); }
+        bool is_leaf() const { return cut == CutTree::none; }
     };
+    Part whole() const { return {0, static_cast<uint32_t>(items_.size()), cuts_.root()}; }
 
-    /// Cut one part after the other until there are eight or all fit into leaves.
-    static int partition(BoxedItem* first, BoxedItem* last, int level, Part parts[8]) {
-        const bool by_cost = level < cost_levels;
+    /// The children of a node: always the largest part is cut, until there are eight or all are
+    /// leaves. But three levels of cuts must fit into each level of nodes that is left below.
+    int divide(const Part& node, int levels_below, Part parts[8]) const {
+        const bool by_area = (cuts_.height(node.cut) - 1 + 2) / 3 + 1 <= static_cast<uint32_t>(levels_below);
         int count = 1;
-        parts[0] = {first, last, gphys::union_of(first, last)};
+        parts[0] = node;
         while (count < 8) {
             int chosen = -1;
             double largest = -1;
             for (int i = 0; i < count; ++i) {
-                if (parts[i].size() <= leaf_size) continue;
-                const double measure = by_cost ? half_area(parts[i].box) : static_cast<double>(parts[i].size());
+                if (parts[i].is_leaf()) continue;
+                const CutTree::Cut& cut = cuts_[parts[i].cut];
+                const double measure = by_area ? cut.half_area : cut.height;
                 if (measure > largest) {
                     largest = measure;
                     chosen = i;
                 }
             }
             if (chosen < 0) break;
-            const Part whole = parts[chosen];
-            BoxedItem* cut = by_cost ? split_by_cost(whole.first, whole.last) : split_by_count(whole.first, whole.last);
-            parts[chosen] = {whole.first, cut, gphys::union_of(whole.first, cut)};
-            parts[count++] = {cut, whole.last, gphys::union_of(cut, whole.last)};
+            const Part part = parts[chosen];
+            const CutTree::Cut& cut = cuts_[part.cut];
+            parts[chosen] = {part.first, part.cut, cut.below[0]};
+            parts[count++] = {part.cut, part.last, cut.below[1]};
         }
         return count;
     }
 
-    Vector<Node>& nodes_;
-    Vector<uint32_t>& place_of_;
+    uint32_t count_nodes(const Part& part, int levels) const {
+        if (part.is_leaf()) return 1;
+        Part parts[8];
+        const int count = divide(part, levels - 1, parts);
+        uint32_t nodes = 1;
+        for (int i = 0; i < count; ++i) nodes += count_nodes(parts[i], levels - 1);
+        return nodes;
+    }
+
+    /// The nodes of a part: take() gives the index of each.
+    template <class Take>
+    NodeRef lay(const Part& part, int levels, uint32_t parent, uint32_t lane, const Take& take, Box& box) {
+        const uint32_t index = take();
+        Node& node = nodes_[index];
+        node.parent = parent;
+        node.lane = lane;
+        box = Box();
+        if (part.is_leaf()) {
+            node.count = part.last - part.first;
+            for (uint32_t i = 0; i < node.count; ++i) {
+                const BoxedItem& item = items_[part.first + i];
+                node.boxes.set_lane(static_cast<int>(i), item.box);
+                node.child[i] = item.item;
+                place_of_[item.item] = 8 * index + i;
+                box.include(item.box);
+            }
+            return index | leaf_bit;
+        }
+        Part parts[8];
+        node.count = static_cast<uint32_t>(divide(part, levels - 1, parts));
+        for (uint32_t i = 0; i < node.count; ++i) {
+            Box child_box;
+            node.child[i] = lay(parts[i], levels - 1, index, i, take, child_box);
+            node.boxes.set_lane(static_cast<int>(i), child_box);
+            box.include(child_box);
+            area += half_area(child_box);
+        }
+        return index;
+    }
+
+    double area = 0;  // of all nodes laid, without the root
+
+private:
+    const Vector<BoxedItem>& items_;
+    const CutTree& cuts_;
+    Node* nodes_;
+    uint32_t* place_of_;
 };
 
 /// Replace the tree by one of these items. Built aside and swapped in, so that running out of
@@ -95,11 +105,18 @@ private:
 void Octree::build_from(Vector<BoxedItem>& items, size_t item_limit) {
     Vector<Node> nodes(nodes_.get_allocator());
     Vector<uint32_t> place_of(item_limit, none, place_of_.get_allocator());
-    Builder builder(nodes, place_of);
     NodeRef root = none;
+    Box bounds;
+    double area = 0;
     if (!items.empty()) {
-        nodes.reserve(items.size() / 4 + 1);
-        root = builder.build(items.data(), items.data() + items.size(), none, 0, 0);
+        const CutTree cuts(items, 3 * (max_built_levels - 1), nullptr);
+        nodes.resize(Builder(items, cuts, nullptr, nullptr)
+                         .count_nodes({0, static_cast<uint32_t>(items.size()), cuts.root()}, max_built_levels));
+        Builder builder(items, cuts, nodes.data(), place_of.data());
+        uint32_t next = 0;
+        root = builder.lay(
+            builder.whole(), max_built_levels, none, 0, [&] { return next++; }, bounds);
+        area = builder.area;
     }
     if (size_ > 0) ++rebuilds_;
     nodes_.swap(nodes);
@@ -108,9 +125,9 @@ void Octree::build_from(Vector<BoxedItem>& items, size_t item_limit) {
     size_ = static_cast<uint32_t>(items.size());
     first_free_ = none;
     free_count_ = 0;
-    bounds_ = root == none ? Box() : union_of(nodes_[index_of(root)]);
+    bounds_ = bounds;
     built_root_area_ = half_area(bounds_);
-    built_area_ = builder.area + built_root_area_;
+    built_area_ = area + built_root_area_;
     built_size_ = size_;
     changes_ = 0;
 }
@@ -141,10 +158,10 @@ void Octree::append_items(Vector<BoxedItem>& to) const {
 
 void Octree::split(NodeRef leaf, uint32_t item, const Box& box) {
     const uint32_t index = index_of(leaf);
-    BoxedItem items[9];
+    BoxedItem items[9], scratch[9];
     for (int i = 0; i < 8; ++i) items[i] = {nodes_[index].boxes.lane(i), nodes_[index].child[i]};
     items[8] = {box, item};
-    const BoxedItem* middle = split_by_cost(items, items + 9);
+    const BoxedItem* middle = split_by_cost(items, items + 9, scratch);
 
     nodes_[index].count = 0;
     const NodeRef sibling = take_node(true);

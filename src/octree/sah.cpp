@@ -1,93 +1,144 @@
 // Binned surface area heuristic (Wald, "On fast Construction of SAH-based Bounding Volume
-// Hierarchies", 2007).
+// Hierarchies", 2007), for the three axes side by side in the lanes of a register.
 #include "octree/sah.h"
+
+#include <cstring>
 
 namespace gphys {
 
 namespace {
 
-constexpr int bin_count = 16;
+// Lanes are the three axes; the fourth is not used, and finite.
+using Float4 = float __attribute__((vector_size(16)));
+using Int4 = int32_t __attribute__((vector_size(16)));
 
-/// Twice the centre: a sum needs no rounding of its own to be monotone.
-float centre(const Box& box, int axis) { return box.min[axis] + box.max[axis]; }
+Float4 minimum(Float4 a, Float4 b) { return a < b ? a : b; }
+Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
 
-/// Expected tests in a part: a leaf tests eight boxes at the price of one.
-double blocks(size_t count) { return static_cast<double>((count + leaf_size - 1) / leaf_size); }
+struct Box4 {
+    // Further out than boxes are, while differences are far from overflow.
+    Float4 min = {0x1p60f, 0x1p60f, 0x1p60f, 0x1p60f};
+    Float4 max = -Float4{0x1p60f, 0x1p60f, 0x1p60f, 0x1p60f};
 
-/// Items counted by the position of their centres along one axis.
-class Bins {
-public:
-    Bins() = default;
-    Bins(float low, float high, int axis) : axis_(axis), low_(low) {
-        // Below this the scale would leave the range of float; the items are as good as equal.
-        const float extent = high - low;
-        if (extent > 1e-30f) scale_ = bin_count * (1 - 0x1p-20f) / extent;
+    void include(const Box4& other) {
+        min = minimum(min, other.min);
+        max = maximum(max, other.max);
     }
-
-    int index(const Box& box) const { return static_cast<int>((centre(box, axis_) - low_) * scale_); }
-
-    void add(const Box& box) {
-        const int i = index(box);
-        boxes_[i].include(box);
-        ++counts_[i];
-    }
-
-    /// Lower `least` if a cut between two bins costs less.
-    void best(double& least, int& axis, int& cut, int k) const {
-        if (scale_ == 0) return;
-        double cost_above[bin_count];  // of all bins from i on
-        Box box;
-        size_t count = 0;
-        for (int i = bin_count - 1; i > 0; --i) {
-            box.include(boxes_[i]);
-            count += counts_[i];
-            cost_above[i] = count == 0 ? -1 : half_area(box) * blocks(count);
-        }
-        box = Box();
-        count = 0;
-        for (int i = 1; i < bin_count; ++i) {
-            box.include(boxes_[i - 1]);
-            count += counts_[i - 1];
-            if (count == 0 || cost_above[i] < 0) continue;
-            const double cost = half_area(box) * blocks(count) + cost_above[i];
-            if (cost < least) {
-                least = cost;
-                axis = k;
-                cut = i;
-            }
-        }
-    }
-
-private:
-    int axis_ = 0;
-    float low_ = 0, scale_ = 0;
-    Box boxes_[bin_count];
-    size_t counts_[bin_count] = {};
 };
 
-Box centres_of(const BoxedItem* first, const BoxedItem* last) {
-    Box centres;
+Box4 load(const BoxedItem& item) {
+    Box4 box;
+    static_assert(sizeof(Box) == 6 * sizeof(float));
+    std::memcpy(&box.min, item.box.min, sizeof box.min);
+    // From one before: what follows is not a number. (min z, max x, y, z) -> (max x, y, z, min z).
+    std::memcpy(&box.max, &item.box.min[2], sizeof box.max);
+    box.max = __builtin_shufflevector(box.max, box.max, 1, 2, 3, 0);
+    return box;
+}
+
+/// Twice the centre: a sum needs no rounding of its own to be monotone.
+Float4 centre(const Box4& box) { return box.min + box.max; }
+float centre(const Box& box, int axis) { return box.min[axis] + box.max[axis]; }
+
+Box4 centres_of(const BoxedItem* first, const BoxedItem* last) {
+    Box4 centres;
     for (const BoxedItem* item = first; item != last; ++item) {
-        for (int k = 0; k < 3; ++k) {
-            centres.min[k] = std::min(centres.min[k], centre(item->box, k));
-            centres.max[k] = std::max(centres.max[k], centre(item->box, k));
-        }
+        const Float4 c = centre(load(*item));
+        centres.include({c, c});
     }
     return centres;
 }
 
-BoxedItem* halve(BoxedItem* first, BoxedItem* last, const Box& centres) {
-    int axis = 0;
-    for (int k = 1; k < 3; ++k) {
-        if (centres.max[k] - centres.min[k] > centres.max[axis] - centres.min[axis]) axis = k;
+constexpr int bin_count = 16;
+
+/// Items counted by the position of their centres along each axis.
+class Bins {
+public:
+    explicit Bins(const Box4& centres) : low_(centres.min) {
+        const Float4 extent = centres.max - centres.min;
+        for (int k = 0; k < 3; ++k) {
+            // Below this the scale would leave the range of float; the items are as good as equal.
+            if (extent[k] > 1e-30f) scale_[k] = bin_count * (1 - 0x1p-20f) / extent[k];
+        }
     }
-    BoxedItem* middle = first + (last - first) / 2;
-    std::nth_element(first, middle, last, [axis](const BoxedItem& a, const BoxedItem& b) {
-        const float ca = centre(a.box, axis), cb = centre(b.box, axis);
-        return ca < cb || (ca == cb && a.item < b.item);
-    });
-    return middle;
-}
+
+    void add(const Box4& box) {
+        const Int4 place = __builtin_convertvector((centre(box) - low_) * scale_, Int4);
+        for (int k = 0; k < 3; ++k) {
+            boxes_[place[k]][k].include(box);
+            ++counts_[place[k]][k];
+        }
+    }
+
+    /// The cheapest cut between two bins. False if the centres of all items are one point. On each
+    /// other axis the first and the last bin hold an item, so that no part is empty.
+    bool choose() {
+        const Float4 unit = unit_of_size();
+        Float4 cost_above[bin_count];  // of all bins from i on
+        Box4 part[3];
+        Int4 count{};
+        const auto add_bin = [&](int i) {
+            for (int k = 0; k < 3; ++k) part[k].include(boxes_[i][k]);
+            count += counts_[i];
+        };
+        for (int i = bin_count; --i > 0;) {
+            add_bin(i);
+            cost_above[i] = cost(part, count, unit);
+        }
+        for (Box4& box : part) box = Box4();
+        count = Int4{};
+        Float4 least = Float4{} + std::numeric_limits<float>::max();
+        Int4 cut{};
+        for (int i = 1; i < bin_count; ++i) {
+            add_bin(i - 1);
+            const Float4 both = cost(part, count, unit) + cost_above[i];
+            const Int4 better = both < least;
+            least = better ? both : least;
+            cut = better ? Int4{} + i : cut;
+        }
+        axis_ = -1;
+        for (int k = 0; k < 3; ++k) {
+            if (scale_[k] != 0 && (axis_ < 0 || least[k] < least[axis_])) axis_ = k;
+        }
+        if (axis_ < 0) return false;
+        cut_ = static_cast<float>(cut[axis_]);
+        return true;
+    }
+
+    /// Of the cut chosen; the same arithmetic as in add.
+    bool below(const Box& box) const { return (centre(box, axis_) - low_[axis_]) * scale_[axis_] < cut_; }
+
+private:
+    /// One over the largest extent of all items, so that no area overflows or vanishes.
+    Float4 unit_of_size() const {
+        Box4 whole;
+        for (const auto& box : boxes_) whole.include(box[0]);
+        const Float4 extent = whole.max - whole.min;
+        const float largest = std::max({extent[0], extent[1], extent[2]});
+        return Float4{} + (largest > 1e-30f ? 1 / largest : 0);
+    }
+
+    /// For each axis that of one part: half its area by the tests in it, a leaf of eight being one.
+    static Float4 cost(const Box4 part[3], Int4 count, Float4 unit) {
+        Float4 extent[3];
+        // No bin with an item yet: not less than nothing.
+        for (int k = 0; k < 3; ++k) extent[k] = maximum(part[k].max - part[k].min, Float4{}) * unit;
+        // From (x, y, z) by axis to axes by (x, y, z).
+        const Float4 xy_01 = __builtin_shufflevector(extent[0], extent[1], 0, 4, 1, 5);
+        const Float4 z_01 = __builtin_shufflevector(extent[0], extent[1], 2, 6, 2, 6);
+        const Float4 x = __builtin_shufflevector(xy_01, extent[2], 0, 1, 4, 4);
+        const Float4 y = __builtin_shufflevector(xy_01, extent[2], 2, 3, 5, 5);
+        const Float4 z = __builtin_shufflevector(z_01, extent[2], 0, 1, 6, 6);
+        const Int4 blocks = (count + static_cast<int>(leaf_size - 1)) / static_cast<int>(leaf_size);
+        return (x * y + y * z + z * x) * __builtin_convertvector(blocks, Float4);
+    }
+
+    Float4 low_, scale_{};
+    int axis_ = -1;
+    float cut_ = 0;
+    Box4 boxes_[bin_count][3];
+    Int4 counts_[bin_count] = {};
+};
 
 }  // namespace
 
@@ -99,26 +150,42 @@ double half_area(const Box& box) {
 }
 
 Box union_of(const BoxedItem* first, const BoxedItem* last) {
-    Box box;
-    for (const BoxedItem* item = first; item != last; ++item) box.include(item->box);
-    return box;
+    Box4 box;
+    for (const BoxedItem* item = first; item != last; ++item) box.include(load(*item));
+    return {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
 }
 
-BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last) {
-    const Box centres = centres_of(first, last);
-    Bins bins[3];
-    for (int k = 0; k < 3; ++k) bins[k] = Bins(centres.min[k], centres.max[k], k);
+BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last, BoxedItem* scratch) {
+    Bins bins(centres_of(first, last));
+    for (const BoxedItem* item = first; item != last; ++item) bins.add(load(*item));
+    if (!bins.choose()) return split_by_count(first, last);
+    // Every item is written to both places, and one of them is kept: no branch to be guessed.
+    BoxedItem *kept = first, *put_aside = scratch;
     for (const BoxedItem* item = first; item != last; ++item) {
-        for (Bins& b : bins) b.add(item->box);
+        const bool below = bins.below(item->box);
+        const BoxedItem moving = *item;
+        *kept = moving;
+        *put_aside = moving;
+        kept += below;
+        put_aside += !below;
     }
-    double least = infinity;
-    int axis = 0, cut = 0;
-    for (int k = 0; k < 3; ++k) bins[k].best(least, axis, cut, k);
-    if (cut == 0) return halve(first, last, centres);
-    const Bins& chosen = bins[axis];
-    return std::partition(first, last, [&](const BoxedItem& item) { return chosen.index(item.box) < cut; });
+    std::copy(scratch, put_aside, kept);
+    return kept;
 }
 
-BoxedItem* split_by_count(BoxedItem* first, BoxedItem* last) { return halve(first, last, centres_of(first, last)); }
+BoxedItem* split_by_count(BoxedItem* first, BoxedItem* last) {
+    const Box4 centres = centres_of(first, last);
+    const Float4 extent = centres.max - centres.min;
+    int axis = 0;
+    for (int k = 1; k < 3; ++k) {
+        if (extent[k] > extent[axis]) axis = k;
+    }
+    BoxedItem* middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last, [axis](const BoxedItem& a, const BoxedItem& b) {
+        const float ca = centre(a.box, axis), cb = centre(b.box, axis);
+        return ca < cb || (ca == cb && a.item < b.item);
+    });
+    return middle;
+}
 
 }  // namespace gphys

@@ -6,7 +6,8 @@
 
 namespace gphys {
 
-struct BoxedItem {
+/// As wide as two registers of four lanes: boxes are read and moved by these.
+struct alignas(16) BoxedItem {
     Box box;
     uint32_t item;
 };
@@ -18,10 +19,11 @@ constexpr uint32_t leaf_size = 8;
 double half_area(const Box& box);
 Box union_of(const BoxedItem* first, const BoxedItem* last);
 
-// Both put more than one item in order so that no part is empty, and return where the second begins.
+// All put more than one item in order so that no part is empty, and return where the second begins.
 
 /// Where the expected cost of both parts is least, a part being as many tests as it fills leaves.
-BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last);
+/// `scratch` has room for all but one of the items; the order within each part stays.
+BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last, BoxedItem* scratch);
 /// In equal number, along the axis on which the centres spread most.
 BoxedItem* split_by_count(BoxedItem* first, BoxedItem* last);
 
