@@ -1,36 +1,43 @@
 #!/usr/bin/env bash
-# Times the library: ./bench.sh [scene mesh query update] [--peers] [--quick]
+# Times the library: ./bench.sh [scene mesh query update] [--peers] [--quick] [--docs]
 # Installs what it needs, builds with the flags that users get, writes build/bench/<suite>.csv with
-# a plot beside each and the machine's description. --peers measures Embree, Bullet and FCL in the same
-# run; --quick is a few seconds of smaller work.
+# a plot beside each, the machine's description and ratios.md. --peers measures Embree, Bullet and
+# FCL in the same run; --quick is a few seconds of smaller work; --docs puts the results into
+# docs/benchmarks.md.
 set -euo pipefail
 cd "$(dirname "$0")"
 
 peers=OFF
+docs=OFF
 arguments=()
 for argument in "$@"; do
     case $argument in
         --peers) peers=ON ;;
+        --docs) docs=ON ;;
         --quick | scene | mesh | query | update) arguments+=("$argument") ;;
         *)
-            echo "usage: ./bench.sh [scene mesh query update] [--peers] [--quick]" >&2
+            echo "usage: ./bench.sh [scene mesh query update] [--peers] [--quick] [--docs]" >&2
             exit 2
             ;;
     esac
 done
 
 source cmake/install_packages.sh
-packages=(g++ cmake ninja-build libbenchmark-dev gnuplot-nox)
-[ $peers = ON ] && packages+=(pkg-config libembree-dev libbullet-dev libfcl-dev)
+packages=(g++ cmake ninja-build libbenchmark-dev gnuplot-nox python3)
+peer_packages=(libembree-dev libbullet-dev libfcl-dev)
+[ $peers = ON ] && packages+=(pkg-config "${peer_packages[@]}")
 install_packages "${packages[@]}"
 
 cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_TESTS=OFF -DGAMEPHYS_EXAMPLES=OFF \
     -DGAMEPHYS_BENCH=ON -DGAMEPHYS_BENCH_PEERS=$peers
 cmake --build build/release --target gamephys_bench
 mkdir -p build/bench
+rm -f build/bench/*.csv
 {
-    grep -m1 'model name' /proc/cpuinfo || uname -m
-    echo "$(nproc) cores, $(c++ --version | head -n 1), $(date -u +%F)"
+    echo "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1 | grep . || uname -m), $(nproc) cores"
+    echo "Compiler: $(c++ --version | head -n 1)"
+    [ $peers = OFF ] || echo "Peers: $(dpkg-query -W -f '${source:Package} ${source:Upstream-Version}, ' "${peer_packages[@]}" | sed 's/, $//')"
+    echo "Date: $(date -u +%F)"
 } | tee build/bench/machine.txt
 build/release/bench/gamephys_bench --out=build/bench "${arguments[@]}"
 
@@ -50,4 +57,24 @@ plot for [row in rows] sprintf("< awk -F, -v OFS=, -v r=%s '\$2\"/\"\$3==r {prin
     with linespoints title row noenhanced
 PLOT
 done
+
+python3 bench/report.py build/bench | tee build/bench/ratios.md
+if [ $docs = ON ]; then
+    python3 bench/report.py build/bench --docs >docs/benchmarks.md
+    gnuplot - <<PLOT
+set terminal pngcairo size 800,480
+set output "docs/images/growth.png"
+set datafile separator ","
+set logscale xy
+set key left top
+set grid
+set xlabel "boxes"
+set ylabel "ns per ray"
+of(name, ray) = sprintf("< awk -F, -v OFS=, '\$2==\"scene_ray_%s\" && \$3==\"%s\" {print \$4,\$5}' build/bench/scene.csv", ray, name)
+plot of("embree", "random") using 1:2 with linespoints lw 2 lc 2 title "Embree, random rays", \
+    of("gamephys", "random") using 1:2 with linespoints lw 2 lc 1 title "gamephys, random rays", \
+    of("embree", "camera") using 1:2 with linespoints lw 2 lc 2 dt 2 title "Embree, camera rays", \
+    of("gamephys", "camera") using 1:2 with linespoints lw 2 lc 1 dt 2 title "gamephys, camera rays"
+PLOT
+fi
 ls build/bench

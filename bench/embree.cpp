@@ -299,7 +299,10 @@ private:
         scene_ = rtcNewScene(device_);
         instances_ = false;
         if (mode_ == EmbreeMode::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        if (mode_ == EmbreeMode::refit) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+        if (mode_ == EmbreeMode::refit) {  // Embree refits only under both of these, else it rebuilds
+            rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+            rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
+        }
     }
 
     RTCGeometry triangles(const Triangles& mesh) {

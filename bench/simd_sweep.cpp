@@ -1,4 +1,5 @@
-// The baseline for culling: every box against six planes, eight boxes at a time, no tree at all.
+// The baseline for culling: every box against six planes and against the frustum's own box, eight
+// boxes at a time, no tree at all.
 #include <immintrin.h>
 
 #include <cmath>
@@ -22,6 +23,16 @@ public:
 
     __attribute__((target("avx2"))) bool cull(const gphys_frustum& f, uint64_t& total) override {
         seen_.resize(center_[0].size());
+        gphys_vec3 corners[8];
+        if (gphys_frustum_corners(&f, corners) != GPHYS_OK) return false;
+        float low[3] = {corners[0].x, corners[0].y, corners[0].z}, high[3] = {low[0], low[1], low[2]};
+        for (const gphys_vec3& corner : corners) {
+            const float c[3] = {corner.x, corner.y, corner.z};
+            for (int k = 0; k < 3; ++k) {
+                low[k] = std::fmin(low[k], c[k]);
+                high[k] = std::fmax(high[k], c[k]);
+            }
+        }
         uint32_t count = 0;
         for (size_t i = 0; i < center_[0].size(); i += 8) {
             unsigned mask = 0xff;
@@ -38,6 +49,12 @@ public:
                 }
                 mask &= static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(sum, _mm256_setzero_ps(), _CMP_GE_OQ)));
                 if (mask == 0) break;
+            }
+            for (int k = 0; k < 3 && mask; ++k) {
+                const __m256 center = _mm256_loadu_ps(&center_[k][i]), extent = _mm256_loadu_ps(&extent_[k][i]);
+                const __m256 below = _mm256_cmp_ps(_mm256_add_ps(center, extent), _mm256_set1_ps(low[k]), _CMP_LT_OQ);
+                const __m256 above = _mm256_cmp_ps(_mm256_sub_ps(center, extent), _mm256_set1_ps(high[k]), _CMP_GT_OQ);
+                mask &= ~static_cast<unsigned>(_mm256_movemask_ps(_mm256_or_ps(below, above)));
             }
             for (; mask; mask &= mask - 1) {
                 seen_[count++] = static_cast<uint32_t>(i) + static_cast<uint32_t>(__builtin_ctz(mask));

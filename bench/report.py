@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Ratios of a benchmark run: report.py DIRECTORY [--docs]
+
+Reads the CSV files of gamephys_bench and machine.txt in DIRECTORY and prints Markdown: for each
+suite a table of ratios, time of gamephys / time of the other. --docs puts the page of
+docs/benchmarks.md around it. Every number comes from those files.
+"""
+import csv
+import pathlib
+import sys
+
+SUITES = ["scene", "mesh", "query", "update"]
+OTHERS = ["embree", "embree_robust", "embree_packets", "bullet", "fcl", "simd_sweep"]
+WRONG = ("WRONG_FRACTION", "DIFFERS")
+
+PAGE = """# Benchmarks
+
+{machine}
+
+Written by `./bench.sh scene mesh query update --peers --docs`, which measures everybody in the same run on the same work, in interleaved repetitions of which the fastest counts. gamephys is built with the flags that users get and called through its C interface, in batches where there are some. Times are of one thread unless the row says otherwise.
+
+A ratio is the time of gamephys divided by that of the other: below 1, gamephys is faster. † marks those whose answers are not those of a loop over everything in double precision.
+
+![Time of a ray against the number of boxes](images/growth.png)
+
+"""
+
+
+def read(directory):
+    """{suite: {(case, n): {implementation: row}}}, in the order of the files."""
+    suites = {}
+    for suite in SUITES:
+        path = directory / f"{suite}.csv"
+        if not path.exists():
+            continue
+        cases = suites.setdefault(suite, {})
+        with path.open(newline="") as file:
+            for row in csv.DictReader(file):
+                row["value"] = float(row["value"])
+                cases.setdefault((row["case"], int(row["n"])), {})[row["implementation"]] = row
+    return suites
+
+
+def number(value):
+    """Three digits, without an exponent."""
+    return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
+
+
+def table(head, rows):
+    lines = [head, ["---"] + ["---:"] * (len(head) - 1)] + rows
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines) + "\n"
+
+
+def ratios(cases):
+    others = [name for name in OTHERS if any(name in case for case in cases.values())]
+    rows = []
+    for (case, n), by in cases.items():
+        if "gamephys" not in by:
+            continue
+        own = by["gamephys"]
+        row = [f"`{case}`", f"{n:,}", f"{number(own['value'])} {own['unit']}"]
+        for name in others:
+            if name in by:
+                mark = " †" if by[name]["error_unit"] in WRONG else ""
+                row.append(number(own["value"] / by[name]["value"]) + mark)
+            else:
+                row.append("")
+        rows.append(row)
+    return table(["case", "objects", "gamephys"] + others, rows)
+
+
+def within(suites):
+    """gamephys beside itself."""
+    rows = []
+
+    def compare(what, suite, case, name, other_case, other_name, invert=False):
+        for (this, n), by in suites.get(suite, {}).items():
+            other = suites[suite].get((other_case, n), {}).get(other_name)
+            if this == case and name in by and other:
+                ratio = by[name]["value"] / other["value"]
+                rows.append([what, f"{n:,}", number(1 / ratio if invert else ratio)])
+
+    compare("any hit / closest hit", "scene", "scene_ray_any", "gamephys", "scene_ray_random", "gamephys")
+    compare("rays after 100 frames of motion / after a build", "update", "ray_after_update", "gamephys",
+            "ray_after_update", "gamephys_fresh")
+    for suite, cases in suites.items():
+        for case in dict.fromkeys(case for case, _ in cases):
+            if case != "cull":  # a single call, which one thread answers
+                compare(f"speed-up of `{case}` by a second thread", suite, case, "gamephys_2_threads", case,
+                        "gamephys", invert=True)
+    return table(["gamephys beside itself", "objects", "ratio"], rows) if rows else ""
+
+
+def main():
+    directory = pathlib.Path(sys.argv[1])
+    suites = read(directory)
+    if "--docs" in sys.argv[2:]:
+        machine = (directory / "machine.txt").read_text().splitlines()
+        print(PAGE.format(machine="  \n".join(machine)), end="")
+    for suite, cases in suites.items():
+        print(f"## {suite}\n\n{ratios(cases)}", end="")
+    print(f"## One thread and two, and other ratios of our own\n\n{within(suites)}", end="")
+
+
+main()
