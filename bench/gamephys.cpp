@@ -54,8 +54,15 @@ public:
 
     uint64_t memory() const override {
         gphys_octree_stats stats{};
-        check(mesh_ ? gphys_mesh_get_octree_stats(mesh_, &stats) : gphys_scene_get_octree_stats(scene_, &stats));
-        return stats.memory_bytes;
+        if (!mesh_) {
+            check(gphys_scene_get_octree_stats(scene_, &stats));
+            return stats.memory_bytes;
+        }
+        check(gphys_mesh_get_octree_stats(mesh_, &stats));
+        uint32_t vertices = 0, indices = 0;  // kept beside the tree
+        check(gphys_mesh_get_vertices(mesh_, nullptr, 0, &vertices));
+        check(gphys_mesh_get_indices(mesh_, nullptr, 0, &indices));
+        return stats.memory_bytes + sizeof(gphys_vec3) * uint64_t{vertices} + sizeof(uint32_t) * uint64_t{indices};
     }
 
     bool closest(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) override {
