@@ -354,7 +354,9 @@ TEST_CASE("updating many items of an octree at once is like updating each") {
                 moved.push_back(random_box(random, kind));
                 boxes[items.back()] = moved.back();
             }
-            tree.update_many(items.data(), moved.data(), count);
+            tree.update_many(count, [&](const auto& put) {
+                for (uint32_t k = 0; k < count; ++k) put(items[k], moved[k]);
+            });
             require_sound(tree, boxes);
             compare_queries(tree, boxes, random, kind, 5);
         }
@@ -419,7 +421,9 @@ TEST_CASE("an octree rebuilds itself when its items have mixed") {
         items.push_back(item);
         moved.push_back(box);
     }
-    tree.update_many(items.data(), moved.data(), 4000);
+    tree.update_many(4000, [&](const auto& put) {
+        for (uint32_t k = 0; k < 4000; ++k) put(items[k], moved[k]);
+    });
     REQUIRE(tree.stats().rebuilds == 1);
     // Both trees hold boxes of the same distribution: their costs agree within sampling noise.
     REQUIRE(tree.stats().cost < 1.2f * built_cost);

@@ -130,20 +130,26 @@ constexpr gphys_quat narrow(Quat q) {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
 }
 
-/// Largest float <= v and smallest float >= v; what is beyond all floats becomes the last of them,
-/// as the cast would trap.
-inline float round_down(double v) {
+/// The float before f, or f itself: without a branch, for whether is the toss of a coin wherever a
+/// double is rounded down.
+inline float float_before(float f, bool whether) {
+    // Of one sign, floats are ordered as their bits are; below both zeros is the negative least one.
+    int32_t bits;
+    std::memcpy(&bits, &f, sizeof bits);
+    const int32_t down = bits > 0 ? -1 : 1;
+    const bool zero = f == 0;
+    bits = whether && zero ? std::numeric_limits<int32_t>::min() + 1 : bits + down * (whether && !zero);
+    std::memcpy(&f, &bits, sizeof f);
+    return f;
+}
+
+/// Largest float <= v + rest, and smallest >= v + rest, where |rest| is at most half an ulp of v; what
+/// is beyond all floats becomes the last of them, as the cast would trap.
+inline float round_down(double v, double rest = 0) {
     constexpr double last = std::numeric_limits<float>::max();
     const float f = static_cast<float>(std::clamp(v, -last, last));
-    if (f <= v || v < -last) return f;
-    // The float before f: of one sign, floats are in the order of their bits.
-    uint32_t bits;
-    std::memcpy(&bits, &f, sizeof bits);
-    bits = f > 0 ? bits - 1 : f < 0 ? bits + 1 : 0x80000001u;
-    float before;
-    std::memcpy(&before, &bits, sizeof before);
-    return before;
+    return float_before(f, ((f > v) | ((f == v) & (rest < 0))) & (v > -last));
 }
-inline float round_up(double v) { return -round_down(-v); }
+inline float round_up(double v, double rest = 0) { return -round_down(-v, -rest); }
 
 }  // namespace gphys

@@ -38,8 +38,10 @@ public:
     void insert_many(const uint32_t* items, const Box* boxes, uint32_t count);
     void remove(uint32_t item) noexcept;
     void update(uint32_t item, const Box& box) noexcept;
-    /// Many at once: one refit of the whole tree if they are many.
-    void update_many(const uint32_t* items, const Box* boxes, uint32_t count) noexcept;
+    /// Many at once, with one refit of the whole tree if `count`, which may be rough, is large for
+    /// it: moves(put) calls put(item, box) for each.
+    template <class Moves>
+    void update_many(uint32_t count, Moves&& moves) noexcept;
     void clear() noexcept;
 
     bool contains(uint32_t item) const { return item < place_of_.size() && place_of_[item] != none; }
@@ -132,6 +134,7 @@ private:
     int level_of(uint32_t index) const;
     void split(NodeRef leaf, uint32_t item, const Box& box);
     void refit_upward(uint32_t index);
+    void refit_all(uint32_t changes) noexcept;
     Box refit_below(NodeRef ref);
     void attach(NodeRef leaf, uint32_t item, const Box& box);
     void detach(uint32_t item);
@@ -157,6 +160,23 @@ private:
     uint64_t changes_ = 0;  // since the quality was last looked at
     uint32_t rebuilds_ = 0;
 };
+
+}  // namespace gphys
+
+namespace gphys {
+
+template <class Moves>
+void Octree::update_many(uint32_t count, Moves&& moves) noexcept {
+    if (count < size_ / 8) {
+        moves([this](uint32_t item, const Box& box) { update(item, box); });
+        return;
+    }
+    moves([this](uint32_t item, const Box& box) {
+        const uint32_t place = place_of_[item];
+        nodes_[place / 8].boxes.set_lane(static_cast<int>(place % 8), box);
+    });
+    refit_all(count);
+}
 
 }  // namespace gphys
 

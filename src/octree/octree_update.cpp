@@ -203,18 +203,10 @@ void Octree::update(uint32_t item, const Box& box) noexcept {
     improve();
 }
 
-void Octree::update_many(const uint32_t* items, const Box* boxes, uint32_t count) noexcept {
-    if (count < size_ / 8) {
-        for (uint32_t i = 0; i < count; ++i) update(items[i], boxes[i]);
-        return;
-    }
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t place = place_of_[items[i]];
-        nodes_[place / 8].boxes.set_lane(static_cast<int>(place % 8), boxes[i]);
-    }
+void Octree::refit_all(uint32_t changes) noexcept {
     if (root_ == none) return;
     bounds_ = refit_below(root_);
-    changes_ += count;
+    changes_ += changes;
     improve();
 }
 

@@ -120,6 +120,7 @@ private:
         uint32_t parent = none, first_child = none, next = none, previous = none;  // slots
         uint32_t child_count = 0;
         gphys_transform local;
+        gphys_transform old_local;  // of set_transforms, should it fail
     };
 
     /// All that a query needs of a candidate, in one cache line.
@@ -183,12 +184,18 @@ private:
     const gphys_transform& local_of(uint32_t slot) const;
     void set_local(uint32_t slot, const gphys_transform& local);
     void derive_world(uint32_t slot);
-    /// The model's box, or what is wrong with where it stands. Leaves the box alone for planes.
-    const char* place(uint32_t slot, Box& box) const;
-    void reserve_moves(uint32_t count);
-    const char* carry(uint32_t top);
+    Box world_box(uint32_t slot, const gphys_transform& world) const;
+    /// What is wrong with a model that stands there; its box, but not of a plane.
+    const char* place(uint32_t slot, const gphys_transform& world, Box& box) const;
+    const char* place(uint32_t slot, const gphys_transform& world) const;
+    const char* carry(uint32_t top, uint32_t& moved);
     void carry_back(uint32_t top);
-    void publish_moves();
+    template <class Put>
+    void put_below(uint32_t top, const Put& put) const;
+    void mark_carried(const gphys_model_id* models, uint32_t count);
+    void unmark_carried(const gphys_model_id* models, uint32_t count);
+    const char* carry_relatives(const gphys_model_id* models, uint32_t count, uint32_t& moved);
+    void put_back_relatives(const gphys_model_id* models, uint32_t count);
 
     const Workers workers_;
     IdTable ids_{&memory};
@@ -199,15 +206,6 @@ private:
     Octree octree_{&memory};               // items are slots
     uint32_t common_layers_ = ~0u;         // that each model is in; a change of layers may leave some out
     Vector<uint32_t> unbounded_{&memory};  // slots of planes: no octree holds them, and there are few
-
-    // What is being moved; empty between calls, kept for its memory.
-    struct Undo {
-        uint32_t slot;
-        gphys_transform local;
-    };
-    Vector<Undo> undo_{&memory};
-    Vector<uint32_t> moved_slots_{&memory};
-    Vector<Box> moved_boxes_{&memory};
 };
 
 template <class Visit>
@@ -259,6 +257,14 @@ bool Scene::decide(uint32_t slot, Quick&& quick, Exact&& exact) const {
         const Verdict verdict = quick_verdict(shape, world, quick);
         return verdict == Verdict::open ? with_placed(shape, world, exact) : verdict == Verdict::yes;
     });
+}
+
+/// Tell the octree where the models from `top` down are.
+template <class Put>
+void Scene::put_below(uint32_t top, const Put& put) const {
+    for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) {
+        if (models_[slot].type() != GPHYS_SHAPE_PLANE) put(slot, world_box(slot, models_[slot].world));
+    }
 }
 
 template <class Visit>

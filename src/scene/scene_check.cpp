@@ -28,7 +28,7 @@ const char* Scene::defect() const {
 
         if (common_layers_ & ~model.layers) return "a model is not in the layers common to all";
         Box box;
-        if (place(slot, box)) return "a model stands where the scene cannot hold it";
+        if (place(slot, model.world, box)) return "a model stands where the scene cannot hold it";
         const bool is_plane = model.type() == GPHYS_SHAPE_PLANE;
         if (is_plane == octree_.contains(slot)) return "a model is not where queries look for it";
         if (is_plane) {

@@ -97,7 +97,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         tags_[slot] = desc.tag;
         store_shape(slot, &shape[placed]);
         ++placed;
-        const char* wrong = place(slot, boxes[placed - 1]);
+        const char* wrong = place(slot, model.world, boxes[placed - 1]);
         if (wrong) {
             discard_all();
             return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
@@ -304,7 +304,6 @@ gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool
         if (above == slot) return fail(GPHYS_ERROR_CYCLE, "parent: is the model itself or below it");
     }
     families_.reserve(2);
-    reserve_moves(1);
 
     const gphys_transform old_local = local_of(slot), old_world = models_[slot].world;
     const uint32_t old_parent = parent_of(slot);
@@ -316,14 +315,15 @@ gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool
         set_local(slot, transform);
     };
     hang_below(new_parent, local);
+    uint32_t moved = 0;
     const char* wrong = gphys::defect(local);
-    if (!wrong) wrong = carry(slot);
+    if (!wrong) wrong = carry(slot, moved);
     if (wrong) {
         hang_below(old_parent, old_local);
         carry_back(slot);
         return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
     }
-    publish_moves();
+    octree_.update_many(moved, [&](const auto& put) { put_below(slot, put); });
     return GPHYS_OK;
 }
 

@@ -21,19 +21,25 @@ void Scene::derive_world(uint32_t slot) {
     if (parent != none) models_[slot].world = composed(models_[parent].world, family(slot).local);
 }
 
-const char* Scene::place(uint32_t slot, Box& box) const {
-    const Model& model = models_[slot];
-    const char* wrong = gphys::defect(model.world);
-    if (wrong) return wrong;
-    if (model.world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
-    if (model.type() == GPHYS_SHAPE_PLANE) return nullptr;
-    box = with_shape(slot, [](const auto& shape) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Plane>) {
-            return Box();
-        } else {
-            return gphys::bounds(shape);
-        }
+/// Not for planes.
+Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
+    return with_stored(slot, [&](const auto& stored) {
+        return with_placed(stored, world, [](const auto& shape) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Plane>) {
+                return Box();
+            } else {
+                return gphys::bounds(shape);
+            }
+        });
     });
+}
+
+const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) const {
+    const char* wrong = gphys::defect(world);
+    if (wrong) return wrong;
+    if (world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
+    if (models_[slot].type() == GPHYS_SHAPE_PLANE) return nullptr;
+    box = world_box(slot, world);
     for (int k = 0; k < 3; ++k) {
         if (box.min[k] < -max_box_coordinate || box.max[k] > max_box_coordinate) {
             return "transform: the model would reach beyond the range of coordinates";
@@ -42,27 +48,28 @@ const char* Scene::place(uint32_t slot, Box& box) const {
     return nullptr;
 }
 
-/// Each model that will move is one of `count` or has a parent, thus a record of its family.
-void Scene::reserve_moves(uint32_t count) {
-    undo_.clear();
-    moved_slots_.clear();
-    moved_boxes_.clear();
-    reserve_more(undo_, count);
-    reserve_more(moved_slots_, count + families_.size());
-    reserve_more(moved_boxes_, count + families_.size());
+/// The same for a valid transform, without the box: no coordinate exceeds the sum of those that went
+/// into it, which nearly always is far within the range.
+const char* Scene::place(uint32_t slot, const gphys_transform& world) const {
+    const bool within = with_stored(slot, [&](const auto& stored) {
+        if constexpr (has_quick_shape<std::decay_t<decltype(stored)>>) {
+            return quick_shape(stored, world).magnitude < max_box_coordinate / 2;
+        } else {
+            return false;
+        }
+    });
+    Box box;
+    return within && world.scale >= 1 / max_scale ? nullptr : place(slot, world, box);
 }
 
-/// Derive the worlds from `top` down and note their boxes for publish_moves. Stops at the first
-/// model that cannot stand where it would.
-const char* Scene::carry(uint32_t top) {
+/// Derive the worlds from `top` down and count them. Stops at the first model that cannot stand
+/// where it would.
+const char* Scene::carry(uint32_t top, uint32_t& moved) {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) {
         derive_world(slot);
         Box box;
-        const char* wrong = place(slot, box);
-        if (wrong) return wrong;
-        if (models_[slot].type() == GPHYS_SHAPE_PLANE) continue;
-        moved_slots_.push_back(slot);
-        moved_boxes_.push_back(box);
+        if (const char* wrong = place(slot, models_[slot].world, box)) return wrong;
+        ++moved;
     }
     return nullptr;
 }
@@ -71,60 +78,97 @@ void Scene::carry_back(uint32_t top) {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) derive_world(slot);
 }
 
-void Scene::publish_moves() {
-    octree_.update_many(moved_slots_.data(), moved_boxes_.data(), static_cast<uint32_t>(moved_slots_.size()));
-}
-
+/// A model without relatives moves alone: it is checked first, and cannot fail once written. The
+/// others are written first, each where its children find it, and put back if one fails.
 gphys_status Scene::set_transforms(const gphys_model_id* models, const gphys_transform* transforms,
                                    uint32_t transform_stride, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         const gphys_status status = check(models[i]);
         if (status != GPHYS_OK) return status;
     }
-    reserve_moves(count);
 
     // Backwards, so that of a model that stands twice the last transform is met first.
     const Strided<gphys_transform> local(transforms, transform_stride);
-    for (uint32_t i = count; i-- > 0;) {
+    const char* wrong = nullptr;
+    uint32_t moved = 0;
+    bool with_relatives = false;
+    for (uint32_t i = count; i-- > 0 && !wrong;) {
         const uint32_t slot = IdTable::slot_of(models[i]);
         if (models_[slot].moving) continue;
         models_[slot].moving = 1;
-        undo_.push_back({slot, local_of(slot)});
-        set_local(slot, local[i]);
+        if (models_[slot].has_family()) {
+            with_relatives = true;
+            family(slot).old_local = family(slot).local;
+            set_local(slot, local[i]);
+        } else {
+            wrong = place(slot, local[i]);
+            ++moved;
+        }
     }
+    if (with_relatives) {
+        mark_carried(models, count);
+        if (!wrong) wrong = carry_relatives(models, count, moved);
+        if (wrong) put_back_relatives(models, count);
+    }
+    for (uint32_t i = count; i-- > 0;) {
+        Model& model = models_[IdTable::slot_of(models[i])];
+        if (model.moving && !model.has_family() && !wrong) model.world = local[i];
+        model.moving = 0;
+    }
+    if (!wrong) {
+        octree_.update_many(moved, [&](const auto& put) {
+            for (uint32_t i = 0; i < count; ++i) {
+                const uint32_t slot = IdTable::slot_of(models[i]);
+                if (!models_[slot].carried) put_below(slot, put);
+            }
+        });
+    }
+    if (with_relatives) unmark_carried(models, count);
+    return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong) : GPHYS_OK;
+}
 
-    // What hangs below a moving model is carried along with it and must not be moved twice. A model
-    // that is marked already has all its descendants marked: each is visited once.
-    for (const Undo& moved : undo_) {
-        for (uint32_t slot = next_below(moved.slot, moved.slot); slot != none;) {
+/// What hangs below a moving model is carried along with it and must not be moved twice. A model
+/// that is marked already has all its descendants marked: each is visited once.
+void Scene::mark_carried(const gphys_model_id* models, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t top = IdTable::slot_of(models[i]);
+        for (uint32_t slot = next_below(top, top); slot != none;) {
             const bool seen = models_[slot].carried;
             models_[slot].carried = 1;
-            slot = seen ? next_beside(slot, moved.slot) : next_below(slot, moved.slot);
+            slot = seen ? next_beside(slot, top) : next_below(slot, top);
         }
     }
+}
 
-    const char* wrong = nullptr;
-    for (const Undo& moved : undo_) {
-        if (!wrong && !models_[moved.slot].carried) wrong = carry(moved.slot);
-    }
-    if (wrong) {
-        for (const Undo& moved : undo_) set_local(moved.slot, moved.local);
-        for (const Undo& moved : undo_) {
-            if (!models_[moved.slot].carried) carry_back(moved.slot);
-        }
-    } else {
-        publish_moves();
-    }
-
-    for (const Undo& moved : undo_) {
-        models_[moved.slot].moving = 0;
-        for (uint32_t slot = next_below(moved.slot, moved.slot); slot != none;) {
+void Scene::unmark_carried(const gphys_model_id* models, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t top = IdTable::slot_of(models[i]);
+        for (uint32_t slot = next_below(top, top); slot != none;) {
             const bool marked = models_[slot].carried;
             models_[slot].carried = 0;
-            slot = marked ? next_below(slot, moved.slot) : next_beside(slot, moved.slot);
+            slot = marked ? next_below(slot, top) : next_beside(slot, top);
         }
     }
-    return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong) : GPHYS_OK;
+}
+
+const char* Scene::carry_relatives(const gphys_model_id* models, uint32_t count, uint32_t& moved) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t slot = IdTable::slot_of(models[i]);
+        if (!models_[slot].has_family() || models_[slot].carried) continue;
+        if (const char* wrong = carry(slot, moved)) return wrong;
+    }
+    return nullptr;
+}
+
+void Scene::put_back_relatives(const gphys_model_id* models, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t slot = IdTable::slot_of(models[i]);
+        if (models_[slot].has_family() && models_[slot].moving) set_local(slot, family(slot).old_local);
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t slot = IdTable::slot_of(models[i]);
+        if (models_[slot].has_family() && !models_[slot].carried) carry_back(slot);
+    }
 }
 
 }  // namespace gphys

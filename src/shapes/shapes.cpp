@@ -137,9 +137,7 @@ float lower_bound(double base, double reach) {
     const double difference = base - reach;
     const double reach_part = base - difference;
     const double base_part = difference + reach_part;
-    const double error = (base - base_part) - (reach - reach_part);
-    const float bound = round_down(difference);
-    return bound == difference && error < 0 ? std::nextafterf(bound, -std::numeric_limits<float>::infinity()) : bound;
+    return round_down(difference, (base - base_part) - (reach - reach_part));
 }
 float upper_bound(double base, double reach) { return -lower_bound(-base, reach); }
 

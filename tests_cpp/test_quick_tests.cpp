@@ -1,0 +1,149 @@
+#include "scene/quick_tests.h"
+
+#include <cfenv>
+
+#include "test.h"
+
+using namespace gphys;
+
+namespace {
+
+/// Coordinates on a coarse lattice make touches, edges in one line and zero components frequent.
+class Cases {
+public:
+    explicit Cases(uint64_t seed) : random_(seed) {}
+
+    bool coarse() const { return coarse_; }
+    void next() { coarse_ = random_.index(2) == 0; }
+
+    float number(float extent) {
+        const float value = random_.uniform_float(-extent, extent);
+        return coarse_ ? std::round(value) : value;
+    }
+    gphys_vec3 point(float extent) { return {number(extent), number(extent), number(extent)}; }
+    float size() { return std::fabs(number(3)); }
+    gphys_quat rotation() {
+        if (coarse_) return random_.index(2) == 0 ? gphys_quat{0, 0, 0, 1} : gphys_quat{0, 0, 0.70710678f, 0.70710678f};
+        // Any length that is let in.
+        const Quat q = normalized(Quat{number(1), number(1), number(1), 1.01});
+        const double length = random_.uniform_float(0.9995f, 1.0005f);
+        return narrow(Quat{q.x * length, q.y * length, q.z * length, q.w * length});
+    }
+    gphys_transform transform() { return {point(5), rotation(), coarse_ ? 2.0f : random_.uniform_float(0.2f, 3)}; }
+    gphys_sphere sphere() { return {point(2), size()}; }
+    gphys_aabb aabb() {
+        const gphys_vec3 center = random_.index(2) == 0 ? gphys_vec3{0, 0, 0} : point(2), half{size(), size(), size()};
+        return {{center.x - half.x, center.y - half.y, center.z - half.z},
+                {center.x + half.x, center.y + half.y, center.z + half.z}};
+    }
+    gphys_obb obb() { return {point(2), {size(), size(), size()}, rotation()}; }
+    Ray ray() {
+        const gphys_vec3 direction = point(3);
+        return {widen(point(12)), widen(direction), random_.index(3) == 0 ? infinity : std::fabs(number(4))};
+    }
+
+private:
+    test::Random random_;
+    bool coarse_ = false;
+};
+
+/// How often each verdict was given.
+struct Tally {
+    int no = 0, yes = 0, open = 0;
+
+    /// Whether the verdict agrees with the exact answer.
+    bool add(Verdict verdict, bool truth) {
+        ++(verdict == Verdict::no ? no : verdict == Verdict::yes ? yes : open);
+        return verdict == Verdict::open || (verdict == Verdict::yes) == truth;
+    }
+};
+
+/// Ask `quick` and `exact` about a random stored shape where a random transform puts it.
+template <class Quick, class Exact>
+bool agree(Cases& cases, Tally& tally, Quick&& quick, Exact&& exact) {
+    const gphys_transform world = cases.transform();
+    const auto compare = [&](const auto& stored) {
+        return with_placed(stored, world, [&](const auto& placed) {
+            return tally.add(quick_verdict(stored, world, quick), exact(placed));
+        });
+    };
+    return compare(cases.sphere()) && compare(cases.aabb()) && compare(cases.obb());
+}
+
+}  // namespace
+
+TEST_CASE("quick tests of rays never contradict the exact ones") {
+    Cases cases(71);
+    Tally fine, coarse;
+    for (int i = 0; i < 40000; ++i) {
+        cases.next();
+        const Ray ray = cases.ray();
+        const QuickRay quick(ray);
+        REQUIRE(agree(
+            cases, cases.coarse() ? coarse : fine, [&](const auto& shape) { return quick(shape, ray.t_max); },
+            [&](const auto& shape) {
+                Hit hit;
+                return raycast(shape, ray, hit);
+            }));
+    }
+    CHECK(fine.no > 10000);
+    CHECK(fine.yes > 1000);
+    // Rays that end within a sphere are left open.
+    CHECK(fine.open < 100);
+    CHECK(coarse.open > 100);
+}
+
+TEST_CASE("quick tests of points with a reach never contradict the exact ones") {
+    Cases cases(72);
+    Tally fine, coarse;
+    for (int i = 0; i < 40000; ++i) {
+        cases.next();
+        const Vec3 point = widen(cases.point(8));
+        const double reach = cases.size();
+        const QuickPoint quick(point);
+        REQUIRE(agree(
+            cases, cases.coarse() ? coarse : fine, [&](const auto& shape) { return quick(shape, reach); },
+            [&](const auto& shape) {
+                return overlaps(Shape(Sphere{point, reach}), Shape(shape));
+            }));
+    }
+    CHECK(fine.no > 10000);
+    CHECK(fine.yes > 5000);
+    CHECK(fine.open < 10);
+    CHECK(coarse.open > 100);
+}
+
+TEST_CASE("quick tests of boxes never contradict the exact ones") {
+    Cases cases(73);
+    Tally fine, coarse;
+    for (int i = 0; i < 40000; ++i) {
+        cases.next();
+        Tally& tally = cases.coarse() ? coarse : fine;
+        const Aabb aabb = widen(cases.aabb());
+        REQUIRE(agree(cases, tally, QuickBlock(as_obb(aabb)),
+                      [&](const auto& shape) { return overlaps(Shape(aabb), Shape(shape)); }));
+        const Obb obb = widen(cases.obb());
+        REQUIRE(agree(cases, tally, QuickBlock(obb),
+                      [&](const auto& shape) { return overlaps(Shape(obb), Shape(shape)); }));
+    }
+    CHECK(fine.no > 10000);
+    CHECK(fine.yes > 10000);
+    CHECK(fine.open < 10);
+    CHECK(coarse.open > 100);
+}
+
+TEST_CASE("quick tests raise no floating-point exception, however far the ray and the point reach") {
+    const gphys_transform world{{1e15f, -1e15f, 1}, {0, 0, 0.6f, 0.8f}, 1e15f};
+    const gphys_aabb box{{-1e15f, -1, 0}, {1e15f, 1, 0}};
+    std::feclearexcept(FE_ALL_EXCEPT);
+    int denied = 0;
+    for (const Vec3 direction : {Vec3{1, 0, 0}, Vec3{1e-45, 0, 0}, Vec3{1e15, 1e15, 1e15}, Vec3{}}) {
+        const Ray ray{{-1e15, 0, 0}, direction};
+        const QuickRay quick(ray);
+        denied += quick(quick_shape(box, world), ray.t_max) == Verdict::no;
+        denied += quick(quick_shape(gphys_sphere{{1e15f, 0, 0}, 1e15f}, world), ray.t_max) == Verdict::no;
+    }
+    denied += QuickPoint({})(quick_shape(box, world), infinity) == Verdict::no;
+    CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
+    CHECK(denied < 9);
+}
