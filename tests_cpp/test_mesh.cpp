@@ -165,8 +165,8 @@ TEST_CASE("rays in groups of any size and direction get what each would get alon
             for (int i = 0; i < 300; ++i) {
                 // Unrelated rays; into one octant; from one eye past a few neighbouring points.
                 const int kind = i % 3;
-                const uint32_t count = 1 + random.index(Mesh::group);
-                Ray rays[Mesh::group];
+                const uint32_t count = 1 + random.index(Mesh::rays_at_once);
+                Ray rays[Mesh::rays_at_once];
                 for (Ray& ray : rays) {
                     ray = random_ray(random, *mesh, centre, named.size);
                     if (kind == 1) ray.direction = abs(ray.direction);
@@ -175,9 +175,9 @@ TEST_CASE("rays in groups of any size and direction get what each would get alon
                         ray = {rays[0].origin, widen(narrow(rays[0].direction + aside)), rays[0].t_max};
                     }
                 }
-                Hit hits[Mesh::group];
+                Hit hits[Mesh::rays_at_once];
                 std::feclearexcept(FE_ALL_EXCEPT);
-                const uint32_t found = mesh->raycast(rays, count, hits);
+                const uint64_t found = mesh->raycast_many(rays, count, hits);
                 REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
                 for (uint32_t k = 0; k < count; ++k) {
                     Hit hit, alone;
@@ -186,7 +186,7 @@ TEST_CASE("rays in groups of any size and direction get what each would get alon
                     REQUIRE(mesh->raycast(rays[k], alone) == hits_alone);
                     if (hits_alone) REQUIRE((same_bits(hits[k], hit) && same_bits(alone, hit)));
                 }
-                REQUIRE(found >> count == 0);
+                if (count < 64) REQUIRE(found >> count == 0);
             }
         }
     }

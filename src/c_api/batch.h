@@ -6,8 +6,10 @@
 #include <atomic>
 
 #include "c_api/api.h"
+#include "c_api/shape_input.h"
 #include "foundation/results.h"
-#include "foundation/workers.h"
+#include "foundation/strided.h"
+#include "scene/scene.h"
 
 namespace gphys {
 
@@ -31,6 +33,30 @@ template <class Answer>
 void answer_each(const Workers& workers, uint32_t count, Answer&& answer) {
     for_each_chunk(workers, count, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i) answer(i);
+    });
+}
+
+/// The first hits of many rays: ray_of(i, ray) is false where there is no ray.
+template <class RayOf>
+void raycast_each(const Scene& scene, uint32_t count, uint32_t layers, const StridedOut<gphys_hit>& out,
+                  RayOf&& ray_of) {
+    for_each_chunk(scene.workers(), count, [&](uint32_t begin, uint32_t end) {
+        Ray rays[Scene::rays_at_once];
+        gphys_hit hits[Scene::rays_at_once];
+        uint32_t item[Scene::rays_at_once];
+        for (uint32_t first = begin; first < end; first += Scene::rays_at_once) {
+            uint32_t there = 0;
+            for (uint32_t i = first; i < std::min(first + Scene::rays_at_once, end); ++i) {
+                if (ray_of(i, rays[there])) {
+                    item[there++] = i;
+                } else {
+                    out[i] = no_hit();
+                }
+            }
+            std::fill_n(hits, there, no_hit());
+            scene.raycast_many(rays, there, layers, hits);
+            for (uint32_t k = 0; k < there; ++k) out[item[k]] = hits[k];
+        }
     });
 }
 

@@ -48,11 +48,8 @@ gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_sce
         GPHYS_REQUIRE(is_pixel(in[i].x, in[i].y), "pixels: not finite or out of range");
         return GPHYS_OK;
     }));
-    answer_each(workers, count, [&](uint32_t i) {
-        gphys_hit hit = no_hit();
-        pick(*unwrap(camera), *unwrap(scene), in[i].x, in[i].y, layers, hit);
-        out[i] = hit;
-    });
+    raycast_each(*unwrap(scene), count, layers, out,
+                 [&](uint32_t i, Ray& ray) { return unwrap(camera)->pick_ray(in[i].x, in[i].y, ray); });
     return GPHYS_OK;
 }
 

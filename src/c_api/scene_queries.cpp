@@ -59,10 +59,9 @@ gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_ray> ray(rays, ray_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
-        answer_each(workers, count, [&](uint32_t i) {
-            gphys_hit hit = no_hit();
-            unwrap(scene)->raycast(widen(ray[i]), layers, hit);
-            out[i] = hit;
+        raycast_each(*unwrap(scene), count, layers, out, [&](uint32_t i, Ray& r) {
+            r = widen(ray[i]);
+            return true;
         });
         return GPHYS_OK;
     });
@@ -143,10 +142,9 @@ gphys_status gphys_scene_segment_test_batch(const gphys_scene* scene, const gphy
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_segment> segment(segments, segment_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
-        answer_each(workers, count, [&](uint32_t i) {
-            gphys_hit hit = no_hit();
-            unwrap(scene)->raycast(ray_along(widen(segment[i])), layers, hit);
-            out[i] = hit;
+        raycast_each(*unwrap(scene), count, layers, out, [&](uint32_t i, Ray& ray) {
+            ray = ray_along(widen(segment[i]));
+            return true;
         });
         return GPHYS_OK;
     });

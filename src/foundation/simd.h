@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 
 #define GPHYS_ISA_IS_scalar 1
 #define GPHYS_ISA_IS_sse2 2
@@ -33,6 +32,8 @@ constexpr int register_lanes = 4;
 constexpr int register_count = 8 / register_lanes;
 using FloatRegister = float __attribute__((vector_size(4 * register_lanes)));
 using MaskRegister = int32_t __attribute__((vector_size(4 * register_lanes)));
+/// The same anywhere in an array of floats.
+using FloatsInMemory = float __attribute__((vector_size(4 * register_lanes), aligned(4), may_alias));
 
 struct Float8 {
     FloatRegister part[register_count];
@@ -45,10 +46,14 @@ struct Mask8 {
 
 inline Float8 load(const float* from) {
     Float8 v;
-    std::memcpy(&v, from, sizeof v);
+    for (int i = 0; i < register_count; ++i) {
+        v.part[i] = *reinterpret_cast<const FloatsInMemory*>(from + register_lanes * i);
+    }
     return v;
 }
-inline void store(float* to, Float8 v) { std::memcpy(to, &v, sizeof v); }
+inline void store(float* to, Float8 v) {
+    for (int i = 0; i < register_count; ++i) *reinterpret_cast<FloatsInMemory*>(to + register_lanes * i) = v.part[i];
+}
 inline Float8 splat(float value) {
     Float8 v;
     for (FloatRegister& part : v.part) part = value - FloatRegister{};
@@ -109,6 +114,21 @@ inline Float8 min(Float8 a, Float8 b) {
 inline Float8 max(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = maximum(a.part[i], b.part[i]);
     return a;
+}
+/// The least of all lanes, in each.
+inline Float8 lowest(Float8 a) {
+    float least = a.part[0][0];
+    for (const FloatRegister& part : a.part) {
+        for (int i = 0; i < register_lanes; ++i) least = part[i] < least ? part[i] : least;
+    }
+    return splat(least);
+}
+inline Float8 highest(Float8 a) {
+    float most = a.part[0][0];
+    for (const FloatRegister& part : a.part) {
+        for (int i = 0; i < register_lanes; ++i) most = part[i] > most ? part[i] : most;
+    }
+    return splat(most);
 }
 inline Float8 abs(Float8 a) { return max(a, splat(0) - a); }
 

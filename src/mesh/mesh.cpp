@@ -42,29 +42,33 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     return mesh_ray.result(hit);
 }
 
-uint32_t Mesh::raycast(const Ray* rays, uint32_t count, Hit hits[group]) const {
+uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, Hit* hits) const {
     if (packets_.empty()) return 0;
     // All are prepared first: their arithmetic overlaps, which that of one ray and its walk does not.
-    std::optional<MeshRay> prepared[group];
+    std::optional<MeshRay> prepared[rays_at_once];
     const Box root = bounds();
-    const RayProbe* along[group] = {};
-    const TriangleProbe* probes[group] = {};
-    float limits[group] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    const RayProbe* along[rays_at_once];
+    const TriangleProbe* probes[rays_at_once];
+    float limits[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) {
         const MeshRay& ray = prepared[i].emplace(rays[i], root);
         along[i] = &ray.along();
         probes[i] = &ray.probe();
         limits[i] = ray.limit();
     }
-    const auto meet = [](void* context, int ray, const TrianglePacket& packet, uint32_t lanes) {
+    const auto meet = [](void* context, uint32_t ray, const TrianglePacket& packet, uint32_t lanes) {
         MeshRay& meeting = *static_cast<std::optional<MeshRay>*>(context)[ray];
         meeting.meet(packet, lanes);
         return meeting.limit();
     };
-    kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), along, probes, count, limits, {meet, prepared});
-    uint32_t found = 0;
+    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return *along[i]; };
+    RayBundling(root, octree_.size()).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+        kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), along + first, probes + first, limits + first,
+                      last - first, together, {meet, prepared + first});
+    });
+    uint64_t found = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        if (prepared[i]->result(hits[i])) found |= 1u << i;
+        if (prepared[i]->result(hits[i])) found |= uint64_t{1} << i;
     }
     return found;
 }

@@ -43,10 +43,10 @@ public:
     void for_each_box(Visit&& visit) const;
 
     bool raycast(const Ray& ray, Hit& hit) const;
-    /// Up to `group` rays, with the same answers: bit i of the result is set if ray i hits. Faster
-    /// than one by one, the more so if they go the same way.
-    static constexpr uint32_t group = 8;
-    uint32_t raycast(const Ray* rays, uint32_t count, Hit hits[group]) const;
+    /// Up to rays_at_once rays, with the same answers: bit i of the result is set if ray i hits.
+    /// Faster than one by one, the more so if they go the same way.
+    static constexpr uint32_t rays_at_once = 64;
+    uint64_t raycast_many(const Ray* rays, uint32_t count, Hit* hits) const;
     bool raycast_any(const Ray& ray) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>

@@ -1,28 +1,40 @@
 #include "mesh/mesh_kernels.h"
 
-#include "mesh/ray_group.h"
+#include "mesh/triangle_test.h"
+#include "octree/octree_many.h"
 
 namespace gphys::GPHYS_ISA {
 
 namespace {
 
-void walk_ray(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe& along,
-              const TriangleProbe& probe, float limit, const PacketVisitor& to) {
-    RayWalk walk(along, probe, root, limit);
-    while (walk.step({nodes, packets}, [&](const TrianglePacket& packet, uint32_t lanes) {
-        return to.visit(to.context, packet, lanes);
-    })) {
-    }
+void fetch_packet(const TrianglePacket* packets, uint32_t number) {
+    fetch_ahead(packets + number, sizeof(TrianglePacket));
 }
 
-void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* const along[8],
-               const TriangleProbe* const probes[8], uint32_t count, float limits[8], const RayPacketVisitor& to) {
-    const MeshTree tree{nodes, packets};
-    if (count > 1 && in_one_octant(along, count)) {
-        walk_together(tree, root, along, probes, count, limits, to);
-    } else {
-        walk_in_turns(tree, root, along, probes, count, limits, to);
-    }
+void walk_ray(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe& along,
+              const TriangleProbe& probe, float limit, const PacketVisitor& to) {
+    const TriangleTest test(probe);
+    nearest_first(
+        nodes, root, RayTest(along), limit,
+        [&](uint32_t number) {
+            const uint32_t lanes = test.hits(packets[number], limit);
+            if (lanes != 0) limit = to.visit(to.context, packets[number], lanes);
+            return limit;
+        },
+        [&](uint32_t number) { fetch_packet(packets, number); });
+}
+
+void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* const* along,
+               const TriangleProbe* const* probes, float* limits, uint32_t count, bool together,
+               const RayPacketVisitor& to) {
+    rays_at_once(
+        nodes, root, [&](uint32_t ray) -> const RayProbe& { return *along[ray]; }, limits, count, together,
+        [&](uint32_t ray, uint32_t number) {
+            const uint32_t lanes = TriangleTest(*probes[ray]).hits(packets[number], limits[ray]);
+            if (lanes != 0) limits[ray] = to.visit(to.context, ray, packets[number], lanes);
+            return limits[ray];
+        },
+        [&](uint32_t number) { fetch_packet(packets, number); });
 }
 
 uint32_t lanes_in_box(const TrianglePacket& packet, const Box& box) {

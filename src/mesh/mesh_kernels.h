@@ -16,7 +16,7 @@ struct PacketVisitor {
 
 /// The same for one of several rays.
 struct RayPacketVisitor {
-    float (*visit)(void* context, int ray, const TrianglePacket& packet, uint32_t lanes);
+    float (*visit)(void* context, uint32_t ray, const TrianglePacket& packet, uint32_t lanes);
     void* context;
 };
 
@@ -24,10 +24,11 @@ struct MeshKernels {
     /// Roughly nearest first, through an octree whose items are the numbers of `packets`.
     void (*ray)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe& along,
                 const TriangleProbe& probe, float limit, const PacketVisitor& to);
-    /// The same for one to eight rays at once; limits has eight places, of which the unused are
-    /// negative.
-    void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* const along[8],
-                 const TriangleProbe* const probes[8], uint32_t count, float limits[8], const RayPacketVisitor& to);
+    /// The same for many rays; up to RayBundling::most with the same signs of direction may go
+    /// together.
+    void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* const* along,
+                 const TriangleProbe* const* probes, float* limits, uint32_t count, bool together,
+                 const RayPacketVisitor& to);
     // The lanes of one packet whose boxes meet a query.
     uint32_t (*lanes_in_box)(const TrianglePacket& packet, const Box& box);
     uint32_t (*lanes_along)(const TrianglePacket& packet, const RayProbe& probe, float limit);

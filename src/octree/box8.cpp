@@ -103,6 +103,22 @@ float RayProbe::limit(double t_max) const {
     return end < 0 ? -1 : static_cast<float>(end * (1 + 17 * unit_roundoff));
 }
 
+RayBundling::RayBundling(const Box& root, uint32_t items) {
+    const Vec3 low{root.min[0], root.min[1], root.min[2]}, high{root.max[0], root.max[1], root.max[2]};
+    centre_ = (low + high) * 0.5;
+    radius_ = distance(high, centre_);
+    leaf_size_ = 2 * radius_ / std::cbrt(1.0 + items);
+}
+
+bool RayBundling::keep_together(const Ray& a, const RayProbe& a_probe, const Ray& b, const RayProbe& b_probe) const {
+    if (!std::equal(a_probe.near_row, a_probe.near_row + 3, b_probe.near_row)) return false;
+    const double reach = distance(a.origin, centre_) + radius_;
+    const double apart = leaf_size_ * leaf_size_, slope = apart / (reach * reach);
+    const double across = length_squared(cross(a.direction, b.direction));
+    return across <= slope * length_squared(a.direction) * length_squared(b.direction) &&
+           length_squared(b.origin - a.origin) <= apart;
+}
+
 // The gap on each axis is computed between the box and the interval of floats around the point:
 // one rounding; its square another three, the sum two more. Hence the computed squared distance
 // exceeds the true lower bound by a factor of at most 1 + 6u.

@@ -33,6 +33,7 @@ inline bool overlaps(const Box& a, const Box& b) {
 
 /// Boxes that a ray, or a sphere moving along it, meets.
 struct RayProbe {
+    RayProbe() = default;
     /// `root` encloses all boxes that will be tested.
     RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root);
 
@@ -54,7 +55,39 @@ private:
     double scale_;  // of t
     double start_ = 0, span_ = 0;
     double slack_;
-    bool everything_ = false;
+    bool everything_;
+};
+
+/// Which rays of many go so much the same way that sharing one walk through a tree saves more than it
+/// costs: those that stay together within about the size of a leaf.
+class RayBundling {
+public:
+    static constexpr uint32_t most = 8;  // rays of a bundle
+
+    RayBundling(const Box& root, uint32_t items);
+
+    /// Cuts rays 0 .. count - 1 into runs: run(first, last, together). probe_of(i) is ray i's probe.
+    template <class ProbeOf, class Run>
+    void split(const Ray* rays, const ProbeOf& probe_of, uint32_t count, const Run& run) const {
+        uint32_t alone = 0;  // first of those that have found no company
+        for (uint32_t first = 0; first < count; first += most) {
+            const uint32_t last = std::min(first + most, count);
+            uint32_t i = first + 1;
+            while (i < last && keep_together(rays[first], probe_of(first), rays[i], probe_of(i))) ++i;
+            if (i < last || last - first == 1) continue;
+            if (alone < first) run(alone, first, false);
+            run(first, last, true);
+            alone = last;
+        }
+        if (alone < count) run(alone, count, false);
+    }
+
+private:
+    bool keep_together(const Ray& a, const RayProbe& a_probe, const Ray& b, const RayProbe& b_probe) const;
+
+    Vec3 centre_;
+    double radius_;  // of the root
+    double leaf_size_;
 };
 
 /// Boxes near a point, by a lower bound of their squared distance.

@@ -34,6 +34,80 @@ private:
     Float8 near_origin_[3], far_origin_[3], inverse_[3];
 };
 
+/// Up to eight rays that go much the same way: at once as a bundle, which meets what any of them
+/// meets, and each by itself. All have the same signs of direction.
+class BundleTest {
+public:
+    /// probe_of(i) for i < count; limits as below.
+    template <class ProbeOf>
+    BundleTest(const ProbeOf& probe_of, const float limits[8], uint32_t count) {
+        alignas(32) float near_origins[3][8], far_origins[3][8], inverses[3][8];
+        for (uint32_t i = 0; i < 8; ++i) {
+            const RayProbe& probe = probe_of(i < count ? i : 0);
+            for (int k = 0; k < 3; ++k) {
+                near_origins[k][i] = probe.near_origin[k];
+                far_origins[k][i] = probe.far_origin[k];
+                inverses[k][i] = probe.inverse[k];
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            near_row_[k] = probe_of(0).near_row[k];
+            far_row_[k] = probe_of(0).far_row[k];
+            near_origins_[k] = load(near_origins[k]);
+            far_origins_[k] = load(far_origins[k]);
+            inverses_[k] = load(inverses[k]);
+            // Furthest ahead, so that boxes are entered early, and furthest behind.
+            const bool forward = near_row_[k] == k;
+            near_origin_[k] = forward ? highest(near_origins_[k]) : lowest(near_origins_[k]);
+            far_origin_[k] = forward ? lowest(far_origins_[k]) : highest(far_origins_[k]);
+            inverse_low_[k] = lowest(inverses_[k]);
+            inverse_high_[k] = highest(inverses_[k]);
+        }
+        set_limits(limits);
+    }
+
+    /// Each ray's own limit; negative where there is no ray.
+    void set_limits(const float limits[8]) {
+        limits_ = load(limits);
+        limit_ = highest(limits_);
+    }
+
+    /// Lanes that may be met by some ray. A quotient lies between those with the least and the
+    /// greatest inverse, whatever its sign, and rounding keeps their order: so each ray's own entry
+    /// and exit, as RayTest computes them, lie between the two computed here.
+    uint32_t hits(const Box8& boxes, Float8& entry) const {
+        const auto enters = [&](int k) {
+            const Float8 x = load(boxes.row[near_row_[k]]) - near_origin_[k];
+            return min(x * inverse_low_[k], x * inverse_high_[k]);
+        };
+        const auto leaves = [&](int k) {
+            const Float8 x = load(boxes.row[far_row_[k]]) - far_origin_[k];
+            return max(x * inverse_low_[k], x * inverse_high_[k]);
+        };
+        entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
+        const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
+        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), limit_));
+    }
+
+    /// Rays that meet the box of one lane.
+    uint32_t rays(const Box8& boxes, uint32_t lane) const {
+        const auto enters = [&](int k) {
+            return (splat(boxes.row[near_row_[k]][lane]) - near_origins_[k]) * inverses_[k];
+        };
+        const auto leaves = [&](int k) {
+            return (splat(boxes.row[far_row_[k]][lane]) - far_origins_[k]) * inverses_[k];
+        };
+        const Float8 entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
+        const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
+        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), limits_));
+    }
+
+private:
+    int near_row_[3], far_row_[3];
+    Float8 near_origins_[3], far_origins_[3], inverses_[3], limits_;
+    Float8 near_origin_[3], far_origin_[3], inverse_low_[3], inverse_high_[3], limit_;
+};
+
 class PointTest {
 public:
     explicit PointTest(const PointProbe& probe) {

@@ -51,17 +51,17 @@ public:
 
     // Queries. Visitors get items whose boxes meet the query, and in rare cases more; never fewer.
 
-    /// What a visitor reads of each item, an array, so that it can be fetched ahead.
-    struct ItemMemory {
-        const void* first;
-        uint32_t size;  // of one, in bytes
-    };
-
     /// Roughly nearest first. visit(item, t_max) may lower t_max; a negative one ends the query.
     /// Boxes entered exactly at t_max are still visited. A direction of zero asks for the boxes
     /// around the origin.
     template <class Visit>
     void raycast(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
+    /// Up to rays_at_once rays. Neighbours that go much the same way share a walk; the others take
+    /// turns, so that none waits for memory. visit(ray, item, t_max), with the number of the ray;
+    /// each ray has its own t_max.
+    static constexpr uint32_t rays_at_once = 64;
+    template <class Visit>
+    void raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items = {}) const;
     /// In no order, until visit(item) is true for one: then the result is.
     template <class Visit>
     bool raycast_any(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;

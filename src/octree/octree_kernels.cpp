@@ -1,21 +1,29 @@
 #include "octree/octree_kernels.h"
 
-#include "octree/octree_traversal.h"
+#include "octree/octree_many.h"
 
 namespace gphys::GPHYS_ISA {
 
 namespace {
+
+void fetch_item(const ItemMemory& items, uint32_t item) {
+    if (items.first) fetch_ahead(static_cast<const char*>(items.first) + size_t{item} * items.size, items.size);
+}
 
 template <class Test, class Probe>
 void walk_nearest_first(const OctreeNode* nodes, uint32_t root, const Probe& probe, float limit,
                         const OctreeVisitor& to) {
     nearest_first(
         nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); },
-        [&](uint32_t item) {
-            if (to.item_memory) {
-                fetch_ahead(static_cast<const char*>(to.item_memory) + size_t{item} * to.item_size, to.item_size);
-            }
-        });
+        [&](uint32_t item) { fetch_item(to.items, item); });
+}
+
+void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
+               bool together, const OctreeRayVisitor& to) {
+    rays_at_once(
+        nodes, root, [&](uint32_t ray) -> const RayProbe& { return probes[ray]; }, limits, count, together,
+        [&](uint32_t ray, uint32_t item) { return to.visit(to.context, ray, item); },
+        [&](uint32_t item) { fetch_item(to.items, item); });
 }
 
 void walk_ray_any(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to) {
@@ -122,6 +130,7 @@ bool walk_pairs(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_
 
 extern const OctreeKernels octree_kernels{
     walk_nearest_first<RayTest, RayProbe>,
+    walk_rays,
     walk_nearest_first<PointTest, PointProbe>,
     walk_ray_any,
     walk_box,

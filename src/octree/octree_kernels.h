@@ -7,14 +7,25 @@
 
 namespace gphys {
 
+/// What a visitor reads of each item, an array, so that it can be fetched ahead.
+struct ItemMemory {
+    const void* first = nullptr;
+    uint32_t size = 0;  // of one, in bytes
+};
+
 /// Who gets the items that a traversal with a limit finds.
 struct OctreeVisitor {
     /// Returns the new limit, which may have come nearer; a negative one ends the traversal.
     float (*visit)(void* context, uint32_t item);
     void* context;
-    /// What visit will read of an item, to be fetched ahead; null: nothing.
-    const void* item_memory;
-    uint32_t item_size;
+    ItemMemory items;
+};
+
+/// The same for many rays at once.
+struct OctreeRayVisitor {
+    float (*visit)(void* context, uint32_t ray, uint32_t item);
+    void* context;
+    ItemMemory items;
 };
 
 /// Who gets the leaves that a traversal without order finds: `lanes` of them meet the query, of
@@ -33,6 +44,9 @@ struct OctreePairVisitor {
 struct OctreeKernels {
     // Roughly nearest first.
     void (*ray)(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to);
+    /// Many rays. Up to RayBundling::most with the same signs of direction may go together.
+    void (*rays)(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
+                 bool together, const OctreeRayVisitor& to);
     void (*point)(const OctreeNode* nodes, uint32_t root, const PointProbe& probe, float limit,
                   const OctreeVisitor& to);
     // In no order.

@@ -26,13 +26,45 @@ void Octree::walk_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Pro
         if (w.bound != before) w.limit = w.probe.limit(w.bound);
         return w.limit;
     };
-    kernel(nodes_.data(), root_, probe, walk.limit, {step, &walk, items.first, items.size});
+    kernel(nodes_.data(), root_, probe, walk.limit, {step, &walk, items});
 }
 
 template <class Visit>
 void Octree::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
     walk_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
+}
+
+template <class Visit>
+void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
+    if (root_ == none) return;
+    struct Walk {
+        RayProbe probes[rays_at_once];
+        double bounds[rays_at_once];
+        float limits[rays_at_once];
+        uint32_t first;  // of the rays that the kernel has been given
+        std::remove_reference_t<Visit>& visit;
+    };
+    Walk walk{{}, {}, {}, 0, visit};
+    for (uint32_t i = 0; i < count; ++i) {
+        walk.probes[i] = RayProbe(rays[i].origin, rays[i].direction, 0, bounds_);
+        walk.bounds[i] = rays[i].t_max;
+        walk.limits[i] = walk.probes[i].limit(rays[i].t_max);
+    }
+    const auto step = [](void* context, uint32_t ray, uint32_t item) {
+        Walk& w = *static_cast<Walk*>(context);
+        const uint32_t i = w.first + ray;
+        const double before = w.bounds[i];
+        w.visit(i, item, w.bounds[i]);
+        if (w.bounds[i] != before) w.limits[i] = w.probes[i].limit(w.bounds[i]);
+        return w.limits[i];
+    };
+    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
+    RayBundling(bounds_, size_).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+        walk.first = first;
+        kernels_.rays(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
+                      {step, &walk, items});
+    });
 }
 
 template <class Visit>

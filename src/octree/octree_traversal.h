@@ -1,6 +1,8 @@
 // Walks through an octree, for kernels. Stacks are fixed arrays; nothing allocates.
 #pragma once
 
+#include <cstring>
+
 #include "octree/box8_tests.h"
 #include "octree/octree_node.h"
 
@@ -33,14 +35,14 @@ inline float key_of(KeyedChild entry) {
 }
 inline uint32_t child_of(KeyedChild entry) { return static_cast<uint32_t>(entry); }
 
-/// Push the lanes of `hits`, which is not 0, furthest first. One or two are the rule.
-inline int push_nearest_last(KeyedChild* stack, int size, const OctreeNode& node, uint32_t hits, Float8 key_lanes) {
+/// Push the children of the lanes of `hits`, which is not 0, furthest first. One or two are the rule.
+inline int push_nearest_last(KeyedChild* stack, int size, const uint32_t children[8], uint32_t hits, Float8 key_lanes) {
     alignas(32) float keys[8];
     store(keys, key_lanes);
     const auto take = [&] {
         const int lane = __builtin_ctz(hits);
         hits &= hits - 1;
-        return keyed(keys[lane], node.child[lane]);
+        return keyed(keys[lane], children[lane]);
     };
     const KeyedChild first = take();
     stack[size] = first;
@@ -59,44 +61,76 @@ inline int push_nearest_last(KeyedChild* stack, int size, const OctreeNode& node
     return size;
 }
 
-/// Best first within each node: visit(item) returns the new limit; what has come to lie behind it
-/// is dropped. fetch(item) may prepare for a visit.
+/// A walk that goes best first within each node and drops what lies behind the limit, which its
+/// visits may move. It is taken in steps that end where memory is asked for, so that several walks
+/// can take turns while it comes.
+class NearestFirst {
+public:
+    /// `limit` is not negative.
+    void begin(const OctreeNode* nodes, uint32_t root, float limit) {
+        limit_ = limit;
+        ref_ = root;
+        size_ = 0;
+        items_from_ = -1;
+        fetch_node(nodes);
+    }
+
+    /// Whether there is another step. visit(item) returns the new limit; fetch(item) prepares for it.
+    template <class Test, class Visit, class Fetch>
+    bool step(const OctreeNode* nodes, const Test& test, const Visit& visit, const Fetch& fetch) {
+        if (items_from_ >= 0) {
+            while (size_ > items_from_) {
+                const KeyedChild nearest = stack_[--size_];
+                if (!(key_of(nearest) <= limit_)) {
+                    size_ = items_from_;
+                    break;
+                }
+                limit_ = visit(child_of(nearest));
+            }
+            items_from_ = -1;
+        } else {
+            const OctreeNode& node = node_at(nodes, ref_);
+            Float8 keys;
+            const uint32_t hits = test.hits(node.boxes, limit_, keys) & lanes_of(node);
+            if (hits != 0) {
+                const int base = size_;
+                size_ = push_nearest_last(stack_, size_, node.child, hits, keys);
+                if (is_leaf(ref_)) {
+                    items_from_ = base;
+                    for (int i = size_; i-- > base;) fetch(child_of(stack_[i]));
+                } else {
+                    ref_ = child_of(stack_[--size_]);
+                    fetch_node(nodes);
+                }
+                return true;
+            }
+        }
+        do {
+            if (size_ == 0) return false;
+            --size_;
+        } while (!(key_of(stack_[size_]) <= limit_));
+        ref_ = child_of(stack_[size_]);
+        fetch_node(nodes);
+        return true;
+    }
+
+private:
+    void fetch_node(const OctreeNode* nodes) const { fetch_ahead(&node_at(nodes, ref_), sizeof(OctreeNode)); }
+
+    float limit_;
+    uint32_t ref_;
+    int size_;
+    int items_from_;  // where on the stack the items of a leaf begin that are to be visited, or -1
+    KeyedChild stack_[stack_size];
+};
+
 template <class Test, class Visit, class Fetch>
 void nearest_first(const OctreeNode* nodes, uint32_t root, const Test& test, float limit, const Visit& visit,
                    const Fetch& fetch) {
     if (!(limit >= 0)) return;
-    KeyedChild stack[stack_size];
-    int size = 0;
-    uint32_t ref = root;
-    for (;;) {
-        const OctreeNode& node = node_at(nodes, ref);
-        Float8 keys;
-        const uint32_t hits = test.hits(node.boxes, limit, keys) & lanes_of(node);
-        if (hits != 0) {
-            const int base = size;
-            size = push_nearest_last(stack, size, node, hits, keys);
-            if (!is_leaf(ref)) {
-                for (int i = size; i-- > base;) {
-                    fetch_ahead(&node_at(nodes, child_of(stack[i])), sizeof(OctreeNode));
-                }
-                ref = child_of(stack[--size]);
-                continue;
-            }
-            for (int i = size; i-- > base;) fetch(child_of(stack[i]));
-            while (size > base) {
-                const KeyedChild nearest = stack[--size];
-                if (!(key_of(nearest) <= limit)) {
-                    size = base;
-                    break;
-                }
-                limit = visit(child_of(nearest));
-            }
-        }
-        do {
-            if (size == 0) return;
-            --size;
-        } while (!(key_of(stack[size]) <= limit));
-        ref = child_of(stack[size]);
+    NearestFirst walk;
+    walk.begin(nodes, root, limit);
+    while (walk.step(nodes, test, visit, fetch)) {
     }
 }
 

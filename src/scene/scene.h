@@ -91,6 +91,9 @@ public:
     // Queries see the models of which layers & the model's layers is not 0. GPHYS_OK or GPHYS_NO_HIT.
 
     gphys_status raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const;
+    /// Up to rays_at_once rays, faster than one by one. Where nothing is hit, out is left alone.
+    static constexpr uint32_t rays_at_once = Octree::rays_at_once;
+    void raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* out) const;
     bool raycast_any(const Ray& ray, uint32_t layers) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out) const;
@@ -145,7 +148,9 @@ private:
     template <class Stored>
     static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
-    Octree::ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
+    class FirstOfRay;
+
+    ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
     const Model& at(gphys_model_id model) const { return models_[IdTable::slot_of(model)]; }
 
     // Shapes. visit gets some public struct, or const Mesh*, of the type; the model's; the same placed

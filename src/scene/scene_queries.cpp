@@ -1,6 +1,7 @@
 // Questions to the scene. Each walks the octree (and the few models that no octree can hold), asks
 // the exact shape of each candidate, and tells the octree what is not worth visiting any more.
 #include <cmath>
+#include <optional>
 
 #include "scene/quick_tests.h"
 #include "scene/scene.h"
@@ -60,34 +61,65 @@ bool may_touch(const Plane& plane, const Box& box) {
 
 }  // namespace
 
-gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
-    const QuickRay quick_ray(ray);
-    Hit first, hit;
-    Winner winner{infinity};
-    Ray rest = ray;
-    const auto quick = [&](const auto& shape) { return unless_no(quick_ray(shape, rest.t_max)); };
-    const auto exact = [&](const auto& shape) {
-        hit = Hit();
-        return gphys::raycast(shape, rest, hit);
-    };
-    const auto ask = [&](uint32_t slot) {
-        if (!(models_[slot].layers & layers) || !decide(slot, quick, exact)) return;
-        if (!winner.is_beaten_by(hit.t, slot, ids_)) return;
-        winner = {hit.t, slot};
-        first = hit;
+/// The first hit of one ray, among candidates in any order.
+class Scene::FirstOfRay {
+public:
+    FirstOfRay(const Scene& scene, const Ray& ray, uint32_t layers)
+        : scene_(&scene), quick_ray_(ray), ray_(ray), rest_(ray), layers_(layers) {
+        for (const uint32_t slot : scene.unbounded_) ask(slot);
+    }
+
+    void ask(uint32_t slot) {
+        Hit hit;
+        const auto quick = [&](const auto& shape) { return unless_no(quick_ray_(shape, rest_.t_max)); };
+        const auto exact = [&](const auto& shape) { return gphys::raycast(shape, rest_, hit); };
+        if (!(scene_->models_[slot].layers & layers_) || !scene_->decide(slot, quick, exact)) return;
+        if (!winner_.is_beaten_by(hit.t, slot, scene_->ids_)) return;
+        winner_ = {hit.t, slot};
+        hit_ = hit;
         // Shapes tell exactly what lies beyond t_max, while t is rounded (to 2^-50 of it at worst).
         // The slack keeps those in whose rounded t is the same, for the lower id to win.
-        rest.t_max = std::min(ray.t_max, hit.t * (1 + 0x1p-40));
-    };
-    for (const uint32_t slot : unbounded_) ask(slot);
+        rest_.t_max = std::min(ray_.t_max, hit.t * (1 + 0x1p-40));
+    }
+
+    /// How far other models can still come before the hit.
+    const Ray& rest() const { return rest_; }
+
+    gphys_status result(gphys_hit& out) const {
+        if (!winner_.exists()) return GPHYS_NO_HIT;
+        out = to_hit(hit_, scene_->ids_.id(winner_.slot), scene_->tags_[winner_.slot]);
+        return GPHYS_OK;
+    }
+
+private:
+    const Scene* scene_;
+    QuickRay quick_ray_;
+    Ray ray_, rest_;
+    uint32_t layers_;
+    Winner winner_{infinity};
+    Hit hit_;
+};
+
+gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
+    FirstOfRay first(*this, ray, layers);
     const auto visit = [&](uint32_t slot, double& t_max) {
-        ask(slot);
-        t_max = rest.t_max;
+        first.ask(slot);
+        t_max = first.rest().t_max;
     };
-    octree_.raycast(rest, visit, model_memory());
-    if (!winner.exists()) return GPHYS_NO_HIT;
-    out = to_hit(first, ids_.id(winner.slot), tags_[winner.slot]);
-    return GPHYS_OK;
+    octree_.raycast(first.rest(), visit, model_memory());
+    return first.result(out);
+}
+
+void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* out) const {
+    std::optional<FirstOfRay> first[rays_at_once];
+    Ray rest[rays_at_once];
+    for (uint32_t i = 0; i < count; ++i) rest[i] = first[i].emplace(*this, rays[i], layers).rest();
+    const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
+        first[ray]->ask(slot);
+        t_max = first[ray]->rest().t_max;
+    };
+    octree_.raycast_many(rest, count, visit, model_memory());
+    for (uint32_t i = 0; i < count; ++i) first[i]->result(out[i]);
 }
 
 bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
