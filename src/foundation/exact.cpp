@@ -146,8 +146,12 @@ auto cross_component(Vec3 a, Vec3 b, Vec3 c, Vec3 d, int axis) {
 int orientation(Vec3 a, Vec3 b, Vec3 c, int axis) { return sign_of(cross_component(a, b, a, c, axis)); }
 
 int turning_axis(Vec3 a, Vec3 b, Vec3 c) {
-    const Vec3 n = abs(cross(b - a, c - a));
-    const int likely = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
+    const Vec3 ab = b - a, ac = c - a;
+    const Vec3 n = abs(cross(ab, ac));
+    const int likely = longest_axis(n);
+    // A static filter: with u = 2^-53 each of two products is off by 3 u of itself, their difference
+    // by another u of both, and 10 u covers the terms in u^2.
+    if (n[likely] > 10 * 0x1p-53 * max_component(abs(ab)) * max_component(abs(ac))) return likely;
     for (int i = 0; i < 3; ++i) {
         const int axis = (likely + i) % 3;
         if (orientation(a, b, c, axis) != 0) return axis;

@@ -31,7 +31,7 @@ void for_each_edge(const MeshArrays& arrays, Visit&& visit) {
 
 /// Edges that do not join exactly two triangles.
 uint32_t count_open_edges(const MeshArrays& arrays, std::pmr::memory_resource* memory) {
-    // A counting sort by the lower vertex leaves a few edges a vertex to be sorted by the higher.
+    // A counting sort by the lower vertex leaves a few edges a vertex, to be counted by the higher.
     Vector<uint32_t> end(size_t{arrays.vertex_count} + 1, 0, memory);
     for_each_edge(arrays, [&](uint32_t low, uint32_t) { ++end[low + 1]; });
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) end[i + 1] += end[i];
@@ -39,14 +39,15 @@ uint32_t count_open_edges(const MeshArrays& arrays, std::pmr::memory_resource* m
     for_each_edge(arrays, [&](uint32_t low, uint32_t high) { high_ends[end[low]++] = high; });
 
     uint32_t open = 0;
+    Vector<uint32_t> joined(arrays.vertex_count, 0, memory);  // triangles at the edge to each vertex
     auto first = high_ends.begin();
     for (uint32_t low = 0; low < arrays.vertex_count; ++low) {
         const auto last = high_ends.begin() + end[low];
-        std::sort(first, last);
-        while (first != last) {
-            const auto next = std::find_if(first, last, [high = *first](uint32_t other) { return other != high; });
-            open += next - first != 2;
-            first = next;
+        for (auto high = first; high != last; ++high) ++joined[*high];
+        for (; first != last; ++first) {
+            uint32_t& triangles = joined[*first];
+            open += (triangles != 0) & (triangles != 2);
+            triangles = 0;
         }
     }
     return open;
