@@ -3,7 +3,7 @@
 //   closest_point  which point of a shape is nearest?            closest.cpp
 //   overlaps       do two shapes share a point?                  overlap.cpp
 //   classify       on which side of a plane or frustum?          classify.cpp
-//   raycast        where does a ray first meet a shape?          raycast.cpp
+//   raycast        where does a ray first meet a shape?          raycast*.cpp
 //   sweep          where does a moving sphere first touch?       sweep.cpp
 // Shapes are closed sets; solids are solid. Inputs are valid (shapes.h: defect).
 #pragma once
@@ -82,6 +82,8 @@ bool raycast(const Plane& plane, const Ray& ray, Hit& hit);
 bool raycast(const Triangle& triangle, const Ray& ray, Hit& hit);
 bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit);
 bool raycast(const Shape& shape, const Ray& ray, Hit& hit);
+/// The hit of a ray whose origin is in a solid: at once. Always true.
+bool started_inside(const Ray& ray, Hit& hit);
 inline Ray ray_along(const Segment& segment) { return {segment.a, segment.b - segment.a, 1.0}; }
 
 /// A ray prepared for many triangles by Woop's shear (Woop, Benthin, Wald 2013), which takes its

@@ -1,4 +1,5 @@
-// Where a ray first meets a sphere, capsule, box, plane or frustum. Triangles: raycast_triangle.cpp.
+// Where a ray first meets a box, plane or frustum. Spheres and capsules: raycast_round.cpp, triangles:
+// raycast_triangle.cpp.
 //
 // A solid met from inside is met at once: t = 0, GPHYS_HIT_INSIDE. Rounding is kept away from the
 // yes or no: where it could decide, the question is asked again in exact arithmetic (exact.h).
@@ -7,17 +8,6 @@
 
 namespace gphys {
 namespace {
-
-bool has_direction(const Ray& ray) { return ray.direction != Vec3{}; }
-
-bool started_inside(const Ray& ray, Hit& hit) {
-    hit = Hit{};
-    hit.t = 0;
-    hit.point = ray.origin;
-    hit.normal = has_direction(ray) ? -normalized(ray.direction) : Vec3{};
-    hit.flags = GPHYS_HIT_INSIDE;
-    return true;
-}
 
 /// dot(normal, point - origin) - distance, with the exact sign.
 double height(const Plane& plane, Vec3 origin, Vec3 point) {
@@ -47,103 +37,6 @@ bool is_beyond_end(const Plane& plane, const Ray& ray, double start) {
     return start > 0 ? end > 0 : end < 0;
 }
 
-/// Whether a curved shape met at t is met before the ray ends. t is off by a few roundings, which
-/// must not cost a ray that ends on the surface its hit.
-bool reaches(double& t, double t_max) {
-    if (t > t_max * (1 + 0x1p-48)) return false;
-    t = std::min(t, t_max);
-    return true;
-}
-
-// --- Sphere -------------------------------------------------------------------------------------
-
-/// The quadratic dd t^2 - 2 b t + c = 0 for the times at which a ray crosses a sphere.
-template <class N>
-struct Quadratic {
-    N dd, b, c;
-
-    Quadratic(const Sphere& sphere, const Ray& ray) {
-        const auto from = VecOf<N>::difference(ray.origin, sphere.center);
-        const auto direction = VecOf<N>::of(ray.direction);
-        dd = dot(direction, direction);
-        b = -dot(from, direction);
-        c = dot(from, from) - N(sphere.radius) * N(sphere.radius);
-    }
-};
-
-/// When a ray from outside enters the sphere. The discriminant comes from the vector from the
-/// centre perpendicular to the ray, which loses little however far the origin is, and t from the
-/// root that adds numbers of one sign (Haines, Guenther, Akenine-Moeller 2019).
-bool enters(const Sphere& sphere, const Ray& ray, double& t) {
-    const Quadratic<Bounded> quadratic(sphere, ray);
-    double b = quadratic.b.value, c = quadratic.c.value;
-    const double dd = quadratic.dd.value;
-    const Vec3 from = ray.origin - sphere.center;
-    const Vec3 perpendicular = from + ray.direction * (b / dd);
-    const double from_squared = length_squared(from), perpendicular_squared = length_squared(perpendicular);
-    const double radius_squared = sphere.radius * sphere.radius;
-    const double discriminant = radius_squared - perpendicular_squared;
-
-    // Each component of `perpendicular` is off by at most 12 half ulps of |from|: 1 of the
-    // difference, 4 + 4 of b and dd, 3 of quotient, product and sum. Its square is off by twice
-    // that times sqrt(3) |perpendicular|, 42, plus the square of the first, plus 4 of its own.
-    const double error =
-        0x1p-53 * (48 * std::sqrt(from_squared * perpendicular_squared) + 8 * radius_squared) + 0x1p-96 * from_squared;
-    if (discriminant < -error) return false;
-    // Not approaching. Were b just positive, below its error, b^2 / dd would be far below that of c.
-    if (b <= 0 && c > quadratic.c.error) return false;
-    double root = std::sqrt(std::max(discriminant * dd, 0.0));
-    // Both errors as parts of t: 2^-30 is 1/64 of what rounding t to a float costs.
-    const bool root_is_good = discriminant > error && error * dd <= 0x1p-29 * root * (b + root);
-    const bool c_is_good = quadratic.c.error <= 0x1p-30 * c;
-    if (!root_is_good || !c_is_good) {
-        const Quadratic<Exact> exact(sphere, ray);
-        const Exact exact_discriminant = exact.b * exact.b - exact.dd * exact.c;
-        if (exact_discriminant.sign() < 0 || exact.b.sign() <= 0) return false;
-        b = exact.b.value();
-        c = exact.c.value();
-        root = std::sqrt(exact_discriminant.value());
-    }
-    t = c / (b + root);
-    return reaches(t, ray.t_max);
-}
-
-/// The hit at t on the ball of the given radius around the point of a sphere or capsule's axis.
-bool round_hit(Vec3 axis_point, double radius, const Ray& ray, double t, Hit& hit) {
-    const Vec3 from_axis = (ray.origin - axis_point) + ray.direction * t;
-    const bool has_normal = radius > 0 && from_axis != Vec3{};
-    hit = Hit{};
-    hit.t = t;
-    hit.normal = has_normal ? normalized(from_axis) : -normalized(ray.direction);
-    hit.point = has_normal ? axis_point + hit.normal * radius : axis_point;
-    return true;
-}
-
-// --- Capsule ------------------------------------------------------------------------------------
-
-/// When a ray from outside meets the curved side of a capsule, and where along the axis (0..1).
-/// With m the origin relative to a, n = cross(direction, axis): the lines are |dot(m, n)| / |n|
-/// apart, which gives the discriminant without the cancellation of b^2 - ac (Lagrange's identity).
-bool enters_side(const Capsule& capsule, const Ray& ray, double& t, double& along) {
-    const Vec3 axis = capsule.b - capsule.a;
-    const Vec3 from = ray.origin - capsule.a;
-    const Vec3 n = cross(ray.direction, axis);
-    const double nn = length_squared(n), axis_squared = length_squared(axis);
-    const double radius_squared = capsule.radius * capsule.radius;
-    const double apart = dot(from, n);
-    const double discriminant = radius_squared * nn - apart * apart;
-    if (nn == 0 || discriminant < 0) return false;
-    const Vec3 moment = cross(from, axis);
-    const double b = -dot(moment, n);
-    if (b <= 0) return false;  // not approaching the axis
-    const double c = length_squared(moment) - radius_squared * axis_squared;
-    // Inside the infinite cylinder c is negative: then the ray can only enter through an end,
-    // which the axis position at t = 0 tells.
-    t = std::max(c, 0.0) / (b + std::sqrt(axis_squared * discriminant));
-    along = (dot(from, axis) + t * dot(ray.direction, axis)) / axis_squared;
-    return along >= 0 && along <= 1 && reaches(t, ray.t_max);
-}
-
 // --- Box ----------------------------------------------------------------------------------------
 
 /// The time (face - origin) / direction at which a ray crosses a face of a box.
@@ -169,25 +62,13 @@ bool at_or_before(const Crossing& a, const Crossing& b) {
 
 }  // namespace
 
-bool raycast(const Sphere& sphere, const Ray& ray, Hit& hit) {
-    if (contains(sphere, ray.origin, 0)) return started_inside(ray, hit);
-    double t;
-    return has_direction(ray) && enters(sphere, ray, t) && round_hit(sphere.center, sphere.radius, ray, t, hit);
-}
-
-bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit) {
-    if (contains(capsule, ray.origin, 0)) return started_inside(ray, hit);
-    if (!has_direction(ray)) return false;
-    double t, along;
-    // Outside of a convex solid a ray enters once: if that is on the side, no end comes earlier.
-    if (enters_side(capsule, ray, t, along)) {
-        return round_hit(capsule.a + (capsule.b - capsule.a) * along, capsule.radius, ray, t, hit);
-    }
-    double t_a = infinity, t_b = infinity;
-    const bool enters_a = enters({capsule.a, capsule.radius}, ray, t_a);
-    const bool enters_b = enters({capsule.b, capsule.radius}, ray, t_b);
-    if (enters_a && (!enters_b || t_a <= t_b)) return round_hit(capsule.a, capsule.radius, ray, t_a, hit);
-    return enters_b && round_hit(capsule.b, capsule.radius, ray, t_b, hit);
+bool started_inside(const Ray& ray, Hit& hit) {
+    hit = Hit{};
+    hit.t = 0;
+    hit.point = ray.origin;
+    hit.normal = ray.direction != Vec3{} ? -normalized(ray.direction) : Vec3{};
+    hit.flags = GPHYS_HIT_INSIDE;
+    return true;
 }
 
 /// Slabs (Williams et al. 2005), dividing by the direction instead of multiplying by its

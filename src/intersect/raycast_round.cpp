@@ -1,0 +1,187 @@
+// Where a ray first meets a sphere or a capsule, without a false answer: what rounding could decide is
+// asked again in exact arithmetic (exact.h).
+#include "foundation/exact.h"
+#include "intersect/intersect.h"
+
+namespace gphys {
+namespace {
+
+/// The times at which a line crosses a round surface solve a t^2 - 2 b t + c = 0; c > 0 outside. The
+/// discriminant b^2 - a c is `stretch` times a number that comes from cross products, which lose
+/// little however far the origin is, while b^2 and a c would cancel (Lagrange's identity).
+template <class N>
+struct Quadratic {
+    N a, b, c, discriminant, stretch;
+};
+
+/// How far the numbers of a Quadratic<double> are off at most. With u = 2^-53, a component of a cross
+/// product of vectors p and q that carry e and f roundings is off by at most (2 + e + f) u |p| |q|, the
+/// whole vector by sqrt(3) of that; a dot product by (3 + e + f) u |p| |q|. Terms in u^2 are paid for
+/// by rounding the factors up.
+struct Rounding {
+    double b, c, discriminant;
+};
+constexpr double unit = 0x1p-53;
+/// At least the length of a vector, and no more than sqrt(3) times that.
+double reach(Vec3 v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+
+struct SphereCrossing {
+    const Sphere& sphere;
+    const Ray& ray;
+
+    template <class N>
+    Quadratic<N> operator()(N) const {
+        const auto from = VecOf<N>::difference(ray.origin, sphere.center), d = VecOf<N>::of(ray.direction);
+        const auto moment = cross(from, d);
+        const N dd = dot(d, d), radius_squared = N(sphere.radius) * N(sphere.radius);
+        return {dd, -dot(from, d), dot(from, from) - radius_squared, radius_squared * dd - dot(moment, moment), N(1.0)};
+    }
+    Rounding rounding_of(const Quadratic<double>& q) const {
+        const double from = reach(ray.origin - sphere.center), rr = sphere.radius * sphere.radius;
+        // moment: off by 3 sqrt(3) u |from| |d| =: e; its square by (2 |moment| + e) e, and its own sum.
+        const double product = from * reach(ray.direction), e = 6 * unit * product;
+        const double moment = std::sqrt(std::max(rr * q.a - q.discriminant, 0.0));
+        return {5 * unit * product, unit * (6 * from * from + 3 * rr),
+                (2 * moment + e) * e + 4 * unit * moment * moment + 6 * unit * rr * q.a};
+    }
+};
+
+/// Of the infinite cylinder around the axis of a capsule. The common normal n of ray and axis tells
+/// how far apart the two lines are: dot(from, n) / |n|.
+struct SideCrossing {
+    const Capsule& capsule;
+    const Ray& ray;
+
+    template <class N>
+    Quadratic<N> operator()(N) const {
+        const auto axis = VecOf<N>::difference(capsule.b, capsule.a);
+        const auto from = VecOf<N>::difference(ray.origin, capsule.a), d = VecOf<N>::of(ray.direction);
+        const auto n = cross(d, axis), moment = cross(from, axis);
+        const N nn = dot(n, n), apart = dot(from, n), aa = dot(axis, axis);
+        const N radius_squared = N(capsule.radius) * N(capsule.radius);
+        return {nn, -dot(moment, n), dot(moment, moment) - radius_squared * aa, radius_squared * nn - apart * apart,
+                aa};
+    }
+    Rounding rounding_of(const Quadratic<double>& q) const {
+        const double from = reach(ray.origin - capsule.a), rr = capsule.radius * capsule.radius;
+        // n is off by 3 sqrt(3) u |d| |axis| =: e, the moment by 4 sqrt(3) u |from| |axis| =: g, apart by
+        // |from| e and 4 u |from| |n|, in all h; |n| <= |d| |axis|, |moment| <= |from| |axis|.
+        const double axis = reach(capsule.b - capsule.a), d_axis = reach(ray.direction) * axis, from_axis = from * axis;
+        const double e = 6 * unit * d_axis, g = 8 * unit * from_axis, h = 11 * unit * from * d_axis;
+        const double apart = std::sqrt(std::max(rr * q.a - q.discriminant, 0.0));
+        return {from_axis * e + d_axis * (g + 4 * unit * from_axis),
+                (2 * from_axis + g) * g + 4 * unit * from_axis * from_axis + 9 * unit * rr * q.stretch,
+                (2 * apart + h) * h + 2 * unit * apart * apart + rr * (2 * d_axis * e + 6 * unit * q.a)};
+    }
+};
+
+/// Whether the crossing at t comes before the ray ends. Too close to call, the ray has entered if its
+/// end is within the surface, or past the middle of the two crossings.
+template <class Crossing>
+bool in_time(const Crossing& crossing, double t_max, double& t) {
+    if (std::fabs(t - t_max) > 0x1p-27 * t) return t <= t_max;
+    const int end = sign_of([&](auto number) {
+        using N = decltype(number);
+        const Quadratic<N> q = crossing(number);
+        return N(t_max) * (N(t_max) * q.a - N(2.0) * q.b) + q.c;
+    });
+    t = std::min(t, t_max);
+    return end <= 0 || sign_of([&](auto number) {
+                           const auto q = crossing(number);
+                           return decltype(number)(t_max) * q.a - q.b;
+                       }) >= 0;
+}
+
+/// When a ray from outside enters; false also if it starts inside. t is the root that adds numbers of
+/// one sign (Haines, Guenther, Akenine-Moeller 2019).
+template <class Crossing>
+bool enters(const Crossing& crossing, double t_max, double& t) {
+    const Quadratic<double> quick = crossing(0.0);
+    const Rounding error = crossing.rounding_of(quick);
+    if (quick.discriminant < -error.discriminant) return false;
+    if (quick.b < -error.b || quick.c < -error.c) return false;  // not approaching; inside
+    double b = quick.b, c = quick.c, stretch = std::sqrt(quick.stretch);
+    double root = std::sqrt(std::max(quick.discriminant, 0.0));
+    // Errors as parts of t: 2^-28 is 1/16 of what rounding t to a float costs. That of the root is
+    // error / (2 root).
+    const double sum = b + stretch * root;
+    const bool good = quick.discriminant > error.discriminant && error.c <= 0x1p-30 * c && error.b <= 0x1p-30 * sum &&
+                      stretch * error.discriminant <= 0x1p-29 * root * sum;
+    if (!good) {
+        const Quadratic<Exact> exact = crossing(Exact());
+        if (exact.discriminant.sign() < 0 || exact.b.sign() <= 0 || exact.c.sign() <= 0) return false;
+        b = exact.b.value();
+        c = exact.c.value();
+        stretch = std::sqrt(exact.stretch.value());
+        root = std::sqrt(exact.discriminant.value());
+    }
+    t = c / (b + stretch * root);
+    return in_time(crossing, t_max, t);
+}
+
+bool enters(const Sphere& sphere, const Ray& ray, double& t) {
+    return enters(SphereCrossing{sphere, ray}, ray.t_max, t);
+}
+
+/// The hit at t on the ball of the given radius around the point of a sphere or capsule's axis.
+bool round_hit(Vec3 axis_point, double radius, const Ray& ray, double t, Hit& hit) {
+    const Vec3 from_axis = (ray.origin - axis_point) + ray.direction * t;
+    const bool has_normal = radius > 0 && from_axis != Vec3{};
+    hit = Hit{};
+    hit.t = t;
+    hit.normal = has_normal ? normalized(from_axis) : -normalized(ray.direction);
+    hit.point = has_normal ? axis_point + hit.normal * radius : axis_point;
+    return true;
+}
+
+/// Whether the axis is nearest to the ray's line between its ends, exactly. They are not parallel.
+bool is_nearest_between_ends(const Capsule& capsule, const Ray& ray) {
+    const auto beyond = [&](Vec3 end, Vec3 other) {
+        return sign_of([&](auto number) {
+                   using V = VecOf<decltype(number)>;
+                   const V d = V::of(ray.direction);
+                   return dot(cross(V::difference(ray.origin, end), d), cross(V::difference(other, end), d));
+               }) < 0;
+    };
+    return !beyond(capsule.a, capsule.b) && !beyond(capsule.b, capsule.a);
+}
+
+}  // namespace
+
+bool raycast(const Sphere& sphere, const Ray& ray, Hit& hit) {
+    if (contains(sphere, ray.origin, 0)) return started_inside(ray, hit);
+    double t;
+    return ray.direction != Vec3{} && enters(sphere, ray, t) && round_hit(sphere.center, sphere.radius, ray, t, hit);
+}
+
+/// Outside of a convex solid a ray enters once: if that is on the side, no end comes earlier. At the
+/// circle where side and end join, t is the same for both but for the square of a rounding; there the
+/// ray meets the capsule if it meets the ball of an end or, on the side, is nearest to the axis between
+/// its ends.
+bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit) {
+    if (contains(capsule, ray.origin, 0)) return started_inside(ray, hit);
+    if (ray.direction == Vec3{}) return false;
+    const Vec3 axis = capsule.b - capsule.a;
+    double t, along = 0;
+    bool at_joint = false;
+    if (enters(SideCrossing{capsule, ray}, ray.t_max, t)) {
+        const double start = dot(ray.origin - capsule.a, axis), way = t * dot(ray.direction, axis);
+        const double axis_squared = length_squared(axis);
+        // Off by the 2^-28 of t, which outweighs all else, and by a few roundings.
+        const double error = (0x1p-27 * std::fabs(way) + 0x1p-48 * std::fabs(start)) / axis_squared;
+        along = (start + way) / axis_squared;
+        if (along > error && along < 1 - error) {
+            return round_hit(capsule.a + axis * along, capsule.radius, ray, t, hit);
+        }
+        at_joint = along >= -error && along <= 1 + error;
+    }
+    double t_a = infinity, t_b = infinity;
+    const bool enters_a = enters(Sphere{capsule.a, capsule.radius}, ray, t_a);
+    const bool enters_b = enters(Sphere{capsule.b, capsule.radius}, ray, t_b);
+    if (enters_a && (!enters_b || t_a <= t_b)) return round_hit(capsule.a, capsule.radius, ray, t_a, hit);
+    if (enters_b) return round_hit(capsule.b, capsule.radius, ray, t_b, hit);
+    return at_joint && is_nearest_between_ends(capsule, ray) &&
+           round_hit(capsule.a + axis * std::clamp(along, 0.0, 1.0), capsule.radius, ray, t, hit);
+}
+
+}  // namespace gphys
