@@ -15,6 +15,14 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     Vector<uint32_t> numbers(boxes.size(), &memory);
     for (uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
     octree_.build(boxes.data(), numbers.data(), static_cast<uint32_t>(numbers.size()));
+    if (packets_.empty()) return;
+
+    const Box box = bounds();
+    center_ = (Vec3{box.min[0], box.min[1], box.min[2]} + Vec3{box.max[0], box.max[1], box.max[2]}) * 0.5;
+    double squared = 0;
+    for (const gphys_vec3& vertex : vertices_) squared = std::max(squared, length_squared(widen(vertex) - center_));
+    // Five roundings of 2^-53 each, of which those below the root count half.
+    radius_ = std::sqrt(squared) * (1 + 0x1p-50);
 }
 
 void Mesh::release(const Mesh* mesh) noexcept {

@@ -33,6 +33,9 @@ public:
     const gphys_mesh_report& report() const { return report_; }
     /// Empty without triangles.
     Box bounds() const { return octree_.bounds(); }
+    /// The centre of the bounds, and how far from it vertices are at most.
+    Vec3 center() const { return center_; }
+    double radius() const { return radius_; }
     const Octree& octree() const { return octree_; }
     const Vector<TrianglePacket>& packets() const { return packets_; }
 
@@ -82,6 +85,8 @@ private:
     Vector<uint32_t> indices_{&memory};
     Vector<TrianglePacket> packets_{&memory};
     Octree octree_;
+    Vec3 center_;
+    double radius_ = 0;
 };
 
 template <class Visit>

@@ -72,6 +72,9 @@ public:
         return met ? Verdict::yes : Verdict::open;
     }
 
+    /// The box of the mesh is for mesh_instance.cpp, which has the ray in the mesh's space.
+    Verdict operator()(const QuickMesh& mesh, double t_max) const { return (*this)(mesh.sphere(), t_max); }
+
 private:
     /// An infinite t_max would make NaN of 0. With coordinates and directions of floats nothing is
     /// met later than this.

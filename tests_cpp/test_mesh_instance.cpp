@@ -1,0 +1,91 @@
+#include "mesh/mesh_instance.h"
+
+#include "meshes.h"
+#include "scene/quick_tests.h"
+
+using namespace gphys;
+
+namespace {
+
+/// On a coarse lattice rays run along faces, through edges and into corners.
+class Lattice {
+public:
+    float number(int extent, bool coarse) {
+        const float reach = static_cast<float>(extent), value = random_.uniform_float(-reach, reach);
+        return coarse ? std::round(value) : value;
+    }
+    gphys_vec3 point(int extent, bool coarse) {
+        return {number(extent, coarse), number(extent, coarse), number(extent, coarse)};
+    }
+    gphys_transform transform(bool coarse) {
+        const Quat turn = normalized(Quat{number(1, false), number(1, false), number(1, false), 1.01});
+        return {point(5, coarse), coarse ? gphys_quat{0, 0, 0, 1} : narrow(turn),
+                coarse ? 2.0f : random_.uniform_float(0.2f, 3)};
+    }
+    Ray ray(bool coarse) {
+        return {widen(point(6, coarse)), widen(point(3, coarse)),
+                random_.index(3) == 0 ? infinity : std::fabs(double{number(5, coarse)})};
+    }
+
+private:
+    test::Random random_{91};
+};
+
+bool holds(const Box& box, Vec3 point) {
+    for (int k = 0; k < 3; ++k) {
+        if (point[k] < box.min[k] || point[k] > box.max[k]) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("the box of a placed mesh holds its triangles, and of a round one little else") {
+    const test::Arrays round = test::sphere(3).placed({4, -2, 1}, {1, 1, 1});
+    const test::Arrays rod = test::sphere(2).placed({0, 3, 0}, {5, 0.1, 0.1});
+    Lattice lattice;
+    for (const test::Arrays* arrays : {&round, &rod}) {
+        Mesh* mesh = arrays->make();
+        for (int i = 0; i < 500; ++i) {
+            const Transform world = widen(lattice.transform(i % 2 == 0));
+            const Box box = bounds(MeshInstance{*mesh, world});
+            for (const gphys_vec3& vertex : arrays->vertices) REQUIRE(holds(box, world.apply(widen(vertex))));
+            if (arrays != &round) continue;
+            for (int k = 0; k < 3; ++k) REQUIRE(box.max[k] - box.min[k] < 2 * world.scale + 1e-5);
+        }
+        Mesh::release(mesh);
+    }
+}
+
+TEST_CASE("a ray that meets a mesh is never held off by what encloses it") {
+    const test::Arrays shapes[] = {test::sphere(0), test::sphere(2).placed({1, 0, 2}, {3, 1, 1})};
+    Lattice lattice;
+    for (const test::Arrays& arrays : shapes) {
+        Mesh* mesh = arrays.make();
+        int met = 0, quick_no = 0;
+        for (int i = 0; i < 40000; ++i) {
+            const bool coarse = i % 2 == 0;
+            const gphys_transform stored = lattice.transform(coarse);
+            const Transform world = widen(stored);
+            const Ray ray = lattice.ray(coarse);
+            const Ray local{world.inverse_apply(ray.origin), world.inverse_apply_to_vector(ray.direction), ray.t_max};
+            Hit expected, hit;
+            const bool truth = mesh->raycast(local, expected);
+            met += truth;
+            const MeshInstance instance{*mesh, world};
+            REQUIRE(raycast(instance, ray, hit) == truth);
+            REQUIRE(raycast_any(instance, ray) == truth);
+            REQUIRE((!truth || (hit.t == expected.t && hit.triangle == expected.triangle)));
+            const Mesh* pointer = mesh;
+            const QuickRay quick(ray);
+            const Verdict verdict =
+                quick_verdict(pointer, stored, [&](const auto& shape) { return quick(shape, ray.t_max); });
+            REQUIRE(verdict != Verdict::yes);
+            REQUIRE_FALSE((truth && verdict == Verdict::no));
+            quick_no += verdict == Verdict::no;
+        }
+        CHECK(met > 500);
+        CHECK(quick_no > 20000);
+        Mesh::release(mesh);
+    }
+}
