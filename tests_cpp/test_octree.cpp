@@ -407,7 +407,7 @@ TEST_CASE("boxes in a geometric series do not make an octree deeper than its sta
     REQUIRE(tree.stats().depth <= Octree::max_built_levels);
 }
 
-TEST_CASE("an octree rebuilds itself when its items have mixed") {
+TEST_CASE("an octree rebuilds itself when all its items change places at once") {
     test::Random random(7);
     Boxes boxes = random_boxes(random, Kind::spread, 4000);
     Octree tree(std::pmr::get_default_resource());
@@ -583,7 +583,7 @@ TEST_CASE("running out of memory leaves an octree as it was") {
     REQUIRE(memory.bytes_in_use == 0);
 }
 
-TEST_CASE("octree queries, removals and small updates allocate nothing") {
+TEST_CASE("octree queries allocate nothing, and a few removals and updates neither") {
     test::Random random(14);
     test::WatchedMemory memory;
     Boxes boxes = random_boxes(random, Kind::spread, 2000);

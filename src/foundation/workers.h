@@ -87,4 +87,14 @@ private:
     long process_;                // that they are in
 };
 
+/// For objects that may have been given none: null stands for the caller's thread alone.
+template <class Task>
+void run(const Workers* workers, uint32_t count, Task&& task) noexcept {
+    if (workers) {
+        workers->run(count, task);
+    } else {
+        for (uint32_t i = 0; i < count; ++i) task(i);
+    }
+}
+
 }  // namespace gphys

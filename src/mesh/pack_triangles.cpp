@@ -9,9 +9,9 @@ namespace gphys {
 namespace {
 
 constexpr int lanes = 8;
-/// From here down all cuts fill packets. More would make packets fuller yet, and wider: at 64, seven
-/// of eight lanes are in use.
-constexpr int few = 64;
+/// From here down all cuts fill packets. Seven of eight lanes are in use then; from higher up they
+/// would be fuller yet, and packets wider.
+constexpr int few = split_few_size;
 /// Below this level cuts by cost have gone wrong (sizes in a geometric series), and halving bounds
 /// both the time and the depth.
 constexpr int cost_levels = 48;
@@ -21,54 +21,14 @@ Box bounds_of(const gphys_vec3& a, const gphys_vec3& b, const gphys_vec3& c) {
             {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
 
-/// Where each of a few values stands among them; equal ones stay in order. To compare all with all
-/// takes no unpredictable branch.
-void rank_all(const float* values, int count, int* rank) {
-    for (int i = 0; i < count; ++i) {
-        int below = 0;
-        for (int k = 0; k < i; ++k) below += values[k] <= values[i];
-        for (int k = i + 1; k < count; ++k) below += values[k] < values[i];
-        rank[i] = below;
-    }
-}
-
 /// Of all cuts with a full packet's multiple on one side, the one of least expected cost.
 BoxedItem* split_into_full_packets(BoxedItem* first, BoxedItem* last) {
     const int count = static_cast<int>(last - first);
-    int order[3][few];
-    double least = infinity;
-    int best_axis = 0, best_cut = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        float centres[few];
-        int rank[few];
-        for (int i = 0; i < count; ++i) centres[i] = first[i].box.min[axis] + first[i].box.max[axis];
-        rank_all(centres, count, rank);
-        int* places = order[axis];
-        for (int i = 0; i < count; ++i) places[rank[i]] = i;
-        const auto fills = [&](int cut) { return cut % lanes == 0 || (count - cut) % lanes == 0; };
-        const auto packets = [](int n) { return (n + lanes - 1) / lanes; };
-        double cost_above[few];
-        Box box;
-        for (int cut = count; cut-- > 1;) {
-            box.include(first[places[cut]].box);
-            if (fills(cut)) cost_above[cut] = half_area(box) * packets(count - cut);
-        }
-        box = Box();
-        for (int cut = 1; cut < count; ++cut) {
-            box.include(first[places[cut - 1]].box);
-            if (!fills(cut)) continue;
-            const double cost = half_area(box) * packets(cut) + cost_above[cut];
-            if (cost < least) {
-                least = cost;
-                best_axis = axis;
-                best_cut = cut;
-            }
-        }
+    uint64_t cuts = 0;
+    for (int cut = 1; cut < count; ++cut) {
+        if (cut % lanes == 0 || (count - cut) % lanes == 0) cuts |= uint64_t{1} << cut;
     }
-    BoxedItem sorted[few];
-    for (int i = 0; i < count; ++i) sorted[i] = first[order[best_axis][i]];
-    std::copy(sorted, sorted + count, first);
-    return first + best_cut;
+    return split_few(first, last, cuts, lanes);
 }
 
 /// Put the items in order and note where each packet ends.

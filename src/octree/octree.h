@@ -16,16 +16,20 @@
 
 namespace gphys {
 
+class Workers;
+
 class Octree {
 public:
     static constexpr uint32_t none = octree_none;
     /// Building makes at most `max_built_levels`; an insertion that would go beyond `max_levels`
     /// rebuilds first.
-    static constexpr int max_levels = octree_max_levels;
-    static constexpr int max_built_levels = 24;
+    static constexpr uint32_t max_levels = octree_max_levels;
+    static constexpr uint32_t max_built_levels = 24;
 
-    explicit Octree(std::pmr::memory_resource* memory, Isa isa = chosen_isa())
-        : kernels_(octree_kernels(isa)), nodes_(memory), place_of_(memory) {}
+    /// Workers share building, and moving many; null: the caller's thread does it all. The tree is
+    /// the same for any number of them.
+    explicit Octree(std::pmr::memory_resource* memory, Isa isa = chosen_isa(), const Workers* workers = nullptr)
+        : kernels_(octree_kernels(isa)), workers_(workers), nodes_(memory), place_of_(memory) {}
 
     // Changes. Boxes are within max_box_coordinate, items are small: memory is used for each number
     // up to the largest. What throws std::bad_alloc has changed nothing; what is noexcept cannot
@@ -110,35 +114,60 @@ private:
     static uint32_t index_of(NodeRef ref) { return ref & ~leaf_bit; }
     static bool is_leaf(NodeRef ref) { return (ref & leaf_bit) != 0; }
 
+    /// More changes than this part of all items are one refit of the whole tree.
+    static constexpr uint32_t many = 8;
+    /// Trees of fewer items are refitted before a second thread has come.
+    static constexpr uint32_t shared_size = 8192;
+
     // Each level leaves at most seven siblings on a depth-first stack.
-    static constexpr int stack_size = 7 * max_levels + 8;
+    static constexpr int stack_size = 7 * octree_max_levels + 8;
 
     class Builder;
 
     const Node& node_of(uint32_t item) const { return nodes_[place_of_[item] / 8]; }
     static Box union_of(const Node& node);
+    Box box_of(uint32_t index) const {
+        const Node& node = nodes_[index];
+        return node.parent == none ? bounds_ : nodes_[node.parent].boxes.lane(static_cast<int>(node.lane));
+    }
 
     void build_from(Vector<BoxedItem>& items, size_t item_limit);
     void rebuild();
-    void append_items(Vector<BoxedItem>& to) const;
-    double area_below(NodeRef ref) const;
-    bool degraded() const;
-    void improve() noexcept;
+    void rebuild_children(uint32_t parent, uint32_t lanes);
+    void append_items(NodeRef ref, Vector<BoxedItem>& to) const;
+    uint32_t count_nodes(NodeRef ref) const;
+    void release_below(NodeRef ref);
 
     void reserve_nodes(uint32_t count);
+    uint32_t nodes_for_additions(uint32_t additions) const;
+    bool have_room(uint32_t additions) noexcept;
     NodeRef take_node(bool leaf);
     void release_node(uint32_t index);
     void put(NodeRef node, uint32_t lane, uint32_t child, const Box& box);
     void drop(NodeRef node, uint32_t lane);
+    void replace(uint32_t index, NodeRef by);
     NodeRef closest_leaf(const Box& box) const;
-    int level_of(uint32_t index) const;
-    void split(NodeRef leaf, uint32_t item, const Box& box);
+    NodeRef split(NodeRef node, uint32_t child, const Box& box);
+    void add_child(NodeRef node, uint32_t child, Box box);
     void refit_upward(uint32_t index);
+    void note_made(uint32_t leaf);
+    bool spoiled(uint32_t leaf) const;
+    void attach(uint32_t item, const Box& box);
+    uint32_t detach(uint32_t item);
+    uint32_t place_anew(uint32_t item);
+    void dissolve_if_small(uint32_t leaf);
+
+    double refit();
+    double refit_below(NodeRef ref, Box& box);
+
     void refit_all(uint32_t changes) noexcept;
-    Box refit_below(NodeRef ref);
-    void attach(NodeRef leaf, uint32_t item, const Box& box);
-    void detach(uint32_t item);
-    bool too_deep(NodeRef leaf) const;
+    bool grown(double area, double factor) const;
+    void renew_around(uint32_t item) noexcept;
+    void renew_in_turn(uint32_t changes);
+
+    uint32_t count_items(NodeRef ref) const;
+    uint32_t level_of(uint32_t index) const;
+    double area_below(NodeRef ref) const;
 
     template <class Probe, class Visit>
     void walk_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
@@ -147,17 +176,20 @@ private:
     static OctreeLeafVisitor by_item(Visit& visit);
 
     const OctreeKernels& kernels_;
+    const Workers* const workers_;
     Vector<Node> nodes_;
     Vector<uint32_t> place_of_;  // by item: 8 * leaf + lane, or none
     NodeRef root_ = none;
     Box bounds_;
     uint32_t size_ = 0;
+    uint32_t levels_ = 0;  // at most so many
     uint32_t first_free_ = none, free_count_ = 0;
 
     // Of the last build, to compare with: the areas of all nodes' boxes, and of the root's.
     double built_area_ = 0, built_root_area_ = 0;
-    uint32_t built_size_ = 0;
-    uint64_t changes_ = 0;  // since the quality was last looked at
+    uint32_t changes_ = 0;  // since renew_around last did something
+    uint32_t turn_ = 0;     // of renew_in_turn
+    uint32_t credit_ = 0;   // items that it may build, saved up
     uint32_t rebuilds_ = 0;
 };
 
@@ -167,7 +199,7 @@ namespace gphys {
 
 template <class Moves>
 void Octree::update_many(uint32_t count, Moves&& moves) noexcept {
-    if (count < size_ / 8) {
+    if (count < size_ / many) {
         moves([this](uint32_t item, const Box& box) { update(item, box); });
         return;
     }

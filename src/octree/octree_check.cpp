@@ -3,6 +3,17 @@
 
 namespace gphys {
 
+/// The number of nodes that a random ray through the root visits, times the root's area.
+double Octree::area_below(NodeRef ref) const {
+    if (is_leaf(ref)) return 0;
+    const Node& node = nodes_[ref];
+    double area = 0;
+    for (uint32_t i = 0; i < node.count; ++i) {
+        area += half_area(node.boxes.lane(static_cast<int>(i))) + area_below(node.child[i]);
+    }
+    return area;
+}
+
 gphys_octree_stats Octree::stats() const {
     gphys_octree_stats stats{};
     stats.item_count = size_;
@@ -40,7 +51,7 @@ const char* Octree::defect() const {
             ++node_count;
             if (node_count > nodes_.size()) return "the nodes do not form a tree";
             if (node.count == 0 || node.count > 8) return "a node has none or too many children";
-            if (level_of(index) >= max_levels) return "the tree is too deep";
+            if (level_of(index) > levels_ || levels_ > max_levels) return "the tree is too deep";
             const Box box = union_of(node);
             for (int k = 0; k < 3; ++k) {
                 if (!(box.min[k] >= -max_box_coordinate && box.max[k] <= max_box_coordinate)) {

@@ -11,6 +11,8 @@ struct alignas(64) OctreeNode {
     uint32_t count;     // 0: the node is free
     uint32_t parent;    // its index, octree_none at the root; in a free node, the next free one
     uint32_t lane;      // in the parent
+    // Of a leaf, to compare with: half areas of its box and of the root's when its items were chosen.
+    float made_area, made_root_area;
 };
 
 constexpr uint32_t octree_none = 0xffffffffu;

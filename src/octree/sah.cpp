@@ -140,6 +140,17 @@ private:
     Int4 counts_[bin_count] = {};
 };
 
+/// Where each of a few values stands among them; equal ones stay in order. To compare all with all
+/// takes no unpredictable branch.
+void rank_all(const float* values, int count, int* rank) {
+    for (int i = 0; i < count; ++i) {
+        int below = 0;
+        for (int k = 0; k < i; ++k) below += values[k] <= values[i];
+        for (int k = i + 1; k < count; ++k) below += values[k] < values[i];
+        rank[i] = below;
+    }
+}
+
 }  // namespace
 
 double half_area(const Box& box) {
@@ -171,6 +182,44 @@ BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last, BoxedItem* scratch) 
     }
     std::copy(scratch, put_aside, kept);
     return kept;
+}
+
+BoxedItem* split_few(BoxedItem* first, BoxedItem* last, uint64_t cuts, int block) {
+    const int count = static_cast<int>(last - first);
+    int order[3][split_few_size];
+    double least = infinity;
+    int best_axis = 0, best_cut = 0;
+    const auto allowed = [cuts](int cut) { return (cuts >> cut & 1) != 0; };
+    const auto blocks = [block](int n) { return (n + block - 1) / block; };
+    for (int axis = 0; axis < 3; ++axis) {
+        float centres[split_few_size];
+        int rank[split_few_size];
+        for (int i = 0; i < count; ++i) centres[i] = centre(first[i].box, axis);
+        rank_all(centres, count, rank);
+        int* places = order[axis];
+        for (int i = 0; i < count; ++i) places[rank[i]] = i;
+        double cost_above[split_few_size];
+        Box box;
+        for (int cut = count; cut-- > 1;) {
+            box.include(first[places[cut]].box);
+            if (allowed(cut)) cost_above[cut] = half_area(box) * blocks(count - cut);
+        }
+        box = Box();
+        for (int cut = 1; cut < count; ++cut) {
+            box.include(first[places[cut - 1]].box);
+            if (!allowed(cut)) continue;
+            const double cost = half_area(box) * blocks(cut) + cost_above[cut];
+            if (cost < least) {
+                least = cost;
+                best_axis = axis;
+                best_cut = cut;
+            }
+        }
+    }
+    BoxedItem sorted[split_few_size];
+    for (int i = 0; i < count; ++i) sorted[i] = first[order[best_axis][i]];
+    std::copy(sorted, sorted + count, first);
+    return first + best_cut;
 }
 
 BoxedItem* split_by_count(BoxedItem* first, BoxedItem* last) {

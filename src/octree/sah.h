@@ -24,6 +24,10 @@ Box union_of(const BoxedItem* first, const BoxedItem* last);
 /// Where the expected cost of both parts is least, a part being as many tests as it fills leaves.
 /// `scratch` has room for all but one of the items; the order within each part stays.
 BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last, BoxedItem* scratch);
+/// The same for a few, comparing all cuts that `cuts` allows, bit i standing for that of i items
+/// below, where `block` items cost as much as one.
+constexpr int split_few_size = 64;
+BoxedItem* split_few(BoxedItem* first, BoxedItem* last, uint64_t cuts, int block);
 /// In equal number, along the axis on which the centres spread most.
 BoxedItem* split_by_count(BoxedItem* first, BoxedItem* last);
 

@@ -208,9 +208,9 @@ private:
     Vector<uint32_t> tags_{&memory};          // by slot
     Vector<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
     Pool<Family> families_{&memory};
-    Octree octree_{&memory};               // items are slots
-    uint32_t common_layers_ = ~0u;         // that each model is in; a change of layers may leave some out
-    Vector<uint32_t> unbounded_{&memory};  // slots of planes: no octree holds them, and there are few
+    Octree octree_{&memory, chosen_isa(), &workers_};  // items are slots
+    uint32_t common_layers_ = ~0u;                     // that each model is in; a change of layers may leave some out
+    Vector<uint32_t> unbounded_{&memory};              // slots of planes: no octree holds them, and there are few
 };
 
 template <class Visit>
