@@ -110,6 +110,23 @@ TEST_CASE("an accurate cross product keeps its digits where a rounded one loses 
     }
 }
 
+TEST_CASE("an accurate cross product equals integer arithmetic, most of them of nearly parallel vectors") {
+    test::Random random(7);
+    for (int i = 0; i < 100000; ++i) {
+        // Products need 62 bits and double has 53.
+        const Lattice a = lattice_point(random, 30), b = lattice_point(random, 30), c = lattice_point(random, 30);
+        // c + (b - a) and a step aside, ever smaller.
+        const Lattice aside = lattice_point(random, 2 + i % 28);
+        const Lattice d{c.x + b.x - a.x + aside.x, c.y + b.y - a.y + aside.y, c.z + b.z - a.z + aside.z};
+        const Lattice p{b.x - a.x, b.y - a.y, b.z - a.z}, q{d.x - c.x, d.y - c.y, d.z - c.z};
+        const double expected[3] = {double(Wide(p.y) * q.z - Wide(p.z) * q.y),
+                                    double(Wide(p.z) * q.x - Wide(p.x) * q.z),
+                                    double(Wide(p.x) * q.y - Wide(p.y) * q.x)};
+        const Vec3 result = accurate_cross(a.point(1), b.point(1), c.point(1), d.point(1));
+        for (int k = 0; k < 3; ++k) REQUIRE(std::fabs(result[k] - expected[k]) <= 0x1p-44 * std::fabs(expected[k]));
+    }
+}
+
 TEST_CASE("a running error bound covers the error") {
     test::Random random(6);
     for (int i = 0; i < 100000; ++i) {

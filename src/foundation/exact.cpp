@@ -160,8 +160,15 @@ int turning_axis(Vec3 a, Vec3 b, Vec3 c) {
 }
 
 Vec3 accurate_cross(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    return {value_of(cross_component(a, b, c, d, 0)), value_of(cross_component(a, b, c, d, 1)),
-            value_of(cross_component(a, b, c, d, 2))};
+    const Vec3 p = b - a, q = d - c;
+    const auto component = [&](int axis) {
+        const int i = (axis + 1) % 3, k = (axis + 2) % 3;
+        const double first = p[i] * q[k], second = p[k] * q[i], value = first - second;
+        // Off by at most 4 u of both products, as above.
+        const bool accurate = 5 * 0x1p-53 * (std::fabs(first) + std::fabs(second)) <= 0x1p-45 * std::fabs(value);
+        return accurate ? value : value_of(cross_component(a, b, c, d, axis));
+    };
+    return {component(0), component(1), component(2)};
 }
 
 }  // namespace gphys

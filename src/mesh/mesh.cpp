@@ -1,6 +1,6 @@
 #include "mesh/mesh.h"
 
-#include <optional>
+#include <new>
 
 namespace gphys {
 
@@ -53,19 +53,23 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
 uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, Hit* hits) const {
     if (packets_.empty()) return 0;
     // All are prepared first: their arithmetic overlaps, which that of one ray and its walk does not.
-    std::optional<MeshRay> prepared[rays_at_once];
+    union Place {
+        Place() {}
+        MeshRay ray;
+    };
+    Place prepared[rays_at_once];
     const Box root = bounds();
     const RayProbe* along[rays_at_once];
     const TriangleProbe* probes[rays_at_once];
     float limits[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) {
-        const MeshRay& ray = prepared[i].emplace(rays[i], root);
+        const MeshRay& ray = *new (&prepared[i].ray) MeshRay(rays[i], root);
         along[i] = &ray.along();
         probes[i] = &ray.probe();
         limits[i] = ray.limit();
     }
     const auto meet = [](void* context, uint32_t ray, const TrianglePacket& packet, uint32_t lanes) {
-        MeshRay& meeting = *static_cast<std::optional<MeshRay>*>(context)[ray];
+        MeshRay& meeting = static_cast<Place*>(context)[ray].ray;
         meeting.meet(packet, lanes);
         return meeting.limit();
     };
@@ -76,7 +80,7 @@ uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, Hit* hits) const {
     });
     uint64_t found = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        if (prepared[i]->result(hits[i])) found |= uint64_t{1} << i;
+        if (prepared[i].ray.result(hits[i])) found |= uint64_t{1} << i;
     }
     return found;
 }

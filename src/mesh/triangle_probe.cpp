@@ -31,12 +31,14 @@ TriangleProbe::TriangleProbe(const ShearedRay& ray, const RayProbe& along, const
         return;
     }
     double off = 0, reach = 0;
+    float rounded[3];
     for (int k = 0; k < 3; ++k) {
-        const double begin = along.begin[axis[k]];
-        origin[k] = static_cast<float>(begin);
-        off = std::max(off, std::fabs(begin - origin[k]));
-        reach = std::max({reach, root.max[axis[k]] - begin, begin - root.min[axis[k]]});
+        const double begin = along.begin[k];
+        rounded[k] = static_cast<float>(begin);
+        off = std::max(off, std::fabs(begin - rounded[k]));
+        reach = std::max(reach, std::max(root.max[k] - begin, begin - root.min[k]));
     }
+    for (int k = 0; k < 3; ++k) origin[k] = rounded[axis[k]];
     slope[0] = static_cast<float>(ray.sx);
     slope[1] = static_cast<float>(ray.sy);
     constexpr double u = 0x1p-24, flushed = 0x1p-124;
