@@ -60,6 +60,12 @@ TrianglePacket packet_of(const MeshArrays& arrays, const BoxedItem* first, const
     return packet;
 }
 
+/// For an item on its way; memory that none comes to is not touched.
+union Place {
+    Place() {}
+    BoxedItem item;
+};
+
 }  // namespace
 
 void pack_triangles(const MeshArrays& arrays, Vector<TrianglePacket>& packets, Vector<Box>& boxes) {
@@ -72,8 +78,8 @@ void pack_triangles(const MeshArrays& arrays, Vector<TrianglePacket>& packets, V
         items.push_back({bounds_of(arrays.vertex(corner[0]), arrays.vertex(corner[1]), arrays.vertex(corner[2])), i});
     }
     Vector<BoxedItem*> ends(boxes.get_allocator());
-    Vector<BoxedItem> scratch(count, boxes.get_allocator());
-    cut_into_packets(items.data(), items.data() + count, 0, scratch.data(), ends);
+    Vector<Place> scratch(count, boxes.get_allocator());
+    cut_into_packets(items.data(), items.data() + count, 0, &scratch[0].item, ends);
 
     packets.reserve(ends.size());
     boxes.reserve(ends.size());

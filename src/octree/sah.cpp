@@ -36,6 +36,8 @@ Box4 load(const BoxedItem& item) {
     return box;
 }
 
+Box narrow(const Box4& box) { return {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}}; }
+
 /// Twice the centre: a sum needs no rounding of its own to be monotone.
 Float4 centre(const Box4& box) { return box.min + box.max; }
 float centre(const Box& box, int axis) { return box.min[axis] + box.max[axis]; }
@@ -153,17 +155,10 @@ void rank_all(const float* values, int count, int* rank) {
 
 }  // namespace
 
-double half_area(const Box& box) {
-    if (box.min[0] > box.max[0]) return 0;
-    const double x = double{box.max[0]} - box.min[0], y = double{box.max[1]} - box.min[1],
-                 z = double{box.max[2]} - box.min[2];
-    return x * y + y * z + z * x;
-}
-
 Box union_of(const BoxedItem* first, const BoxedItem* last) {
     Box4 box;
     for (const BoxedItem* item = first; item != last; ++item) box.include(load(*item));
-    return {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
+    return narrow(box);
 }
 
 BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last, BoxedItem* scratch) {
@@ -174,9 +169,12 @@ BoxedItem* split_by_cost(BoxedItem* first, BoxedItem* last, BoxedItem* scratch) 
     BoxedItem *kept = first, *put_aside = scratch;
     for (const BoxedItem* item = first; item != last; ++item) {
         const bool below = bins.below(item->box);
-        const BoxedItem moving = *item;
-        *kept = moving;
-        *put_aside = moving;
+        // In registers: member by member it would wait for its own stores.
+        Float4 moving[2];
+        static_assert(sizeof(BoxedItem) == sizeof moving);
+        std::memcpy(moving, item, sizeof moving);
+        std::memcpy(kept, moving, sizeof moving);
+        std::memcpy(put_aside, moving, sizeof moving);
         kept += below;
         put_aside += !below;
     }
@@ -199,16 +197,16 @@ BoxedItem* split_few(BoxedItem* first, BoxedItem* last, uint64_t cuts, int block
         int* places = order[axis];
         for (int i = 0; i < count; ++i) places[rank[i]] = i;
         double cost_above[split_few_size];
-        Box box;
+        Box4 box;
         for (int cut = count; cut-- > 1;) {
-            box.include(first[places[cut]].box);
-            if (allowed(cut)) cost_above[cut] = half_area(box) * blocks(count - cut);
+            box.include(load(first[places[cut]]));
+            if (allowed(cut)) cost_above[cut] = half_area(narrow(box)) * blocks(count - cut);
         }
-        box = Box();
+        box = Box4();
         for (int cut = 1; cut < count; ++cut) {
-            box.include(first[places[cut - 1]].box);
+            box.include(load(first[places[cut - 1]]));
             if (!allowed(cut)) continue;
-            const double cost = half_area(box) * blocks(cut) + cost_above[cut];
+            const double cost = half_area(narrow(box)) * blocks(cut) + cost_above[cut];
             if (cost < least) {
                 least = cost;
                 best_axis = axis;

@@ -16,7 +16,12 @@ struct alignas(16) BoxedItem {
 constexpr uint32_t leaf_size = 8;
 
 /// Half the surface; 0 if the box is empty.
-double half_area(const Box& box);
+inline double half_area(const Box& box) {
+    if (box.min[0] > box.max[0]) return 0;
+    const double x = double{box.max[0]} - box.min[0], y = double{box.max[1]} - box.min[1],
+                 z = double{box.max[2]} - box.min[2];
+    return x * y + y * z + z * x;
+}
 Box union_of(const BoxedItem* first, const BoxedItem* last);
 
 // All put more than one item in order so that no part is empty, and return where the second begins.
