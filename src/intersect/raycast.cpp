@@ -60,23 +60,19 @@ bool at_or_before(const Crossing& a, const Crossing& b) {
     return flipped ? order >= 0 : order <= 0;
 }
 
-}  // namespace
-
-bool started_inside(const Ray& ray, Hit& hit) {
-    hit = Hit{};
-    hit.t = 0;
-    hit.point = ray.origin;
-    hit.normal = ray.direction != Vec3{} ? -normalized(ray.direction) : Vec3{};
-    hit.flags = GPHYS_HIT_INSIDE;
-    return true;
-}
+/// Where a ray enters a box: t, and the axis of the face; axis -1 if it starts inside.
+struct Entry {
+    double t = 0;
+    int axis = -1;
+};
 
 /// Slabs (Williams et al. 2005), dividing by the direction instead of multiplying by its
-/// reciprocal, and with a direction of 0 apart, so that neither can turn a hit into a miss.
-bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
+/// reciprocal, and with a direction of 0 apart, so that neither can turn a hit into a miss. Exact,
+/// as at_or_before is.
+bool enters_exactly(const Aabb& box, const Ray& ray, Entry& result) {
     const Crossing end(ray.t_max, 0, 1);
     Crossing entry(0, 0, 1), exit = end;
-    int entry_axis = -1;  // of the face through which the ray enters; none: it starts inside
+    int entry_axis = -1;
     for (int axis = 0; axis < 3; ++axis) {
         const double origin = ray.origin[axis], direction = ray.direction[axis];
         const double low = box.min[axis], high = box.max[axis];
@@ -94,13 +90,60 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
             if (at_or_before(leaves, exit)) exit = leaves;
         }
     }
-    if (entry_axis < 0) return started_inside(ray, hit);
-    if (!at_or_before(entry, exit)) return false;
+    result = {entry.t, entry_axis};
+    return entry_axis < 0 || at_or_before(entry, exit);
+}
+
+/// The same from rounded quotients, which decide if the latest entry is clearly before or after the
+/// first exit, and after the entry on any other axis: each is within two roundings.
+bool enters(const Aabb& box, const Ray& ray, Entry& result) {
+    constexpr double more = 1 + 0x1p-50;
+    double latest = -infinity, second = -infinity, exit = ray.t_max;
+    int axis = -1;
+    bool outside = false, behind = false;
+    for (int k = 0; k < 3; ++k) {
+        const double origin = ray.origin[k], direction = ray.direction[k];
+        if (direction == 0) return enters_exactly(box, ray, result);
+        const double faces[2] = {box.min[k], box.max[k]};
+        const int backward = direction < 0;
+        const double near = (faces[backward] - origin) / direction, far = (faces[1 - backward] - origin) / direction;
+        const bool below = origin<faces[0], above = origin> faces[1];
+        outside |= below | above;
+        behind |= backward ? below : above;
+        axis = near > latest ? k : axis;
+        second = std::max(second, std::min(near, latest));
+        latest = std::max(latest, near);
+        exit = std::min(exit, far);
+    }
+    if (behind) return false;
+    if (!outside) return true;
+    if (latest > exit * more) return false;
+    if (latest * more >= exit || second * more >= latest) return enters_exactly(box, ray, result);
+    result = {latest, axis};
+    return true;
+}
+
+}  // namespace
+
+bool started_inside(const Ray& ray, Hit& hit) {
+    hit = Hit{};
+    hit.t = 0;
+    hit.point = ray.origin;
+    hit.normal = ray.direction != Vec3{} ? -normalized(ray.direction) : Vec3{};
+    hit.flags = GPHYS_HIT_INSIDE;
+    return true;
+}
+
+bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
+    Entry entry;
+    if (!enters(box, ray, entry)) return false;
+    if (entry.axis < 0) return started_inside(ray, hit);
+    const double direction = ray.direction[entry.axis];
     hit = Hit{};
     hit.t = std::min(entry.t, ray.t_max);
     hit.point = max(box.min, min(box.max, ray.origin + ray.direction * entry.t));
-    hit.point[entry_axis] = entry.face;
-    hit.normal[entry_axis] = entry.direction > 0 ? -1 : 1;
+    hit.point[entry.axis] = direction > 0 ? box.min[entry.axis] : box.max[entry.axis];
+    hit.normal[entry.axis] = direction > 0 ? -1 : 1;
     return true;
 }
 
