@@ -145,21 +145,27 @@ struct QueryCounts {
     uint64_t needed = 0, visited = 0;
 };
 
+/// The closest entry, with ties to the lower item, as exact tests behind the tree find it.
+struct Nearest {
+    double entry = infinity;
+    uint32_t item = Octree::none;
+
+    void meet(uint32_t other, const Box& box, const Ray& ray, double radius, double& t_max) {
+        double its_entry;
+        if (!entry_of(box, {ray.origin, ray.direction, t_max}, radius, its_entry)) return;
+        if (its_entry < entry || (its_entry == entry && other < item)) {
+            t_max = entry = its_entry;
+            item = other;
+        }
+    }
+};
+
 void compare_ray(const Octree& tree, const Boxes& boxes, const Ray& ray, double radius, QueryCounts& counts) {
     std::set<uint32_t> visited;
-    double nearest = infinity;
-    uint32_t nearest_item = Octree::none;
+    Nearest nearest, expected;
     const auto visit_all = [&](uint32_t item, double&) { REQUIRE(visited.insert(item).second); };
-    // The closest entry, with ties to the lower item, as exact tests behind the tree do it.
     const auto visit_nearest = [&](uint32_t item, double& t_max) {
-        double entry;
-        const Ray rest{ray.origin, ray.direction, t_max};
-        if (!entry_of(boxes.at(item), rest, radius, entry)) return;
-        if (entry < nearest || (entry == nearest && item < nearest_item)) {
-            nearest = entry;
-            nearest_item = item;
-            t_max = entry;
-        }
+        nearest.meet(item, boxes.at(item), ray, radius, t_max);
     };
     std::feclearexcept(FE_ALL_EXCEPT);
     if (radius == 0) {
@@ -174,21 +180,41 @@ void compare_ray(const Octree& tree, const Boxes& boxes, const Ray& ray, double 
         tree.sweep(ray.origin, ray.direction, radius, visit_nearest);
     }
 
-    double expected = infinity;
-    uint32_t expected_item = Octree::none;
+    double t_max = ray.t_max;
     for (const auto& [item, box] : boxes) {
         double entry;
         if (!entry_of(box, ray, radius, entry)) continue;
         ++counts.needed;
         REQUIRE(visited.count(item) == 1);
-        if (entry < expected) {
-            expected = entry;
-            expected_item = item;
-        }
+        expected.meet(item, box, ray, radius, t_max);
     }
     counts.visited += visited.size();
-    REQUIRE(nearest_item == expected_item);
-    REQUIRE(nearest == expected);
+    REQUIRE(nearest.item == expected.item);
+    REQUIRE(nearest.entry == expected.entry);
+}
+
+/// Rays at once against each by itself.
+void compare_rays(const Octree& tree, const Boxes& boxes, const std::vector<Ray>& rays) {
+    std::vector<std::set<uint32_t>> visited(rays.size()), visited_alone(rays.size());
+    std::vector<Nearest> nearest(rays.size()), nearest_alone(rays.size());
+    const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i]; };
+    const auto count = static_cast<uint32_t>(rays.size());
+    std::feclearexcept(FE_ALL_EXCEPT);
+    tree.raycast_many(ray_of, count,
+                      [&](uint32_t i, uint32_t item, double&) { REQUIRE(visited[i].insert(item).second); });
+    REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+    tree.raycast_many(ray_of, count, [&](uint32_t i, uint32_t item, double& t_max) {
+        nearest[i].meet(item, boxes.at(item), rays[i], 0, t_max);
+    });
+    for (uint32_t i = 0; i < count; ++i) {
+        tree.raycast(rays[i], [&](uint32_t item, double&) { visited_alone[i].insert(item); });
+        tree.raycast(rays[i], [&](uint32_t item, double& t_max) {
+            nearest_alone[i].meet(item, boxes.at(item), rays[i], 0, t_max);
+        });
+        REQUIRE(visited[i] == visited_alone[i]);
+        REQUIRE(nearest[i].item == nearest_alone[i].item);
+        REQUIRE(nearest[i].entry == nearest_alone[i].entry);
+    }
 }
 
 void compare_queries(const Octree& tree, const Boxes& boxes, test::Random& random, Kind kind, int rounds) {
@@ -336,6 +362,35 @@ TEST_CASE("an octree finds what a linear scan finds, after any sequence of chang
             tree.remove(boxes.begin()->first);
             boxes.erase(boxes.begin());
             if (boxes.size() % 64 == 0) require_sound(tree, boxes);
+        }
+    }
+}
+
+TEST_CASE("rays at once find in an octree what each finds alone, in company or not") {
+    test::Random random(13);
+    for (Kind kind : kinds) {
+        for (uint32_t count : {1u, 9u, 200u, 3000u}) {
+            INFO("kind " << static_cast<int>(kind) << ", " << count << " boxes");
+            const Boxes boxes = random_boxes(random, kind, count);
+            Octree tree(std::pmr::get_default_resource());
+            build(tree, boxes);
+            for (int round = 0; round < 10; ++round) {
+                // Runs of rays, each in company of the first of its run, closer or less close.
+                std::vector<Ray> rays;
+                while (rays.size() < Octree::rays_at_once) {
+                    const Ray first = random_ray(random, boxes, kind);
+                    const double spread = std::ldexp(length(first.direction), -static_cast<int>(random.index(30)));
+                    const uint32_t company = 1 + random.index(30);
+                    for (uint32_t i = 0; i < company && rays.size() < Octree::rays_at_once; ++i) {
+                        Ray ray = first;
+                        if (i > 0) ray.direction += random.direction() * spread;
+                        if (random.index(8) == 0) ray.t_max = random.index(2) ? -1.0 : random.uniform(0, 2);
+                        if (random.index(50) == 0) ray.direction = {};
+                        rays.push_back(ray);
+                    }
+                }
+                compare_rays(tree, boxes, rays);
+            }
         }
     }
 }

@@ -115,21 +115,6 @@ inline Float8 max(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = maximum(a.part[i], b.part[i]);
     return a;
 }
-/// The least of all lanes, in each.
-inline Float8 lowest(Float8 a) {
-    float least = a.part[0][0];
-    for (const FloatRegister& part : a.part) {
-        for (int i = 0; i < register_lanes; ++i) least = part[i] < least ? part[i] : least;
-    }
-    return splat(least);
-}
-inline Float8 highest(Float8 a) {
-    float most = a.part[0][0];
-    for (const FloatRegister& part : a.part) {
-        for (int i = 0; i < register_lanes; ++i) most = part[i] > most ? part[i] : most;
-    }
-    return splat(most);
-}
 inline Float8 abs(Float8 a) { return max(a, splat(0) - a); }
 
 inline Mask8 operator<=(Float8 a, Float8 b) {

@@ -74,7 +74,8 @@ uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, Hit* hits) const {
         return meeting.limit();
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return *along[i]; };
-    RayBundling(root, octree_.size()).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+    const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i]; };
+    RayBundling(root, octree_.size()).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), along + first, probes + first, limits + first,
                       last - first, together, {meet, prepared + first});
     });

@@ -14,14 +14,11 @@ void fetch_packet(const TrianglePacket* packets, uint32_t number) {
 void walk_ray(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe& along,
               const TriangleProbe& probe, float limit, const PacketVisitor& to) {
     const TriangleTest test(probe);
-    nearest_first(
-        nodes, root, RayTest(along), limit,
-        [&](uint32_t number) {
-            const uint32_t lanes = test.hits(packets[number], limit);
-            if (lanes != 0) limit = to.visit(to.context, packets[number], lanes);
-            return limit;
-        },
-        [&](uint32_t number) { fetch_packet(packets, number); });
+    nearest_first(nodes, root, RayTest(along), limit, [&](uint32_t number) {
+        const uint32_t lanes = test.hits(packets[number], limit);
+        if (lanes != 0) limit = to.visit(to.context, packets[number], lanes);
+        return limit;
+    });
 }
 
 void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* const* along,

@@ -110,13 +110,9 @@ RayBundling::RayBundling(const Box& root, uint32_t items) {
     leaf_size_ = 2 * radius_ / std::cbrt(1.0 + items);
 }
 
-bool RayBundling::keep_together(const Ray& a, const RayProbe& a_probe, const Ray& b, const RayProbe& b_probe) const {
-    if (!std::equal(a_probe.near_row, a_probe.near_row + 3, b_probe.near_row)) return false;
-    const double reach = distance(a.origin, centre_) + radius_;
-    const double apart = leaf_size_ * leaf_size_, slope = apart / (reach * reach);
-    const double across = length_squared(cross(a.direction, b.direction));
-    return across <= slope * length_squared(a.direction) * length_squared(b.direction) &&
-           length_squared(b.origin - a.origin) <= apart;
+RayBundling::Corridor RayBundling::corridor_of(const Ray& ray) const {
+    const double reach = distance(ray.origin, centre_) + radius_, apart = leaf_size_ * leaf_size_;
+    return {ray, apart, apart / (reach * reach) * length_squared(ray.direction)};
 }
 
 // The gap on each axis is computed between the box and the interval of floats around the point:

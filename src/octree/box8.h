@@ -62,28 +62,47 @@ private:
 /// costs: those that stay together within about the size of a leaf.
 class RayBundling {
 public:
-    static constexpr uint32_t most = 8;  // rays of a bundle
+    static constexpr uint32_t most = 16;  // rays of a bundle
 
     RayBundling(const Box& root, uint32_t items);
 
-    /// Cuts rays 0 .. count - 1 into runs: run(first, last, together). probe_of(i) is ray i's probe.
-    template <class ProbeOf, class Run>
-    void split(const Ray* rays, const ProbeOf& probe_of, uint32_t count, const Run& run) const {
-        uint32_t alone = 0;  // first of those that have found no company
-        for (uint32_t first = 0; first < count; first += most) {
-            const uint32_t last = std::min(first + most, count);
-            uint32_t i = first + 1;
-            while (i < last && keep_together(rays[first], probe_of(first), rays[i], probe_of(i))) ++i;
-            if (i < last || last - first == 1) continue;
-            if (alone < first) run(alone, first, false);
-            run(first, last, true);
-            alone = last;
+    /// Cuts rays 0 .. count - 1 into runs: run(first, last, together). ray_of(i) is a Ray and
+    /// probe_of(i) its probe.
+    template <class RayOf, class ProbeOf, class Run>
+    void split(const RayOf& ray_of, const ProbeOf& probe_of, uint32_t count, const Run& run) const {
+        constexpr uint32_t worth_it = 8;  // a walk of a bundle costs as much as about six that take turns
+        uint32_t alone = 0;               // first of those that have found no company
+        for (uint32_t first = 0; first < count;) {
+            const Corridor corridor = corridor_of(ray_of(first));
+            const uint32_t end = std::min(first + most, count);
+            uint32_t last = first + 1;
+            while (last < end && corridor.holds(ray_of(last)) && same_signs(probe_of(first), probe_of(last))) ++last;
+            if (last - first >= worth_it) {
+                if (alone < first) run(alone, first, false);
+                run(first, last, true);
+                alone = last;
+            }
+            first = last;
         }
         if (alone < count) run(alone, count, false);
     }
 
 private:
-    bool keep_together(const Ray& a, const RayProbe& a_probe, const Ray& b, const RayProbe& b_probe) const;
+    /// Where rays keep company with the first of them: squares of how far apart origins may be, and
+    /// of the sine between directions.
+    struct Corridor {
+        const Ray& ray;
+        double apart, slope;
+
+        bool holds(const Ray& other) const {
+            return length_squared(cross(ray.direction, other.direction)) <= slope * length_squared(other.direction) &&
+                   length_squared(other.origin - ray.origin) <= apart;
+        }
+    };
+    Corridor corridor_of(const Ray& ray) const;
+    static bool same_signs(const RayProbe& a, const RayProbe& b) {
+        return a.near_row[0] == b.near_row[0] && a.near_row[1] == b.near_row[1] && a.near_row[2] == b.near_row[2];
+    }
 
     Vec3 centre_;
     double radius_;  // of the root

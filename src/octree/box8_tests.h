@@ -34,28 +34,28 @@ private:
     Float8 near_origin_[3], far_origin_[3], inverse_[3];
 };
 
-/// Up to eight rays that go much the same way: at once as a bundle, which meets what any of them
-/// meets, and each by itself. All have the same signs of direction.
+/// Rays that go much the same way: at once as a bundle, which meets what any of them meets, and each
+/// by itself, eight at a time. All have the same signs of direction.
 class BundleTest {
 public:
+    static constexpr uint32_t most_groups = RayBundling::most / 8;
+
     /// probe_of(i) for i < count; limits as below.
     template <class ProbeOf>
-    BundleTest(const ProbeOf& probe_of, const float limits[8], uint32_t count) {
-        alignas(32) float near_origins[3][8], far_origins[3][8], inverses[3][8];
-        for (uint32_t i = 0; i < 8; ++i) {
-            const RayProbe& probe = probe_of(i < count ? i : 0);
-            for (int k = 0; k < 3; ++k) {
-                near_origins[k][i] = probe.near_origin[k];
-                far_origins[k][i] = probe.far_origin[k];
-                inverses[k][i] = probe.inverse[k];
-            }
-        }
+    BundleTest(const ProbeOf& probe_of, const float* limits, uint32_t count) : groups_((count + 7) / 8) {
         for (int k = 0; k < 3; ++k) {
             near_row_[k] = probe_of(0).near_row[k];
             far_row_[k] = probe_of(0).far_row[k];
-            near_origins_[k] = load(near_origins[k]);
-            far_origins_[k] = load(far_origins[k]);
-            inverses_[k] = load(inverses[k]);
+        }
+        for (uint32_t i = 0; i < 8 * groups_; ++i) {
+            const RayProbe& probe = probe_of(i < count ? i : 0);
+            for (int k = 0; k < 3; ++k) {
+                near_origins_[k][i] = probe.near_origin[k];
+                far_origins_[k][i] = probe.far_origin[k];
+                inverses_[k][i] = probe.inverse[k];
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
             // Furthest ahead, so that boxes are entered early, and furthest behind.
             const bool forward = near_row_[k] == k;
             near_origin_[k] = forward ? highest(near_origins_[k]) : lowest(near_origins_[k]);
@@ -66,10 +66,14 @@ public:
         set_limits(limits);
     }
 
+    uint32_t groups() const { return groups_; }
+    /// The greatest limit.
+    float limit() const { return limit_; }
     /// Each ray's own limit; negative where there is no ray.
-    void set_limits(const float limits[8]) {
-        limits_ = load(limits);
-        limit_ = highest(limits_);
+    void set_limits(const float* limits) {
+        limits_ = limits;
+        limit_ = -1;
+        for (uint32_t i = 0; i < 8 * groups_; ++i) limit_ = limits[i] > limit_ ? limits[i] : limit_;
     }
 
     /// Lanes that may be met by some ray. A quotient lies between those with the least and the
@@ -86,26 +90,43 @@ public:
         };
         entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
-        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), limit_));
+        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), splat(limit_)));
     }
 
-    /// Rays that meet the box of one lane.
-    uint32_t rays(const Box8& boxes, uint32_t lane) const {
+    /// Of eight rays, those that meet the box of one lane.
+    uint32_t rays(uint32_t group, const Box8& boxes, uint32_t lane) const {
+        const uint32_t first = 8 * group;
         const auto enters = [&](int k) {
-            return (splat(boxes.row[near_row_[k]][lane]) - near_origins_[k]) * inverses_[k];
+            return (splat(boxes.row[near_row_[k]][lane]) - load(near_origins_[k] + first)) * load(inverses_[k] + first);
         };
         const auto leaves = [&](int k) {
-            return (splat(boxes.row[far_row_[k]][lane]) - far_origins_[k]) * inverses_[k];
+            return (splat(boxes.row[far_row_[k]][lane]) - load(far_origins_[k] + first)) * load(inverses_[k] + first);
         };
         const Float8 entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
-        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), limits_));
+        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), load(limits_ + first)));
     }
 
 private:
+    using Each = float[RayBundling::most];
+
+    Float8 lowest(const Each& values) const {
+        float least = values[0];
+        for (uint32_t i = 1; i < 8 * groups_; ++i) least = values[i] < least ? values[i] : least;
+        return splat(least);
+    }
+    Float8 highest(const Each& values) const {
+        float most = values[0];
+        for (uint32_t i = 1; i < 8 * groups_; ++i) most = values[i] > most ? values[i] : most;
+        return splat(most);
+    }
+
+    uint32_t groups_;
     int near_row_[3], far_row_[3];
-    Float8 near_origins_[3], far_origins_[3], inverses_[3], limits_;
-    Float8 near_origin_[3], far_origin_[3], inverse_low_[3], inverse_high_[3], limit_;
+    Each near_origins_[3], far_origins_[3], inverses_[3];
+    const float* limits_;
+    Float8 near_origin_[3], far_origin_[3], inverse_low_[3], inverse_high_[3];
+    float limit_;
 };
 
 class PointTest {

@@ -60,12 +60,12 @@ public:
     /// around the origin.
     template <class Visit>
     void raycast(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
-    /// Up to rays_at_once rays. Neighbours that go much the same way share a walk; the others take
-    /// turns, so that none waits for memory. visit(ray, item, t_max), with the number of the ray;
+    /// Up to rays_at_once rays, of which ray_of(i) gives a reference. Neighbours that go much the same
+    /// way share a walk; the others take turns, so that none waits for memory. visit(i, item, t_max);
     /// each ray has its own t_max.
     static constexpr uint32_t rays_at_once = 64;
-    template <class Visit>
-    void raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items = {}) const;
+    template <class RayOf, class Visit>
+    void raycast_many(RayOf&& ray_of, uint32_t count, Visit&& visit, ItemMemory items = {}) const;
     /// In no order, until visit(item) is true for one: then the result is.
     template <class Visit>
     bool raycast_any(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;

@@ -13,9 +13,7 @@ void fetch_item(const ItemMemory& items, uint32_t item) {
 template <class Test, class Probe>
 void walk_nearest_first(const OctreeNode* nodes, uint32_t root, const Probe& probe, float limit,
                         const OctreeVisitor& to) {
-    nearest_first(
-        nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); },
-        [&](uint32_t item) { fetch_item(to.items, item); });
+    nearest_first(nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); });
 }
 
 void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,

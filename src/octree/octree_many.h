@@ -15,78 +15,100 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     constexpr uint32_t most = 16;
     struct Turn {
         uint32_t ray;
+        Found found;
         NearestFirst walk;
     };
+    // Those that are at a node, and at an item: in this round, and in the next one.
+    struct Round {
+        Turn *looking[most], *visiting[most];
+        uint32_t looks = 0, visits = 0;
+    };
     Turn turns[most];
-    uint32_t order[most], active = 0, next = 0;
+    Round rounds[2];
+    Round *now = &rounds[0], *later = &rounds[1];
+    uint32_t next = 0;
     const auto begin = [&](Turn& turn) {
         while (next < count && !(limits[next] >= 0)) ++next;
-        if (next == count) return false;
+        if (next == count) return;
         turn.ray = next++;
-        turn.walk.begin(nodes, root, limits[turn.ray]);
-        return true;
+        turn.walk.begin(root, limits[turn.ray]);
+        later->looking[later->looks++] = &turn;
     };
-    while (active < most && begin(turns[active])) {
-        order[active] = active;
-        ++active;
-    }
-    while (active > 0) {
-        for (uint32_t i = 0; i < active; ++i) {
-            Turn& turn = turns[order[i]];
-            const bool goes_on = turn.walk.step(
-                nodes, RayTest(probe_of(turn.ray)), [&](uint32_t item) { return visit(turn.ray, item); }, fetch);
-            if (!goes_on && !begin(turn)) order[i] = order[--active];
+    // Fetches what the walk is at, for the next round.
+    const auto go_on = [&](Turn& turn, bool goes_on) {
+        if (!goes_on) {
+            begin(turn);
+        } else if (turn.walk.at_item()) {
+            later->visiting[later->visits++] = &turn;
+            fetch(turn.walk.item());
+        } else {
+            later->looking[later->looks++] = &turn;
+            fetch_ahead(&turn.walk.node(nodes), sizeof(OctreeNode));
+        }
+    };
+    for (Turn& turn : turns) begin(turn);
+    while (later->looks + later->visits > 0) {
+        std::swap(now, later);
+        later->looks = later->visits = 0;
+        for (uint32_t i = 0; i < now->looks; ++i) {
+            Turn& turn = *now->looking[i];
+            turn.walk.look(nodes, RayTest(probe_of(turn.ray)), turn.found);
+        }
+        for (uint32_t i = 0; i < now->looks; ++i) {
+            Turn& turn = *now->looking[i];
+            go_on(turn, turn.walk.leave_node(nodes, turn.found));
+        }
+        for (uint32_t i = 0; i < now->visits; ++i) {
+            Turn& turn = *now->visiting[i];
+            go_on(turn, turn.walk.leave_item(visit(turn.ray, turn.walk.item())));
         }
     }
 }
 
-/// The same for up to eight rays with the same signs of direction, nearest first by all of them.
+/// The same for up to RayBundling::most rays with the same signs of direction, nearest first by all
+/// of them.
 template <class ProbeOf, class Visit, class Fetch>
 void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* first_limits,
                    uint32_t count, const Visit& visit, const Fetch& fetch) {
     constexpr uint32_t lanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-    alignas(32) float limits[8];
-    float limit = -1;  // the greatest
-    for (uint32_t i = 0; i < 8; ++i) {
-        limits[i] = i < count ? first_limits[i] : -1;
-        limit = limits[i] > limit ? limits[i] : limit;
-    }
-    if (limit < 0) return;
+    float limits[RayBundling::most];
+    for (uint32_t i = 0; i < RayBundling::most; ++i) limits[i] = i < count ? first_limits[i] : -1;
     BundleTest test(probe_of, limits, count);
+    if (test.limit() < 0) return;
     KeyedChild stack[stack_size];
     int size = 0;
     uint32_t ref = root;
     for (;;) {
         const OctreeNode& node = node_at(nodes, ref);
         Float8 keys;
-        const uint32_t hits = test.hits(node.boxes, keys) & lanes_of(node);
-        if (hits != 0 && !is_leaf(ref)) {
+        Found found;
+        found.hits = test.hits(node.boxes, keys) & lanes_of(node);
+        store(found.keys, keys);
+        if (found.hits != 0 && !is_leaf(ref)) {
             const int base = size;
-            size = push_nearest_last(stack, size, node.child, hits, keys);
+            size = push_nearest_last(stack, size, node.child, found, false);
             for (int i = size; i-- > base;) fetch_ahead(&node_at(nodes, child_of(stack[i])), sizeof(OctreeNode));
             ref = child_of(stack[--size]);
             continue;
         }
-        if (hits != 0) {
-            for (uint32_t rest = hits; rest != 0; rest &= rest - 1) fetch(node.child[__builtin_ctz(rest)]);
-            KeyedChild ordered[8];
-            for (int left = push_nearest_last(ordered, 0, lanes, hits, keys); left-- > 0;) {
+        if (found.hits != 0) {
+            for (uint32_t rest = found.hits; rest != 0; rest &= rest - 1) fetch(node.child[__builtin_ctz(rest)]);
+            KeyedChild ordered[8 + pushed_beyond];
+            for (int left = push_nearest_last(ordered, 0, lanes, found, false); left-- > 0;) {
                 const uint32_t lane = child_of(ordered[left]);
-                uint32_t rays = test.rays(node.boxes, lane);
-                if (rays == 0) continue;
-                for (; rays != 0; rays &= rays - 1) {
-                    const int ray = __builtin_ctz(rays);
-                    limits[ray] = visit(static_cast<uint32_t>(ray), node.child[lane]);
+                for (uint32_t group = 0; group < test.groups(); ++group) {
+                    for (uint32_t rays = test.rays(group, node.boxes, lane); rays != 0; rays &= rays - 1) {
+                        const uint32_t ray = 8 * group + static_cast<uint32_t>(__builtin_ctz(rays));
+                        limits[ray] = visit(ray, node.child[lane]);
+                    }
                 }
-                test.set_limits(limits);
-                limit = limits[0];
-                for (const float l : limits) limit = l > limit ? l : limit;
             }
+            test.set_limits(limits);
         }
         do {
             if (size == 0) return;
             --size;
-        } while (!(key_of(stack[size]) <= limit));
+        } while (!(key_of(stack[size]) <= test.limit()));
         ref = child_of(stack[size]);
     }
 }

@@ -35,21 +35,24 @@ void Octree::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
     walk_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
 }
 
-template <class Visit>
-void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
+template <class RayOf, class Visit>
+void Octree::raycast_many(RayOf&& ray_of, uint32_t count, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
     struct Walk {
+        explicit Walk(std::remove_reference_t<Visit>& v) : visit(v) {}
+
         RayProbe probes[rays_at_once];
         double bounds[rays_at_once];
         float limits[rays_at_once];
         uint32_t first;  // of the rays that the kernel has been given
         std::remove_reference_t<Visit>& visit;
     };
-    Walk walk{{}, {}, {}, 0, visit};
+    Walk walk(visit);
     for (uint32_t i = 0; i < count; ++i) {
-        walk.probes[i] = RayProbe(rays[i].origin, rays[i].direction, 0, bounds_);
-        walk.bounds[i] = rays[i].t_max;
-        walk.limits[i] = walk.probes[i].limit(rays[i].t_max);
+        const Ray& ray = ray_of(i);
+        walk.probes[i] = RayProbe(ray.origin, ray.direction, 0, bounds_);
+        walk.bounds[i] = ray.t_max;
+        walk.limits[i] = walk.probes[i].limit(ray.t_max);
     }
     const auto step = [](void* context, uint32_t ray, uint32_t item) {
         Walk& w = *static_cast<Walk*>(context);
@@ -60,7 +63,7 @@ void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMe
         return w.limits[i];
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
-    RayBundling(bounds_, size_).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+    RayBundling(bounds_, size_).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         walk.first = first;
         kernels_.rays(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
                       {step, &walk, items});

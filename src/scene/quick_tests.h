@@ -20,26 +20,38 @@ public:
           origin_magnitude_(sum(abs(ray.origin))),
           direction_slack_(slack * sum(abs(ray.direction))) {}
 
+    template <class QuickShape>
+    Verdict operator()(const QuickShape& shape, double t_max) const {
+        return verdict<true>(shape, t_max);
+    }
+    /// The same where only a "no" is of use.
+    template <class QuickShape>
+    Verdict refuses(const QuickShape& shape, double t_max) const {
+        return verdict<false>(shape, t_max);
+    }
+
+private:
     /// In Haines's terms (raycast.cpp), with the roots left undrawn: what happens at t_max is told by
     /// which side of the surface, and of the point closest to the centre, the ray is then.
-    Verdict operator()(const QuickSphere& sphere, double t_max) const {
+    template <bool also_yes>
+    Verdict verdict(const QuickSphere& sphere, double t_max) const {
         const Vec3 from = origin_ - sphere.center;
         const double dd = direction_squared_, magnitude = origin_magnitude_ + sphere.magnitude;
         const double b = -dot(from, direction_), b_error = direction_slack_ * magnitude;
         const double c = length_squared(from) - sphere.radius * sphere.radius, c_error = slack * magnitude * magnitude;
-        if (c < -c_error) return Verdict::yes;
+        if (also_yes && c < -c_error) return Verdict::yes;
         const double discriminant = b * b - dd * c, error = dd * c_error;
         const double to_go = b - dd * clipped(t_max);
-        if (c > c_error) {
-            if (b < -b_error || discriminant < -error) return Verdict::no;
-            if (to_go > b_error && c - clipped(t_max) * (b + to_go) > c_error) return Verdict::no;
-        }
-        return b > b_error && discriminant > error && to_go < -b_error ? Verdict::yes : Verdict::open;
+        const bool missed = (c > c_error) & ((b < -b_error) | (discriminant < -error) |
+                                             ((to_go > b_error) & (c - clipped(t_max) * (b + to_go) > c_error)));
+        if (missed) return Verdict::no;
+        return also_yes && b > b_error && discriminant > error && to_go < -b_error ? Verdict::yes : Verdict::open;
     }
 
     /// The slabs of a box, with times left as fractions: a distance over the speed along the axis.
     /// Margins make distances and speeds such that the ray certainly misses, or certainly meets.
-    Verdict operator()(const QuickBox& box, double t_max) const {
+    template <bool also_yes>
+    Verdict verdict(const QuickBox& box, double t_max) const {
         const Vec3 from = box.local(origin_), along = transpose_times(box.axes, direction_);
         const double margin = slack * box.unit * (origin_magnitude_ + box.magnitude);
         const double speed_margin = direction_slack_ * box.unit, end = clipped(t_max);
@@ -59,6 +71,7 @@ public:
                       (near[k] * slow[j] > far[j] * fast[k]);
         }
         if (missed) return Verdict::no;
+        if (!also_yes) return Verdict::open;
         bool met = true;
         for (int k = 0; k < 3; ++k) {
             near[k] = std::max(near[k] + 2 * margin, 0.0);
@@ -73,9 +86,11 @@ public:
     }
 
     /// The box of the mesh is for mesh_instance.cpp, which has the ray in the mesh's space.
-    Verdict operator()(const QuickMesh& mesh, double t_max) const { return (*this)(mesh.sphere(), t_max); }
+    template <bool also_yes>
+    Verdict verdict(const QuickMesh& mesh, double t_max) const {
+        return verdict<also_yes>(mesh.sphere(), t_max);
+    }
 
-private:
     /// An infinite t_max would make NaN of 0. With coordinates and directions of floats nothing is
     /// met later than this.
     static double clipped(double t_max) { return std::min(t_max, 0x1p600); }

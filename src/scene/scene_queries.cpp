@@ -71,7 +71,7 @@ public:
 
     void ask(uint32_t slot) {
         Hit hit;
-        const auto quick = [&](const auto& shape) { return unless_no(quick_ray_(shape, rest_.t_max)); };
+        const auto quick = [&](const auto& shape) { return quick_ray_.refuses(shape, rest_.t_max); };
         const auto exact = [&](const auto& shape) { return gphys::raycast(shape, rest_, hit); };
         if (!(scene_->models_[slot].layers & layers_) || !scene_->decide(slot, quick, exact)) return;
         if (!winner_.is_beaten_by(hit.t, slot, scene_->ids_)) return;
@@ -112,13 +112,12 @@ gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) con
 
 void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* out) const {
     std::optional<FirstOfRay> first[rays_at_once];
-    Ray rest[rays_at_once];
-    for (uint32_t i = 0; i < count; ++i) rest[i] = first[i].emplace(*this, rays[i], layers).rest();
+    for (uint32_t i = 0; i < count; ++i) first[i].emplace(*this, rays[i], layers);
     const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
         first[ray]->ask(slot);
         t_max = first[ray]->rest().t_max;
     };
-    octree_.raycast_many(rest, count, visit, model_memory());
+    octree_.raycast_many([&](uint32_t i) -> const Ray& { return first[i]->rest(); }, count, visit, model_memory());
     for (uint32_t i = 0; i < count; ++i) first[i]->result(out[i]);
 }
 
@@ -136,7 +135,7 @@ bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
 void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const {
     const QuickRay quick_ray(ray);
     Hit hit;
-    const auto quick = [&](const auto& shape) { return unless_no(quick_ray(shape, ray.t_max)); };
+    const auto quick = [&](const auto& shape) { return quick_ray.refuses(shape, ray.t_max); };
     const auto exact = [&](const auto& shape) {
         hit = Hit();
         return gphys::raycast(shape, ray, hit);

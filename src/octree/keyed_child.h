@@ -1,0 +1,120 @@
+// The stack of a walk through an octree that goes nearest first, for kernels.
+#pragma once
+
+#include <cstring>
+
+#include "foundation/simd.h"
+#include "octree/octree_node.h"
+
+namespace gphys::GPHYS_ISA {
+
+inline bool is_leaf(uint32_t ref) { return (ref & octree_leaf_bit) != 0; }
+inline const OctreeNode& node_at(const OctreeNode* nodes, uint32_t ref) { return nodes[ref & ~octree_leaf_bit]; }
+inline uint32_t lanes_of(const OctreeNode& node) { return (1u << node.count) - 1; }
+
+/// What a test found in a node: lanes, and where in them.
+struct Found {
+    uint32_t hits;
+    alignas(32) float keys[8];
+};
+
+/// A child below, its key above: the bits of a float >= 0, which sort like the float itself. The
+/// lowest three make room for a lane while the children of a node are put in order, and then tell
+/// items from nodes; without them a key is at most a little less.
+using KeyedChild = uint64_t;
+constexpr uint32_t lane_field = 7, item_mark = 1;
+constexpr uint32_t minus_infinity = 0xff800000u;
+/// Before all limits.
+constexpr KeyedChild bottom = uint64_t{minus_infinity} << 32;
+
+inline uint32_t child_of(KeyedChild entry) { return static_cast<uint32_t>(entry); }
+inline bool is_item(KeyedChild entry) { return (entry >> 32 & item_mark) != 0; }
+inline float key_of(KeyedChild entry) {
+    const uint32_t key_bits = static_cast<uint32_t>(entry >> 32) & ~lane_field;
+    float key;
+    std::memcpy(&key, &key_bits, sizeof key);
+    return key;
+}
+
+/// push_nearest_last may write so many more entries than it pushes.
+constexpr int pushed_beyond = 4;
+// The bottom, and of each level at most seven siblings besides the children of the last.
+constexpr int stack_size = 1 + 7 * octree_max_levels + 8 + pushed_beyond;
+
+/// The keys of lanes as they sort, with the lanes in them.
+inline uint32_t lane_key(const float keys[8], int lane) {
+    uint32_t key_bits;
+    std::memcpy(&key_bits, keys + lane, sizeof key_bits);
+    return (key_bits & ~lane_field) | static_cast<uint32_t>(lane);
+}
+
+/// Any number of hits.
+inline int push_by_insertion(KeyedChild* stack, int size, const uint32_t children[8], const Found& found,
+                             uint32_t mark) {
+    uint32_t sorted[8];  // descending
+    int count = 0;
+    for (uint32_t rest = found.hits; rest != 0; rest &= rest - 1) {
+        const uint32_t added = lane_key(found.keys, __builtin_ctz(rest));
+        int at = count++;
+        for (; at > 0 && sorted[at - 1] < added; --at) sorted[at] = sorted[at - 1];
+        sorted[at] = added;
+    }
+    for (int i = 0; i < count; ++i) {
+        const uint64_t key = (sorted[i] & ~lane_field) | mark;
+        stack[size + i] = key << 32 | children[sorted[i] & lane_field];
+    }
+    return size + count;
+}
+
+#if GPHYS_ISA_IS(avx2)
+/// For each set of lanes the first four as bytes, -1 where there are no more.
+struct FirstLanes {
+    int8_t of[256][4];
+
+    constexpr FirstLanes() : of{} {
+        for (int set = 0; set < 256; ++set) {
+            int count = 0;
+            for (int8_t lane = 0; lane < 8; ++lane) {
+                if ((set >> lane & 1) != 0 && count < 4) of[set][count++] = lane;
+            }
+            for (; count < 4; ++count) of[set][count] = -1;
+        }
+    }
+};
+inline constexpr FirstLanes first_lanes;
+
+/// Up to four hits, without a branch that could not be foreseen.
+inline int push_by_network(KeyedChild* stack, int size, const uint32_t children[8], const Found& found, uint32_t mark) {
+    int32_t packed;
+    std::memcpy(&packed, first_lanes.of[found.hits], sizeof packed);
+    const __m128i lanes = _mm_cvtepi8_epi32(_mm_cvtsi32_si128(packed));
+    const __m256 keys = _mm256_permutevar8x32_ps(_mm256_load_ps(found.keys), _mm256_castsi128_si256(lanes));
+    const __m128i no_lane = _mm_set1_epi32(static_cast<int>(~lane_field));
+    const __m128i bits = _mm_and_si128(_mm_castps_si128(_mm256_castps256_ps128(keys)), no_lane);
+    // Where there is no hit all bits are set, which is less than any key.
+    __m128i sorted = _mm_or_si128(bits, lanes);
+    const auto exchange = [&sorted](__m128i other, auto blend) {
+        sorted = blend(_mm_max_epi32(sorted, other), _mm_min_epi32(sorted, other));
+    };
+    exchange(_mm_shuffle_epi32(sorted, 0xb1), [](__m128i a, __m128i b) { return _mm_blend_epi32(a, b, 0b1010); });
+    exchange(_mm_shuffle_epi32(sorted, 0x4e), [](__m128i a, __m128i b) { return _mm_blend_epi32(a, b, 0b1100); });
+    exchange(_mm_shuffle_epi32(sorted, 0xd8), [](__m128i a, __m128i b) { return _mm_blend_epi32(a, b, 0b0100); });
+    const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(children));
+    const __m128i child = _mm256_castsi256_si128(_mm256_permutevar8x32_epi32(eight, _mm256_castsi128_si256(sorted)));
+    const __m128i key = _mm_or_si128(_mm_and_si128(sorted, no_lane), _mm_set1_epi32(static_cast<int>(mark)));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(stack + size), _mm_unpacklo_epi32(child, key));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(stack + size + 2), _mm_unpackhi_epi32(child, key));
+    return size + __builtin_popcount(found.hits);
+}
+#endif
+
+/// Push the children that were found, furthest first.
+inline int push_nearest_last(KeyedChild* stack, int size, const uint32_t children[8], const Found& found, bool items) {
+    const uint32_t mark = items ? item_mark : 0;
+#if GPHYS_ISA_IS(avx2)
+    if (__builtin_popcount(found.hits) <= 4) return push_by_network(stack, size, children, found, mark);
+#endif
+    return push_by_insertion(stack, size, children, found, mark);
+}
+
+}  // namespace gphys::GPHYS_ISA
