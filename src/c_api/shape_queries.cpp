@@ -38,17 +38,18 @@ bool contains(const Target& target, Vec3 point, double tolerance) {
     return std::visit([&](const auto& t) { return contains(t, point, tolerance); }, target);
 }
 
-/// The answer for anything that is never empty.
+/// The answer for anything that is never empty. Asked relative to the point, the distance of two
+/// neighbours loses nothing to how far they are from the origin.
 template <class S>
 bool nearest(const S& shape, Vec3 point, gphys_nearest& out) {
-    const Vec3 closest = closest_point(shape, point);
-    out = to_nearest(closest, distance(closest, point));
+    const Vec3 offset = closest_point(relative_to(point, shape), {});
+    out = to_nearest(point + offset, length(offset));
     return true;
 }
 bool nearest(const Frustum& frustum, Vec3 point, gphys_nearest& out) {
-    Vec3 closest;
-    if (!closest_point(frustum, point, closest)) return false;
-    out = to_nearest(closest, distance(closest, point));
+    Vec3 offset;
+    if (!closest_point(relative_to(point, frustum), {}, offset)) return false;
+    out = to_nearest(point + offset, length(offset));
     return true;
 }
 bool nearest(const Mesh* mesh, Vec3 point, gphys_nearest& out) {

@@ -274,6 +274,26 @@ Shape inverse_transformed(const Shape& shape, const Transform& t) {
     return std::visit([&](const auto& s) { return Shape(moved(s, Backward{t})); }, shape);
 }
 
+Sphere relative_to(Vec3 point, const Sphere& s) { return {s.center - point, s.radius}; }
+Capsule relative_to(Vec3 point, const Capsule& c) { return {c.a - point, c.b - point, c.radius}; }
+Aabb relative_to(Vec3 point, const Aabb& b) { return {b.min - point, b.max - point}; }
+Obb relative_to(Vec3 point, const Obb& b) { return {b.center - point, b.half, b.axes}; }
+Plane relative_to(Vec3 point, const Plane& p) {
+    const double height = value_of([&](auto number) {
+        using V = VecOf<decltype(number)>;
+        return dot(V::of(p.normal), V::of(point)) - decltype(number)(p.distance);
+    });
+    return {p.normal, -height};
+}
+Triangle relative_to(Vec3 point, const Triangle& t) { return {t.a - point, t.b - point, t.c - point}; }
+Segment relative_to(Vec3 point, const Segment& s) { return {s.a - point, s.b - point}; }
+Ray relative_to(Vec3 point, const Ray& r) { return {r.origin - point, r.direction, r.t_max}; }
+Frustum relative_to(Vec3 point, const Frustum& f) {
+    Frustum result = f;
+    result.origin = f.origin - point;
+    return result;
+}
+
 Obb as_obb(const Aabb& box) { return {(box.min + box.max) * 0.5, (box.max - box.min) * 0.5, {}}; }
 
 bool axis_parallel(const Mat3& axes) {

@@ -123,6 +123,18 @@ Frustum transformed(const Frustum& frustum, const Transform& t);
 /// The inverse: a world-space shape seen from inside a model's own coordinates.
 Shape inverse_transformed(const Shape& shape, const Transform& t);
 
+/// The shape as seen from a point: small numbers where the two are near each other, however far from
+/// the world's origin.
+Sphere relative_to(Vec3 point, const Sphere& sphere);
+Capsule relative_to(Vec3 point, const Capsule& capsule);
+Aabb relative_to(Vec3 point, const Aabb& box);
+Obb relative_to(Vec3 point, const Obb& box);
+Plane relative_to(Vec3 point, const Plane& plane);
+Triangle relative_to(Vec3 point, const Triangle& triangle);
+Frustum relative_to(Vec3 point, const Frustum& frustum);
+Segment relative_to(Vec3 point, const Segment& segment);
+Ray relative_to(Vec3 point, const Ray& ray);
+
 Obb as_obb(const Aabb& box);
 /// Whether each axis is exactly parallel to a world axis.
 bool axis_parallel(const Mat3& axes);

@@ -49,6 +49,12 @@ inline Big dot(const BigVec& a, const BigVec& b) { return a.x * b.x + a.y * b.y 
 inline BigVec cross(const BigVec& a, const BigVec& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+inline Big big(const Number& value) {
+    Big result;
+    result.backend() = value.exact().get_mpq_t();
+    return result;
+}
+inline BigVec big(const Point& p) { return {big(p.x()), big(p.y()), big(p.z())}; }
 
 /// The exact rotation of a quaternion, which is rational: columns.
 struct Rotation {
@@ -97,6 +103,7 @@ inline Rounded rounded_of(const gphys_sphere& s, Vec3 from) { return {{widen(s.c
 inline Rounded rounded_of(const gphys_capsule& s, Vec3 from) {
     return {{widen(s.a) - from, widen(s.b) - from}, s.radius};
 }
+inline Rounded rounded_of(const gphys_segment& s, Vec3 from) { return {{widen(s.a) - from, widen(s.b) - from}, 0}; }
 inline Rounded rounded_of(const gphys_triangle& t, Vec3 from) {
     return {{widen(t.a) - from, widen(t.b) - from, widen(t.c) - from}, 0};
 }
@@ -118,6 +125,20 @@ inline Rounded rounded_of(const gphys_obb& b, Vec3 from) {
         result.corners.push_back({rounded(corner.x()), rounded(corner.y()), rounded(corner.z())});
     }
     return result;
+}
+
+/// S of the contract: the largest coordinate difference of a shape and a point.
+template <class S>
+double size_of(const S& shape, gphys_vec3 point) {
+    const Rounded rounded = rounded_of(shape, widen(point));
+    double size = rounded.radius;
+    for (Vec3 corner : rounded.corners) size = std::max(size, largest(corner) + rounded.radius);
+    for (Vec3 corner : rounded.corners) size = std::max(size, largest(corner - rounded.corners[0]) + rounded.radius);
+    return size;
+}
+/// A plane has no end, but its distance counts from the origin.
+inline double size_of(const gphys_plane& plane, gphys_vec3 point) {
+    return largest(widen(point)) + std::fabs(plane.distance) / length(widen(plane.normal));
 }
 
 /// The squared distance of the hulls of two sets of corners, exact in what the doubles are.

@@ -81,8 +81,8 @@ private:
     long cases_ = 0, yes_ = 0, false_ = 0;
 };
 
-/// Enough to catch what is wrong in one answer of a thousand.
-constexpr long spoiled_cases = 5000;
+/// Enough to catch what is wrong in one answer of five hundred.
+constexpr long spoiled_cases = 2000;
 
 /// The examined function keeps its promise, and each of the spoiled ones is caught not to.
 template <class Examine, class Function, class... Spoiled>

@@ -1,0 +1,241 @@
+// Pixels, world points, rays and frusta of a camera, beside its own definition in 300 digits.
+#include "oracle.h"
+#include "score.h"
+
+using namespace test;
+
+namespace {
+
+/// A camera's parameters, as given and in 300 digits.
+struct Lens {
+    gphys_camera_desc desc;
+    bool perspective;
+    float fov_or_height, near_distance, far_distance;
+    gphys_vec3 position;
+    gphys_quat rotation;
+
+    explicit Lens(Cases& c) {
+        gphys_camera_desc_init(&desc, sizeof desc);
+        desc.handedness = c.one_in(2) ? GPHYS_LEFT_HANDED : GPHYS_RIGHT_HANDED;
+        desc.depth_range = c.one_in(2) ? GPHYS_DEPTH_ZERO_TO_ONE : GPHYS_DEPTH_MINUS_ONE_TO_ONE;
+        desc.reverse_z = c.one_in(2);
+        desc.viewport_width = c.random.uniform_float(100, 4000);
+        desc.viewport_height = c.random.uniform_float(100, 4000);
+        perspective = !c.one_in(3);
+        fov_or_height = perspective ? c.random.uniform_float(.02f, 3.1f)
+                                    : static_cast<float>(std::pow(10.0, c.random.uniform(-2, 4)));
+        near_distance = static_cast<float>(std::pow(10.0, c.random.uniform(-3, 1)));
+        far_distance = near_distance * static_cast<float>(std::pow(10.0, c.random.uniform(.1, 7)));
+        if (perspective && c.one_in(3)) far_distance = INFINITY;
+        position = narrow(c.random.direction() * std::pow(10.0, c.random.uniform(-2, 7)));
+        rotation = c.rotation();
+    }
+
+    gphys_camera* make() const {
+        gphys_camera* camera = nullptr;
+        REQUIRE(gphys_camera_create(&desc, &camera) == GPHYS_OK);
+        REQUIRE((perspective ? gphys_camera_set_perspective : gphys_camera_set_orthographic)(
+                    camera, fov_or_height, near_distance, far_distance) == GPHYS_OK);
+        REQUIRE(gphys_camera_set_transform(camera, &position, &rotation) == GPHYS_OK);
+        return camera;
+    }
+
+    Big half_height() const { return perspective ? tan(Big(fov_or_height) / 2) : Big(fov_or_height) / 2; }
+    Big half_width() const { return half_height() * desc.viewport_width / desc.viewport_height; }
+    double sign() const { return desc.handedness == GPHYS_LEFT_HANDED ? 1 : -1; }
+    Big depth_of(const Big& near_weight, const Big& far_weight) const {
+        const Big low = desc.depth_range == GPHYS_DEPTH_ZERO_TO_ONE ? 0 : -1;
+        return desc.reverse_z ? near_weight + far_weight * low : near_weight * low + far_weight;
+    }
+
+    /// Right, up, forward of a world point.
+    BigVec into(const BigVec& p) const {
+        const Rotation r(rotation);
+        const BigVec offset = p - BigVec(position);
+        const auto along = [&](int k) { return dot(big(CGAL::ORIGIN + r.axis[k]), offset); };
+        return {along(0), along(1), along(2) * sign()};
+    }
+    BigVec out(const BigVec& lens) const {
+        const Rotation r(rotation);
+        const auto axis = [&](int k) { return big(CGAL::ORIGIN + r.axis[k]); };
+        return BigVec(position) + axis(0) * lens.x + axis(1) * lens.y + axis(2) * (lens.z * sign());
+    }
+    /// False behind the camera.
+    bool project(const gphys_vec3& point, BigVec& pixel) const {
+        const BigVec p = into(BigVec(point));
+        if (perspective && p.z <= 0) return false;
+        const Big n = near_distance, scale = perspective ? p.z : Big(1);
+        pixel.x = (1 + p.x / (half_width() * scale)) / 2 * desc.viewport_width;
+        pixel.y = (1 - p.y / (half_height() * scale)) / 2 * desc.viewport_height;
+        const bool endless = std::isinf(far_distance);
+        const Big f = endless ? Big(0) : Big(far_distance);
+        Big at_near = endless ? n / p.z : (f - p.z) / (f - n);
+        if (perspective && !endless) at_near = at_near * n / p.z;
+        pixel.z = depth_of(at_near, 1 - at_near);
+        return true;
+    }
+    BigVec direction(double x, double y) const {
+        if (!perspective) return {0, 0, 1};
+        return {(2 * Big(x) / desc.viewport_width - 1) * half_width(),
+                (1 - 2 * Big(y) / desc.viewport_height) * half_height(), 1};
+    }
+};
+
+gphys_vec3 seen_point(Cases& c, const Lens& lens) {
+    const double depth = lens.near_distance * std::pow(10.0, c.random.uniform(0, 6));
+    const Vec3 offset{depth * c.random.uniform(-1, 1), depth * c.random.uniform(-1, 1), depth * lens.sign()};
+    return narrow(widen(lens.position) + rotation_matrix(widen(lens.rotation)) * offset);
+}
+
+using Project = gphys_status (*)(const gphys_camera*, const gphys_vec3*, gphys_vec3*);
+
+gphys_status shifted(const gphys_camera* camera, const gphys_vec3* point, gphys_vec3* pixel) {
+    const gphys_status status = gphys_camera_project(camera, point, pixel);
+    pixel->x += .01f;
+    return status;
+}
+/// As a matrix of floats does it.
+gphys_status by_matrix(const gphys_camera* camera, const gphys_vec3* p, gphys_vec3* pixel) {
+    const gphys_status status = gphys_camera_project(camera, p, pixel);
+    gphys_mat4 m;
+    gphys_camera_get_view_projection_matrix(camera, &m);
+    const auto row = [&](int r) { return m.m[r] * p->x + m.m[4 + r] * p->y + m.m[8 + r] * p->z + m.m[12 + r]; };
+    pixel->z = row(2) / row(3);
+    return status;
+}
+
+using Cast = gphys_status (*)(const gphys_camera*, float, float, gphys_ray*);
+gphys_status turned(const gphys_camera* camera, float x, float y, gphys_ray* ray) {
+    return gphys_camera_pick_ray(camera, x + .01f, y, ray);
+}
+
+}  // namespace
+
+TEST_CASE("a camera projects to a thousandth of a pixel and 4 ulps of depth", "[camera]") {
+    const auto examine = [](Project project, long count) {
+        Cases c(81);
+        Score score("project", 1, "of the bound");
+        for (long i = 0; i < count; ++i) {
+            const Lens lens(c);
+            gphys_camera* camera = lens.make();
+            const gphys_vec3 point = c.one_in(3) ? c.point() : seen_point(c, lens);
+            gphys_vec3 pixel{};
+            BigVec expected;
+            const bool given = project(camera, &point, &pixel) == GPHYS_OK;
+            const bool in_front = lens.project(point, expected);
+            // Beyond the range of coordinates there is no answer either.
+            const double furthest =
+                in_front ? std::max(std::fabs(rounded(expected.x)), std::fabs(rounded(expected.y))) : 0;
+            score.answer(given, in_front, !in_front || furthest > 1e14, point, lens.position, lens.rotation);
+            if (given && in_front && furthest < 1e14) {
+                const auto error = [&](float computed, const Big& truth, double bound) {
+                    score.error(error_of(computed, truth) / (bound + ulp_of(rounded(truth))), point, lens.position,
+                                lens.rotation, lens.fov_or_height);
+                };
+                error(pixel.x, expected.x, 1e-3);
+                error(pixel.y, expected.y, 1e-3);
+                error(pixel.z, expected.z, 4 * 0x1p-24);
+            }
+            gphys_camera_destroy(camera);
+            c.next();
+        }
+        return score;
+    };
+    prove(cases(2000, 1000000), examine, gphys_camera_project, shifted, by_matrix);
+}
+
+TEST_CASE("a camera unprojects to an ulp of the largest coordinate", "[camera]") {
+    const auto examine = [](Project unproject, long count) {
+        Cases c(82);
+        Score score("unproject", 2, "ulps of W");
+        for (long i = 0; i < count; ++i) {
+            const Lens lens(c);
+            gphys_camera* camera = lens.make();
+            // A pixel and depth that some point has.
+            const gphys_vec3 seen = seen_point(c, lens);
+            gphys_vec3 pixel, point{};
+            if (gphys_camera_project(camera, &seen, &pixel) == GPHYS_OK) {
+                const bool given = unproject(camera, &pixel, &point) == GPHYS_OK;
+                // The depth of that pixel, from the same linear weights.
+                const Big at_low =
+                    lens.desc.depth_range == GPHYS_DEPTH_ZERO_TO_ONE ? Big(pixel.z) : (Big(pixel.z) + 1) / 2;
+                const Big far_weight = lens.desc.reverse_z ? 1 - at_low : at_low, near_weight = 1 - far_weight;
+                const Big n = lens.near_distance;
+                const bool endless = std::isinf(lens.far_distance);
+                const Big f = endless ? Big(0) : Big(lens.far_distance);
+                Big z;
+                bool finite = true;
+                if (!lens.perspective) {
+                    z = n * near_weight + f * far_weight;
+                } else {
+                    const Big inverse = near_weight / n + (endless ? Big(0) : far_weight / f);
+                    finite = inverse > 0;
+                    if (finite) z = 1 / inverse;
+                }
+                score.answer(given, finite, !finite || z > 1e14, pixel, lens.position);
+                if (given && finite) {
+                    BigVec on_lens = lens.direction(pixel.x, pixel.y) * z;
+                    if (!lens.perspective) {
+                        on_lens.x = (2 * Big(pixel.x) / lens.desc.viewport_width - 1) * lens.half_width();
+                        on_lens.y = (1 - 2 * Big(pixel.y) / lens.desc.viewport_height) * lens.half_height();
+                    }
+                    const BigVec expected = lens.out(on_lens);
+                    const double unit = ulp_of(std::max(largest(widen(lens.position)), largest(widen(point))));
+                    score.error(error_of(point.x, expected.x) / unit, pixel, lens.position);
+                    score.error(error_of(point.y, expected.y) / unit, pixel, lens.position);
+                    score.error(error_of(point.z, expected.z) / unit, pixel, lens.position);
+                }
+            }
+            gphys_camera_destroy(camera);
+            c.next();
+        }
+        return score;
+    };
+    const Project off = [](const gphys_camera* camera, const gphys_vec3* pixel, gphys_vec3* point) {
+        const gphys_status status = gphys_camera_unproject(camera, pixel, point);
+        for (int i = 0; i < 3; ++i) point->z = after(point->z);
+        return status;
+    };
+    const Score score = examine(gphys_camera_unproject, cases(2000, 1000000));
+    score.print();
+    CHECK(score.kept());
+    CHECK_FALSE(examine(off, 2000).kept());
+}
+
+TEST_CASE("the ray of a pixel has its image there, to a thousandth of a pixel or what its floats tell", "[camera]") {
+    const auto examine = [](Cast cast, long count) {
+        Cases c(83);
+        Score score("pick ray", 1, "of the bound");
+        for (long i = 0; i < count; ++i) {
+            const Lens lens(c);
+            gphys_camera* camera = lens.make();
+            const float x = c.random.uniform_float(0, lens.desc.viewport_width);
+            const float y = c.random.uniform_float(0, lens.desc.viewport_height);
+            gphys_ray ray{};
+            score.answer(cast(camera, x, y, &ray) == GPHYS_OK, true, lens.position);
+            if (lens.perspective) {
+                // The image of the direction.
+                const Rotation r(lens.rotation);
+                const BigVec d(ray.direction);
+                const auto along = [&](int k) { return dot(big(CGAL::ORIGIN + r.axis[k]), d); };
+                const Big z = along(2) * lens.sign();
+                const Big px = (1 + along(0) / (lens.half_width() * z)) / 2 * lens.desc.viewport_width;
+                const Big py = (1 - along(1) / (lens.half_height() * z)) / 2 * lens.desc.viewport_height;
+                // Half an ulp of each component of a unit vector turns it by at most 2^-25 sqrt(3); the image
+                // moves by what its scale there makes of that.
+                const double scale = rounded(lens.desc.viewport_height / 2 / lens.half_height());
+                const double stretch = rounded(dot(lens.direction(x, y), lens.direction(x, y)));
+                const double bound = std::max(1e-3, 0x1p-24 * scale * stretch);
+                score.error(error_of(x, px) / bound, lens.position, lens.rotation);
+                score.error(error_of(y, py) / bound, lens.position, lens.rotation);
+            }
+            gphys_camera_destroy(camera);
+            c.next();
+        }
+        return score;
+    };
+    const Score score = examine(gphys_camera_pick_ray, cases(2000, 1000000));
+    score.print();
+    CHECK(score.kept());
+    CHECK_FALSE(examine(turned, 2000).kept());
+}
