@@ -201,6 +201,7 @@ struct Forward {
     const Transform& t;
     Vec3 point(Vec3 p) const { return t.apply(p); }
     Vec3 rotate(Vec3 v) const { return t.rotation * v; }
+    Mat3 axes() const { return t.rotation; }
     double size(double s) const { return s * t.scale; }
     // n.x = d and x' = p + s R x give (R n).x' = s d + (R n).p
     Plane plane(const Plane& plane) const {
@@ -213,6 +214,7 @@ struct Backward {
     const Transform& t;
     Vec3 point(Vec3 p) const { return t.inverse_apply(p); }
     Vec3 rotate(Vec3 v) const { return transpose_times(t.rotation, v); }
+    Mat3 axes() const { return {rotate({1, 0, 0}), rotate({0, 1, 0}), rotate({0, 0, 1})}; }
     double size(double s) const { return s / t.scale; }
     Plane plane(const Plane& plane) const {
         return {rotate(plane.normal), (plane.distance - dot(plane.normal, t.position)) / t.scale};
@@ -234,8 +236,9 @@ Obb moved(const Obb& box, const Map& map) {
             {map.rotate(box.axes.x), map.rotate(box.axes.y), map.rotate(box.axes.z)}};
 }
 template <class Map>
-Obb moved(const Aabb& box, const Map& map) {
-    return moved(as_obb(box), map);
+Obb moved(const Aabb& aabb, const Map& map) {
+    const Obb box = as_obb(aabb);
+    return {map.point(box.center), {map.size(box.half.x), map.size(box.half.y), map.size(box.half.z)}, map.axes()};
 }
 template <class Map>
 Plane moved(const Plane& plane, const Map& map) {
