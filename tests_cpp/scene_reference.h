@@ -156,6 +156,8 @@ public:
     std::vector<PlacedModel> models;  // by id, after look()
     /// Whole numbers and no rotation: things touch, coincide and tie all the time.
     bool on_grid = false;
+    /// That all models share; 0 once they are not to.
+    uint32_t common_layer = 8;
 
     gphys_vec3 point(float extent) {
         gphys_vec3 p = random.point(extent);
@@ -243,7 +245,7 @@ public:
     void add() {
         gphys_model_desc desc;
         gphys_model_desc_init(&desc, sizeof desc);
-        desc.layers = 1u << random.index(3) | 1u << random.index(3);
+        desc.layers = 1u << random.index(3) | 1u << random.index(3) | common_layer;
         desc.tag = random.index(1000);
         if (!ids_.empty() && random.index(3) == 0) desc.parent = any_model();
         const gphys_transform at = transform();
@@ -276,7 +278,7 @@ public:
                 break;
             }
             case 3:
-                REQUIRE(gphys_scene_set_layers(scene, model, 1u << random.index(3)) == GPHYS_OK);
+                REQUIRE(gphys_scene_set_layers(scene, model, 1u << random.index(3) | common_layer) == GPHYS_OK);
                 break;
             case 4: {
                 std::vector<gphys_model_id> some;

@@ -68,6 +68,22 @@ double distance_of(const Box& box, Vec3 p) {
     return std::sqrt(sum);
 }
 
+double furthest_of(const Box& box, Vec3 p) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double reach = std::max(box.max[k] - p[k], p[k] - box.min[k]);
+        sum += reach * reach;
+    }
+    return std::sqrt(sum);
+}
+
+bool holds(const Box& outer, const Box& inner) {
+    for (int k = 0; k < 3; ++k) {
+        if (inner.min[k] < outer.min[k] || outer.max[k] < inner.max[k]) return false;
+    }
+    return true;
+}
+
 /// Aims at a box's inside, or exactly at one of its faces, edges and corners.
 Ray random_ray(test::Random& random, const Boxes& boxes, Kind kind) {
     const Box start = random_box(random, kind);
@@ -228,13 +244,35 @@ void compare_queries(const Octree& tree, const Boxes& boxes, test::Random& rando
         compare_ray(tree, boxes, motion, 0, counts);
 
         const Box query = random_box(random, kind);
-        std::set<uint32_t> visited;
-        REQUIRE(tree.overlap_box(query, [&](uint32_t item) { return visited.insert(item).second; }));
+        std::map<uint32_t, bool> visited;
+        const auto visit = [&](uint32_t item, bool inside) { return visited.emplace(item, inside).second; };
+        REQUIRE(tree.overlap_box(query, visit));
         std::set<uint32_t> visited_by_test;
         REQUIRE(tree.overlap([&](const Box& box) { return overlaps(box, query); },
                              [&](uint32_t item) { return visited_by_test.insert(item).second; }));
-        for (const auto& [item, box] : boxes) REQUIRE(visited.count(item) == overlaps(box, query));
-        REQUIRE(visited == visited_by_test);
+        REQUIRE(visited.size() == visited_by_test.size());
+        for (const auto& [item, box] : boxes) {
+            REQUIRE(visited.count(item) == overlaps(box, query));
+            REQUIRE(visited_by_test.count(item) == overlaps(box, query));
+            if (visited.count(item)) REQUIRE(visited[item] == holds(query, box));
+        }
+
+        const Vec3 center{query.max[0], query.min[1], query.max[2]};
+        const double radius = kind == Kind::tiny ? random.uniform(0, 1e-30) : random.uniform(0, 20);
+        visited.clear();
+        std::feclearexcept(FE_ALL_EXCEPT);
+        REQUIRE(tree.overlap_ball(center, radius, visit));
+        REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+        const double largest_coordinate = furthest_of(tree.bounds(), {}) + length(center);
+        for (const auto& [item, box] : boxes) {
+            const double nearest_point = distance_of(box, center), furthest = furthest_of(box, center);
+            if (nearest_point <= radius) REQUIRE(visited.count(item) == 1);
+            if (furthest > radius && visited.count(item)) REQUIRE_FALSE(visited[item]);
+            // Some roundings of float, squares that underflow, and what double arithmetic may be off by.
+            const double error = 0x1p-19 * radius + 1e-18;
+            if (nearest_point > radius + error + 0x1p-46 * largest_coordinate) REQUIRE(visited.count(item) == 0);
+            if (furthest < radius - error) REQUIRE(visited[item]);
+        }
 
         const Vec3 point{query.min[0], query.max[1], query.min[2]};
         double nearest = random.index(2) ? infinity : random.uniform(0, 50);
@@ -261,7 +299,8 @@ void compare_queries(const Octree& tree, const Boxes& boxes, test::Random& rando
         const Frustum frustum = random_frustum(random, boxes, kind);
         std::map<uint32_t, bool> seen;
         std::feclearexcept(FE_ALL_EXCEPT);
-        REQUIRE(tree.frustum(frustum, [&](uint32_t item, bool inside) { return seen.emplace(item, inside).second; }));
+        const auto see = [&](uint32_t item, bool inside) { return seen.emplace(item, inside).second; };
+        REQUIRE(tree.frustum(frustum, all_of_space, see));
         REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
         for (const auto& [item, box] : boxes) {
             const int side = side_of(box, frustum);
@@ -553,8 +592,13 @@ TEST_CASE("visitors can end octree queries") {
     REQUIRE(visits == 1);
     tree.nearest({2, 3, 4}, infinity, [&](uint32_t, double& distance) { ++visits, distance = -1; });
     REQUIRE(visits == 2);
-    REQUIRE_FALSE(tree.overlap_box({{2, 3, 4}, {2, 3, 4}}, [&](uint32_t) { return ++visits, false; }));
+    REQUIRE_FALSE(tree.overlap_box({{2, 3, 4}, {2, 3, 4}}, [&](uint32_t, bool) { return ++visits, false; }));
     REQUIRE(visits == 3);
+    REQUIRE_FALSE(tree.overlap_ball({2, 3, 4}, 1, [&](uint32_t, bool) { return ++visits, false; }));
+    REQUIRE(visits == 4);
+    // All of them inside, of which more are found than are handed on at once.
+    REQUIRE_FALSE(tree.overlap_ball({2, 3, 4}, 10, [&](uint32_t, bool) { return ++visits < 40; }));
+    REQUIRE(visits == 40);
 }
 
 TEST_CASE("rays from beyond the range of float find the boxes of an octree") {

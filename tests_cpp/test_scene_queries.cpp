@@ -103,10 +103,20 @@ bool raycast_all_agrees(RandomScene& world) {
 
 bool overlap_agrees(RandomScene& world) {
     RandomScene::AnyShape query;
-    if (world.random.index(5) == 0) {
-        query.hold(GPHYS_SHAPE_FRUSTUM, world.frustum());
-    } else {
-        query = world.primitive(12);
+    const gphys_vec3 low = world.point(12);
+    switch (world.random.index(6)) {
+        case 0:
+            query.hold(GPHYS_SHAPE_FRUSTUM, world.frustum());
+            break;
+        case 1:  // large enough to hold models
+            query.hold(GPHYS_SHAPE_SPHERE, gphys_sphere{low, 5 * world.size(2)});
+            break;
+        case 2:
+            query.hold(GPHYS_SHAPE_AABB,
+                       gphys_aabb{low, {low.x + 10 * world.size(2), low.y + 10 * world.size(2), low.z + 20}});
+            break;
+        default:
+            query = world.primitive(12);
     }
     Shape widened;
     switch (query.type) {
@@ -263,6 +273,7 @@ void compare_with_linear_scan(int phases, int queries_per_phase, uint64_t seed) 
     for (int i = 0; i < 80; ++i) world.add();
     for (int phase = 0; phase < phases; ++phase) {
         world.on_grid = phase % 2 == 1;
+        if (phase == phases * 3 / 4) world.common_layer = 0;
         for (int i = 0; i < 40; ++i) world.change();
         REQUIRE(gphys_scene_validate(world.scene) == GPHYS_OK);
         world.look();
@@ -283,6 +294,28 @@ TEST_CASE("each kind of query equals the linear scan, bit for bit, while models 
 
 TEST_CASE("a million queries of each kind equal the linear scan", "[.long]") {
     compare_with_linear_scan(1000, 1000, 21);
+}
+
+TEST_CASE("an empty mesh is never found, even wholly inside a query") {
+    test::SceneFixture s;
+    const gphys_model_id sphere = s.add_sphere(1, test::at(1, 0, 0));
+    gphys_mesh* nothing = nullptr;
+    REQUIRE(gphys_mesh_create(nullptr, nullptr, sizeof(gphys_vec3), 0, nullptr, 0, &nothing) == GPHYS_OK);
+    s.add(GPHYS_SHAPE_MESH, nothing, test::at(0, 0, 0));
+    gphys_mesh_destroy(nothing);
+    const gphys_sphere ball{{0, 0, 0}, 5};
+    const gphys_aabb box{{-5, -5, -5}, {5, 5, 5}};
+    gphys_model_id found[2];
+    uint32_t total = 0;
+    REQUIRE(gphys_scene_overlap(s.scene, GPHYS_SHAPE_SPHERE, &ball, GPHYS_ALL_LAYERS, found, 2, &total) == GPHYS_OK);
+    REQUIRE((total == 1 && found[0] == sphere));
+    REQUIRE(gphys_scene_overlap(s.scene, GPHYS_SHAPE_AABB, &box, GPHYS_ALL_LAYERS, found, 2, &total) == GPHYS_OK);
+    REQUIRE((total == 1 && found[0] == sphere));
+    // Nor after the scene has been left with nothing else.
+    REQUIRE(gphys_scene_remove(s.scene, sphere) == GPHYS_OK);
+    s.add_sphere(1, test::at(100, 0, 0));
+    REQUIRE(gphys_scene_overlap(s.scene, GPHYS_SHAPE_SPHERE, &ball, GPHYS_ALL_LAYERS, found, 2, &total) == GPHYS_OK);
+    REQUIRE(total == 0);
 }
 
 TEST_CASE("queries allocate nothing") {

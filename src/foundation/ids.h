@@ -62,6 +62,8 @@ public:
     bool live(uint32_t slot) const { return slot_of(entries_[slot]) == slot; }
     /// Of a live slot.
     uint32_t id(uint32_t slot) const { return entries_[slot]; }
+    /// What id() reads of slot 0, and behind it of the others.
+    const uint32_t* ids() const { return entries_.data(); }
     /// Live and free ones; each slot is below this.
     uint32_t slots() const { return static_cast<uint32_t>(entries_.size()); }
     uint32_t size() const { return live_; }

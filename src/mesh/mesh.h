@@ -125,7 +125,7 @@ void Mesh::for_each_overlap(const Shape& shape, Visit&& visit) const {
 template <class Bounded, class Visit>
 void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit) const {
     const Box box = gphys::bounds(shape);
-    octree_.overlap_box(box, [&](uint32_t number) {
+    octree_.overlap_box(box, [&](uint32_t number, bool) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(kernels_.lanes_in_box(packet, box), [&](int lane) {
             return !gphys::overlaps(shape, packet.triangle(lane)) || visit(packet.index[lane]);
@@ -149,7 +149,7 @@ void Mesh::for_each_overlap_of(const Plane& plane, Visit&& visit) const {
 
 template <class Visit>
 void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit) const {
-    octree_.frustum(frustum, [&](uint32_t number, bool wholly_inside) {
+    octree_.frustum(frustum, all_of_space, [&](uint32_t number, bool wholly_inside) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(packet.lanes(), [&](int lane) {
             return !(wholly_inside || gphys::overlaps(frustum, packet.triangle(lane))) || visit(packet.index[lane]);

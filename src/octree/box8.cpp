@@ -134,10 +134,23 @@ float PointProbe::limit(double max_distance) const {
     return round_up(reach * reach);
 }
 
+// The far corner's distance is computed from the interval around the centre as well, with as many
+// roundings: it falls short of the true one's square by a factor of at least 1 - 6u. Squares below the
+// smallest normal float may be flushed to zero, three of them.
+BallProbe::BallProbe(Vec3 center, double radius, const Box& root) {
+    const PointProbe point(center, root);
+    std::copy_n(point.low, 3, low);
+    std::copy_n(point.high, 3, high);
+    outside_above = point.limit(radius);
+    const double reach = std::min(radius, 0x1p62);
+    inside_below = round_down(reach * reach * (1 - 16 * unit_roundoff) - 4.0 * std::numeric_limits<float>::min());
+}
+
 // With differences to the frustum's origin the sum of three products has five roundings in each
 // term, the plane's own components included: it is within 5u of the sum of magnitudes, for which
-// 8u leaves room for the rounding of that sum and of the comparison's right side.
-FrustumProbe::FrustumProbe(const Frustum& frustum) {
+// 8u leaves room for the rounding of that sum and of the comparison's right side. On each axis the
+// larger of both faces' magnitudes stands for that of the corner.
+FrustumProbe::FrustumProbe(const Frustum& frustum, const Box& box) : around(box) {
     const bool too_far = max_component(abs(frustum.origin)) > 0x1p57;
     for (int k = 0; k < 3; ++k) {
         const double origin = too_far ? 0 : frustum.origin[k];
@@ -149,10 +162,10 @@ FrustumProbe::FrustumProbe(const Frustum& frustum) {
         const Plane& exact = frustum.planes[p];
         const double scale = max_component(abs(exact.normal));
         if (too_far) {
-            plane = {{0, 0, 0}, -1, 1};  // decides nothing
+            plane = {{}, {}, -1, 1};  // decides nothing
         } else if (scale == 0) {
             const float side = exact.distance <= 0 ? -1.0f : 1.0f;  // all of space or nothing
-            plane = {{0, 0, 0}, side, side};
+            plane = {{}, {}, side, side};
         } else {
             // A component below 2^-100 cannot be a float of full precision; left out, it changes
             // the sum by no more than 2^-100 times the largest difference, 2^58.
@@ -162,6 +175,7 @@ FrustumProbe::FrustumProbe(const Frustum& frustum) {
                 const bool negligible = std::fabs(component) < 0x1p-100;
                 if (negligible && component != 0) slack += 0x1p-42;
                 plane.normal[k] = negligible ? 0.0f : static_cast<float>(component);
+                plane.error[k] = std::fabs(plane.normal[k]) * static_cast<float>(8 * unit_roundoff);
             }
             // Sums stay below 2^60: beyond that the size of the distance does not matter.
             const double distance = std::clamp(exact.distance / scale, -0x1p100, 0x1p100);

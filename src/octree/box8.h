@@ -11,6 +11,10 @@ namespace gphys {
 /// largest position, while areas stay far below the largest float.
 constexpr float max_box_coordinate = 0x1p52f;
 
+/// Holds all boxes.
+constexpr Box all_of_space{{-max_box_coordinate, -max_box_coordinate, -max_box_coordinate},
+                           {max_box_coordinate, max_box_coordinate, max_box_coordinate}};
+
 struct alignas(32) Box8 {
     float row[6][8];  // min x, y, z, max x, y, z
 
@@ -121,14 +125,24 @@ private:
     double slack_;
 };
 
-/// Boxes outside none of the six planes of a frustum.
+/// Boxes that a ball touches, or holds.
+struct BallProbe {
+    BallProbe(Vec3 center, double radius, const Box& root);
+
+    float low[3], high[3];              // the centre between two floats on each axis
+    float outside_above, inside_below;  // of squared distances
+};
+
+/// Boxes outside none of the six planes of a frustum, nor of a box around it. Without that, a box
+/// behind the viewer that crosses the planes of two sides would count.
 struct FrustumProbe {
-    explicit FrustumProbe(const Frustum& frustum);
+    FrustumProbe(const Frustum& frustum, const Box& around);
 
     struct FloatPlane {
-        float normal[3];
+        float normal[3], error[3];
         float outside_below, inside_above;
     };
+    Box around;
     float origin_low[3], origin_high[3];
     FloatPlane planes[6];
 };

@@ -173,15 +173,45 @@ public:
                     (load(boxes.row[1]) <= max_[1]) & (min_[1] <= load(boxes.row[4])) &
                     (load(boxes.row[2]) <= max_[2]) & (min_[2] <= load(boxes.row[5])));
     }
-    /// Lanes wholly inside the box.
-    uint32_t holds(const Box8& boxes) const {
-        return bits((min_[0] <= load(boxes.row[0])) & (load(boxes.row[3]) <= max_[0]) &
-                    (min_[1] <= load(boxes.row[1])) & (load(boxes.row[4]) <= max_[1]) &
-                    (min_[2] <= load(boxes.row[2])) & (load(boxes.row[5]) <= max_[2]));
+    /// The same, and which lanes are wholly inside the box.
+    uint32_t hits(const Box8& boxes, uint32_t& inside) const {
+        inside =
+            bits((min_[0] <= load(boxes.row[0])) & (load(boxes.row[3]) <= max_[0]) & (min_[1] <= load(boxes.row[1])) &
+                 (load(boxes.row[4]) <= max_[1]) & (min_[2] <= load(boxes.row[2])) & (load(boxes.row[5]) <= max_[2]));
+        return hits(boxes);
     }
 
 private:
     Float8 min_[3], max_[3];
+};
+
+class BallTest {
+public:
+    explicit BallTest(const BallProbe& probe)
+        : outside_above_(splat(probe.outside_above)), inside_below_(splat(probe.inside_below)) {
+        for (int k = 0; k < 3; ++k) {
+            low_[k] = splat(probe.low[k]);
+            high_[k] = splat(probe.high[k]);
+        }
+    }
+
+    /// Lanes that are not wholly outside the ball, and those wholly inside.
+    uint32_t hits(const Box8& boxes, uint32_t& inside) const {
+        Float8 nearest = splat(0), furthest = splat(0);  // squared distances
+        for (int k = 0; k < 3; ++k) {
+            // How far both faces are beyond the centre, outward: the larger one is the gap, if it is
+            // positive, and the smaller one, without its sign, leads to the far corner.
+            const Float8 a = load(boxes.row[k]) - high_[k], b = low_[k] - load(boxes.row[3 + k]);
+            const Float8 gap = max(max(a, b), splat(0)), reach = min(a, b);
+            nearest = nearest + gap * gap;
+            furthest = furthest + reach * reach;
+        }
+        inside = bits(furthest <= inside_below_);
+        return bits(nearest <= outside_above_);
+    }
+
+private:
+    Float8 low_[3], high_[3], outside_above_, inside_below_;
 };
 
 class FrustumTest {
@@ -192,27 +222,27 @@ public:
 
     /// Lanes that are not wholly outside one of `planes`; inside[p] are those wholly inside plane p.
     uint32_t hits(const Box8& boxes, uint32_t planes, uint32_t inside[6]) const {
-        Float8 low[3], high[3];
+        Float8 low[3], high[3], magnitude[3];
         for (int k = 0; k < 3; ++k) {
             low[k] = load(boxes.row[k]) - splat(probe_.origin_high[k]);
             high[k] = load(boxes.row[3 + k]) - splat(probe_.origin_low[k]);
+            magnitude[k] = max(high[k], splat(0) - low[k]);  // of whichever has the larger one
         }
-        const Float8 error = splat(8 * float_roundoff);
         uint32_t hit = 0xff;
         for (uint32_t rest = planes; rest != 0; rest &= rest - 1) {
             const int p = __builtin_ctz(rest);
             const FrustumProbe::FloatPlane& plane = probe_.planes[p];
-            Float8 most[3], least[3];  // products at the corners furthest in and furthest out
+            // Of the corners furthest in and furthest out.
+            Float8 upper = splat(0), lower = splat(0), error = splat(0);
             for (int k = 0; k < 3; ++k) {
                 const bool positive = plane.normal[k] >= 0;
-                most[k] = (positive ? high[k] : low[k]) * splat(plane.normal[k]);
-                least[k] = (positive ? low[k] : high[k]) * splat(plane.normal[k]);
+                const Float8 normal = splat(plane.normal[k]);
+                upper = upper + (positive ? high[k] : low[k]) * normal;
+                lower = lower + (positive ? low[k] : high[k]) * normal;
+                error = error + magnitude[k] * splat(plane.error[k]);
             }
-            const Float8 upper = most[0] + most[1] + most[2] + error * (abs(most[0]) + abs(most[1]) + abs(most[2]));
-            const Float8 lower =
-                least[0] + least[1] + least[2] - error * (abs(least[0]) + abs(least[1]) + abs(least[2]));
-            hit &= bits(splat(plane.outside_below) <= upper);
-            inside[p] = bits(splat(plane.inside_above) <= lower);
+            hit &= bits(splat(plane.outside_below) <= upper + error);
+            inside[p] = bits(splat(plane.inside_above) <= lower - error);
         }
         return hit;
     }

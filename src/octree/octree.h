@@ -76,16 +76,21 @@ public:
     /// the query.
     template <class Visit>
     void nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items = {}) const;
-    /// visit(item) returns whether to go on; the result is false if one did not.
+    /// visit(item, wholly_inside) returns whether to go on; the result is false if one did not.
+    /// `items_inside` is what it reads of those wholly inside.
     template <class Visit>
-    bool overlap_box(const Box& box, Visit&& visit) const;
-    /// The same for any test of boxes: touches(box) must be true for each box that holds what the
+    bool overlap_box(const Box& box, Visit&& visit, ItemMemory items = {}, ItemMemory items_inside = {}) const;
+    template <class Visit>
+    bool overlap_ball(Vec3 center, double radius, Visit&& visit, ItemMemory items = {},
+                      ItemMemory items_inside = {}) const;
+    /// visit(item), for any test of boxes: touches(box) must be true for each box that holds what the
     /// query wants.
     template <class Touches, class Visit>
     bool overlap(Touches&& touches, Visit&& visit) const;
-    /// visit(item, wholly_inside) returns whether to go on.
+    /// `around` holds the frustum; the tighter, the better.
     template <class Visit>
-    bool frustum(const Frustum& frustum, Visit&& visit) const;
+    bool frustum(const Frustum& frustum, const Box& around, Visit&& visit, ItemMemory items = {},
+                 ItemMemory items_inside = {}) const;
     /// All pairs of items of two trees whose boxes overlap: visit(item, other_item) returns whether
     /// to go on.
     template <class Visit>
@@ -173,7 +178,7 @@ private:
     void walk_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
                        const Probe& probe, double bound, Visit& visit, ItemMemory items) const;
     template <class Visit>
-    static OctreeLeafVisitor by_item(Visit& visit);
+    static OctreeListVisitor by_item(Visit& visit, ItemMemory items, ItemMemory items_inside);
 
     const OctreeKernels& kernels_;
     const Workers* const workers_;

@@ -6,10 +6,6 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-void fetch_item(const ItemMemory& items, uint32_t item) {
-    if (items.first) fetch_ahead(static_cast<const char*>(items.first) + size_t{item} * items.size, items.size);
-}
-
 template <class Test, class Probe>
 void walk_nearest_first(const OctreeNode* nodes, uint32_t root, const Probe& probe, float limit,
                         const OctreeVisitor& to) {
@@ -41,19 +37,24 @@ void walk_ray_any(const OctreeNode* nodes, uint32_t root, const RayProbe& probe,
         });
 }
 
-bool walk_box(const OctreeNode* nodes, uint32_t root, const Box& box, const OctreeLeafVisitor& to) {
+bool walk_box(const OctreeNode* nodes, uint32_t root, const Box& box, const OctreeListVisitor& to) {
     const BoxTest test(box);
-    return everywhere(
-        nodes, root, [&](const Box8& boxes) { return test.hits(boxes); },
-        [&](const OctreeNode& leaf, uint32_t lanes) {
-            return to.visit(to.context, leaf.child, lanes, lanes & test.holds(leaf.boxes));
-        });
+    return everything_met(
+        nodes, root, [&](const Box8& boxes, uint32_t& inside) { return test.hits(boxes, inside); }, to);
+}
+
+bool walk_ball(const OctreeNode* nodes, uint32_t root, const BallProbe& probe, const OctreeListVisitor& to) {
+    const BallTest test(probe);
+    return everything_met(
+        nodes, root, [&](const Box8& boxes, uint32_t& inside) { return test.hits(boxes, inside); }, to);
 }
 
 /// Planes that a node is wholly inside need no test below it, and when none is left the whole
 /// subtree is inside (Assarsson and Möller 2000).
-bool walk_frustum(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeLeafVisitor& to) {
+bool walk_frustum(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeListVisitor& to) {
     const FrustumTest test(probe);
+    const BoxTest around(probe.around);
+    FoundItems found(to);
     struct Entry {
         uint32_t ref, planes;
     };
@@ -63,23 +64,27 @@ bool walk_frustum(const OctreeNode* nodes, uint32_t root, const FrustumProbe& pr
     while (size > 0) {
         const Entry entry = stack[--size];
         const OctreeNode& node = node_at(nodes, entry.ref);
-        uint32_t inside[6] = {};
-        const uint32_t hits = lanes_of(node) & (entry.planes == 0 ? 0xff : test.hits(node.boxes, entry.planes, inside));
+        uint32_t inside[6];
+        const uint32_t hits = lanes_of(node) & around.hits(node.boxes) & test.hits(node.boxes, entry.planes, inside);
+        uint32_t wholly = hits;
+        for (uint32_t rest = entry.planes; rest != 0; rest &= rest - 1) wholly &= inside[__builtin_ctz(rest)];
         if (is_leaf(entry.ref)) {
-            uint32_t wholly = hits;
-            for (uint32_t rest = entry.planes; rest != 0; rest &= rest - 1) wholly &= inside[__builtin_ctz(rest)];
-            if (hits != 0 && !to.visit(to.context, node.child, hits, wholly)) return false;
+            if (!found.add(node.child, hits, wholly)) return false;
             continue;
         }
-        for (uint32_t rest = hits; rest != 0; rest &= rest - 1) {
+        for (uint32_t rest = hits & ~wholly; rest != 0; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest);
-            uint32_t planes = entry.planes;
-            for (int p = 0; p < 6; ++p) planes &= ~((inside[p] >> lane & 1) << p);
+            uint32_t planes = 0;
+            for (uint32_t left = entry.planes; left != 0; left &= left - 1) {
+                const int p = __builtin_ctz(left);
+                planes |= (~inside[p] >> lane & 1) << p;
+            }
             fetch_ahead(&node_at(nodes, node.child[lane]), sizeof(OctreeNode));
             stack[size++] = {node.child[lane], planes};
         }
+        if (!found.add_below(nodes, node, wholly)) return false;
     }
-    return true;
+    return found.finish();
 }
 
 /// Both trees at once: each lane of one node is tested against the eight of the other, and where
@@ -132,6 +137,7 @@ extern const OctreeKernels octree_kernels{
     walk_nearest_first<PointTest, PointProbe>,
     walk_ray_any,
     walk_box,
+    walk_ball,
     walk_frustum,
     walk_pairs,
 };

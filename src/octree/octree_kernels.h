@@ -28,11 +28,12 @@ struct OctreeRayVisitor {
     ItemMemory items;
 };
 
-/// Who gets the leaves that a traversal without order finds: `lanes` of them meet the query, of
-/// which `inside` lie wholly in it. Returns whether to go on.
-struct OctreeLeafVisitor {
-    bool (*visit)(void* context, const uint32_t items[8], uint32_t lanes, uint32_t inside);
+/// Who gets the items that a traversal without order finds: several that all lie wholly inside the
+/// query, or of which that is not known. Returns whether to go on.
+struct OctreeListVisitor {
+    bool (*visit)(void* context, const uint32_t* items, uint32_t count, bool inside);
     void* context;
+    ItemMemory items, items_inside;
 };
 
 /// Gets pairs of items. Returns whether to go on.
@@ -53,8 +54,9 @@ struct OctreeKernels {
     void (*ray_any)(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit,
                     const OctreeVisitor& to);
     // False if a visitor ended it.
-    bool (*box)(const OctreeNode* nodes, uint32_t root, const Box& box, const OctreeLeafVisitor& to);
-    bool (*frustum)(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeLeafVisitor& to);
+    bool (*box)(const OctreeNode* nodes, uint32_t root, const Box& box, const OctreeListVisitor& to);
+    bool (*ball)(const OctreeNode* nodes, uint32_t root, const BallProbe& probe, const OctreeListVisitor& to);
+    bool (*frustum)(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeListVisitor& to);
     bool (*pairs)(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_nodes, uint32_t other_root,
                   const OctreePairVisitor& to);
 };

@@ -94,29 +94,32 @@ void Octree::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory 
     walk_to_bound(kernels_.point, PointProbe(point, bounds_), max_distance, visit, items);
 }
 
-/// A visitor of items, some of which may lie wholly inside the query, as one of leaves.
+/// A visitor of single items as one of lists.
 template <class Visit>
-OctreeLeafVisitor Octree::by_item(Visit& visit) {
-    const auto each = [](void* context, const uint32_t items[8], uint32_t lanes, uint32_t inside) {
+OctreeListVisitor Octree::by_item(Visit& visit, ItemMemory items, ItemMemory items_inside) {
+    const auto each = [](void* context, const uint32_t* list, uint32_t count, bool inside) {
         Visit& to = *static_cast<Visit*>(context);
-        for (uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
-            const int lane = __builtin_ctz(rest);
-            if (!to(items[lane], (inside >> lane & 1) != 0)) return false;
-        }
-        return true;
+        return std::all_of(list, list + count, [&](uint32_t item) { return to(item, inside); });
     };
-    return {each, const_cast<void*>(static_cast<const void*>(&visit))};
+    return {each, const_cast<void*>(static_cast<const void*>(&visit)), items, items_inside};
 }
 
 template <class Visit>
-bool Octree::overlap_box(const Box& box, Visit&& visit) const {
-    auto item = [&](uint32_t i, bool) { return visit(i); };
-    return root_ == none || kernels_.box(nodes_.data(), root_, box, by_item(item));
+bool Octree::overlap_box(const Box& box, Visit&& visit, ItemMemory items, ItemMemory items_inside) const {
+    return root_ == none || kernels_.box(nodes_.data(), root_, box, by_item(visit, items, items_inside));
 }
 
 template <class Visit>
-bool Octree::frustum(const Frustum& frustum, Visit&& visit) const {
-    return root_ == none || kernels_.frustum(nodes_.data(), root_, FrustumProbe(frustum), by_item(visit));
+bool Octree::overlap_ball(Vec3 center, double radius, Visit&& visit, ItemMemory items, ItemMemory items_inside) const {
+    return root_ == none ||
+           kernels_.ball(nodes_.data(), root_, BallProbe(center, radius, bounds_), by_item(visit, items, items_inside));
+}
+
+template <class Visit>
+bool Octree::frustum(const Frustum& frustum, const Box& around, Visit&& visit, ItemMemory items,
+                     ItemMemory items_inside) const {
+    return root_ == none ||
+           kernels_.frustum(nodes_.data(), root_, FrustumProbe(frustum, around), by_item(visit, items, items_inside));
 }
 
 template <class Visit>

@@ -3,11 +3,16 @@
 
 #include "octree/box8_tests.h"
 #include "octree/keyed_child.h"
+#include "octree/octree_kernels.h"
 
 namespace gphys::GPHYS_ISA {
 
 inline void fetch_ahead(const void* memory, uint32_t size) {
     for (uint32_t byte = 0; byte < size; byte += 64) __builtin_prefetch(static_cast<const char*>(memory) + byte);
+}
+
+inline void fetch_item(const ItemMemory& items, uint32_t item) {
+    if (items.first) fetch_ahead(static_cast<const char*>(items.first) + size_t{item} * items.size, items.size);
 }
 
 /// A walk that goes best first within each node and drops what lies behind the limit, which its
@@ -97,6 +102,125 @@ bool everywhere(const OctreeNode* nodes, uint32_t root, const Hits& hits, const 
         }
     }
     return true;
+}
+
+/// Items that a walk without order has found. They are kept back for a while, until what a visit
+/// reads of the first has come from memory.
+class FoundItems {
+public:
+    explicit FoundItems(const OctreeListVisitor& to) : open_(to, to.items, false), inside_(to, to.items_inside, true) {}
+
+    // Each returns whether to go on.
+
+    /// Some `lanes` of a leaf, of which some are inside the query.
+    bool add(const uint32_t children[8], uint32_t lanes, uint32_t inside) {
+        return open_.add(children, lanes & ~inside) && inside_.add(children, inside);
+    }
+    /// All items below some `lanes` of an inner node, which are inside the query.
+    bool add_below(const OctreeNode* nodes, const OctreeNode& node, uint32_t lanes) {
+        uint32_t stack[stack_size];
+        int size = push_below(nodes, node, lanes, stack, 0);
+        while (size > 0) {
+            const uint32_t ref = stack[--size];
+            const OctreeNode& below = node_at(nodes, ref);
+            if (!is_leaf(ref)) {
+                size = push_below(nodes, below, lanes_of(below), stack, size);
+            } else if (!inside_.add(below.child, lanes_of(below))) {
+                return false;
+            }
+        }
+        return true;
+    }
+    bool finish() { return open_.pass_on() && inside_.pass_on(); }
+
+private:
+    class List {
+    public:
+        List(const OctreeListVisitor& to, const ItemMemory& memory, bool inside)
+            : to_(to), memory_(memory), inside_(inside) {}
+
+        bool add(const uint32_t children[8], uint32_t lanes) {
+            if (count_ > capacity - 8 && !pass_on()) return false;
+            for (; lanes != 0; lanes &= lanes - 1) {
+                const uint32_t item = children[__builtin_ctz(lanes)];
+                fetch_item(memory_, item);
+                items_[count_++] = item;
+            }
+            return true;
+        }
+        bool pass_on() {
+            const uint32_t count = count_;
+            count_ = 0;
+            return count == 0 || to_.visit(to_.context, items_, count, inside_);
+        }
+
+    private:
+        static constexpr uint32_t capacity = 64;
+
+        const OctreeListVisitor& to_;
+        const ItemMemory memory_;
+        const bool inside_;
+        uint32_t count_ = 0;
+        uint32_t items_[capacity];
+    };
+
+    /// Of a node wholly inside only the children are read, not their boxes.
+    static int push_below(const OctreeNode* nodes, const OctreeNode& node, uint32_t lanes, uint32_t* stack, int size) {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const uint32_t child = node.child[__builtin_ctz(lanes)];
+            fetch_ahead(node_at(nodes, child).child, 1);
+            stack[size++] = child;
+        }
+        return size;
+    }
+
+    List open_, inside_;
+};
+
+/// Nodes to be visited: the oldest first while they are few, so that what was fetched ahead has come;
+/// else the youngest first, so that they do not become many.
+class Frontier {
+public:
+    bool empty() const { return size_ == 0; }
+    void push(uint32_t ref) { refs_[(first_ + size_++) % capacity] = ref; }
+    uint32_t take() {
+        const uint32_t at = size_ > few ? first_ + size_ - 1 : first_++;
+        --size_;
+        return refs_[at % capacity];
+    }
+
+private:
+    static constexpr uint32_t few = 64, capacity = 512;
+    static_assert(capacity >= few + stack_size);
+
+    uint32_t first_ = 0, size_ = 0;
+    uint32_t refs_[capacity];
+};
+
+/// All items that hits_of(boxes, inside) finds in leaves, of which some are wholly inside the query.
+template <class Hits>
+bool everything_met(const OctreeNode* nodes, uint32_t root, const Hits& hits_of, const OctreeListVisitor& to) {
+    FoundItems found(to);
+    Frontier frontier;
+    frontier.push(root);
+    while (!frontier.empty()) {
+        const uint32_t ref = frontier.take();
+        const OctreeNode& node = node_at(nodes, ref);
+        uint32_t inside;
+        const uint32_t hits = hits_of(node.boxes, inside) & lanes_of(node);
+        inside &= hits;
+        if (is_leaf(ref)) {
+            if (!found.add(node.child, hits, inside)) return false;
+            continue;
+        }
+        for (uint32_t rest = hits & ~inside; rest != 0; rest &= rest - 1) {
+            const uint32_t child = node.child[__builtin_ctz(rest)];
+            fetch_ahead(&node_at(nodes, child), sizeof(OctreeNode));
+            frontier.push(child);
+        }
+        if (inside != 0 && !found.add_below(nodes, node, inside)) return false;
+    }
+    return found.finish();
 }
 
 }  // namespace gphys::GPHYS_ISA

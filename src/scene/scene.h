@@ -151,6 +151,7 @@ private:
     class FirstOfRay;
 
     ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
+    ItemMemory id_memory() const { return {ids_.ids(), sizeof(uint32_t)}; }
     const Model& at(gphys_model_id model) const { return models_[IdTable::slot_of(model)]; }
 
     // Shapes. visit gets some public struct, or const Mesh*, of the type; the model's; the same placed
@@ -209,8 +210,10 @@ private:
     Vector<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
     Pool<Family> families_{&memory};
     Octree octree_{&memory, chosen_isa(), &workers_};  // items are slots
-    uint32_t common_layers_ = ~0u;                     // that each model is in; a change of layers may leave some out
-    Vector<uint32_t> unbounded_{&memory};              // slots of planes: no octree holds them, and there are few
+    // That each model is in, a change of layers may leave some out; none if there is a model without
+    // any point, an empty mesh.
+    uint32_t common_layers_ = ~0u;
+    Vector<uint32_t> unbounded_{&memory};  // slots of planes: no octree holds them, and there are few
 };
 
 template <class Visit>
@@ -286,7 +289,8 @@ void Scene::for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) cons
         return true;
     };
     for (const uint32_t slot : unbounded_) offer(slot);
-    octree_.overlap_box(box, offer);
+    octree_.overlap_box(
+        box, [&](uint32_t slot, bool) { return offer(slot); }, model_memory(), model_memory());
 }
 
 }  // namespace gphys

@@ -112,7 +112,8 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         }
     }
 
-    common_layers_ = size() == 0 ? desc.layers : common_layers_ & desc.layers;
+    const bool is_empty = type == GPHYS_SHAPE_MESH && static_cast<const Mesh*>(shapes)->triangle_count() == 0;
+    common_layers_ = is_empty ? 0 : size() == 0 ? desc.layers : common_layers_ & desc.layers;
     for (uint32_t i = 0; i < count; ++i) {
         out_models[i] = ids_.add();
         if (!bounded) list_unbounded(slots[i]);

@@ -59,6 +59,11 @@ bool may_touch(const Plane& plane, const Box& box) {
     return std::fabs(middle) <= reach + 0x1p-50 * magnitude;
 }
 
+Box box_around(const Frustum& frustum) {
+    Box box;
+    return bounds(frustum, box) ? box : all_of_space;
+}
+
 }  // namespace
 
 /// The first hit of one ray, among candidates in any order.
@@ -160,12 +165,25 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
                 return true;
             };
             for (const uint32_t slot : unbounded_) ask(slot);
+            // What is wholly inside a solid is found without a look at it.
+            const bool inside_is_found = (common_layers_ & layers) != 0;
+            const auto find = [&](uint32_t slot, bool wholly_inside) {
+                if (!wholly_inside || !inside_is_found) return ask(slot);
+                out.add(ids_.id(slot));
+                return true;
+            };
+            const ItemMemory models = model_memory(), if_inside = inside_is_found ? id_memory() : models;
             if constexpr (std::is_same_v<Query, Plane>) {
                 octree_.overlap([&](const Box& box) { return may_touch(shape, box); }, ask);
             } else if constexpr (std::is_same_v<Query, Frustum>) {
-                octree_.frustum(shape, [&](uint32_t slot, bool) { return ask(slot); });
+                octree_.frustum(shape, box_around(shape), find, models, if_inside);
+            } else if constexpr (std::is_same_v<Query, Sphere>) {
+                octree_.overlap_ball(shape.center, shape.radius, find, models, if_inside);
+            } else if constexpr (std::is_same_v<Query, Aabb>) {
+                octree_.overlap_box(gphys::bounds(shape), find, models, if_inside);
             } else {
-                octree_.overlap_box(gphys::bounds(shape), ask);
+                octree_.overlap_box(
+                    gphys::bounds(shape), [&](uint32_t slot, bool) { return ask(slot); }, models, models);
             }
         },
         query);
@@ -224,19 +242,14 @@ gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t laye
 }
 
 uint32_t Scene::cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const {
-    // The three axes of the boxes stand beside the six planes: without them a box behind the
-    // viewer that crosses the planes of two sides would count.
-    Box around;
-    const bool bounded = gphys::bounds(frustum, around);
     const bool all_in_layers = (common_layers_ & layers) != 0;
     const auto walk = [&](const auto& add) {
         for (const uint32_t slot : unbounded_) {
             if (!(models_[slot].layers & layers)) continue;
             if (with_shape(slot, [&](const auto& shape) { return overlaps_shape(shape, frustum); })) add(slot);
         }
-        octree_.frustum(frustum, [&](uint32_t slot, bool wholly_inside) {
-            if (!all_in_layers && !(models_[slot].layers & layers)) return true;
-            if (wholly_inside || !bounded || overlaps(octree_.box(slot), around)) add(slot);
+        octree_.frustum(frustum, box_around(frustum), [&](uint32_t slot, bool) {
+            if (all_in_layers || (models_[slot].layers & layers)) add(slot);
             return true;
         });
     };
