@@ -32,7 +32,7 @@ finish() {
 }
 
 install_packages cmake ninja-build g++ clang pkg-config dpkg-dev catch2 libcmocka-dev libcgal-dev \
-    libassimp-dev libstb-dev || {
+    libassimp-dev libstb-dev python3 abigail-tools || {
     failed=1
     finish
 }

@@ -18,6 +18,12 @@ install(
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   COMPONENT development)
 
+# The header as data, for those who generate bindings.
+install(
+  FILES bindings/gamephys_api.json
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/gamephys
+  COMPONENT development)
+
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gamephys)
 install(
   EXPORT gamephys

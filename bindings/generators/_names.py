@@ -1,0 +1,98 @@
+"""What the generators of all languages share: names, and functions as their users see them."""
+from dataclasses import dataclass, field
+
+SHAPES = ("sphere", "capsule", "aabb", "obb", "plane", "triangle", "frustum", "mesh", "ray", "segment")
+
+
+def element(parameter):
+    """'const gphys_ray *' -> 'gphys_ray'"""
+    return parameter["type"].replace("const ", "").rstrip("* ").strip()
+
+
+def plain(name):
+    """'gphys_scene_desc' -> 'scene_desc', 'GPHYS_OK' -> 'OK'"""
+    return name[6:] if name[:6].lower() == "gphys_" else name
+
+
+def camel(name):
+    """'gphys_scene_desc' -> 'SceneDesc'"""
+    return "".join(word.capitalize() for word in plain(name).split("_"))
+
+
+def lower_camel(name):
+    """'gphys_raycast_batch' -> 'raycastBatch'"""
+    text = camel(name)
+    return text[:1].lower() + text[1:]
+
+
+def base_type(api, name):
+    """A typedef of a number resolved: 'gphys_model_id' -> 'uint32_t'."""
+    return next((t["type"] for t in api["types"] if t["name"] == name), name)
+
+
+@dataclass
+class Call:
+    """A C function as a method of an object, or as a free function when owner is None."""
+
+    function: dict
+    owner: str  # a handle such as gphys_scene, or None
+    name: str  # without prefix and owner
+    inputs: list = field(default_factory=list)  # parameters that the user gives, descs last
+    outputs: list = field(default_factory=list)  # parameters that become results
+
+
+def is_created(function):
+    return any(p["role"] == "new" for p in function["parameters"])
+
+
+def calls(api):
+    """Every function that fits the conventions, except those that make and destroy objects and
+    descs, and the three without a status."""
+    for function in api["functions"]:
+        parameters = function["parameters"]
+        name = function["name"]
+        if function["returns"] != "gphys_status" or name.endswith("_init") or is_created(function):
+            continue
+        if any(p["role"] == "raw" for p in parameters):
+            continue
+        yield as_call(api, function)
+
+
+def creations(api):
+    """handle -> its create function as a Call."""
+    return {next(element(p) for p in f["parameters"] if p["role"] == "new"): as_call(api, f)
+            for f in api["functions"] if is_created(f)}
+
+
+def as_call(api, function):
+    parameters = function["parameters"]
+    first = element(parameters[0]) if parameters[0]["role"] == "handle" else None
+    owner = first if first and function["name"].startswith(first + "_") else None
+    name = function["name"][len(owner) + 1:] if owner else plain(function["name"]).removeprefix("shape_")
+    call = Call(function, owner, name)
+    has_array = any(p["role"] == "array" for p in parameters)
+    for i, p in enumerate(parameters):
+        role = p["role"]
+        if role in ("out", "out_array", "list", "ragged"):
+            call.outputs.append(p)
+        elif role == "handle" and i == 0 and owner:
+            continue
+        elif role in ("stride", "capacity", "total", "offsets", "new", "shape_type"):
+            continue
+        elif role == "count" and has_array:
+            continue
+        else:
+            call.inputs.append(p)
+    call.inputs.sort(key=lambda p: p["name"] == "desc")
+    return call
+
+
+def shape_of(parameters, i):
+    """The shape_type parameter that tells the kind of parameters[i]."""
+    return parameters[i - 1] if parameters[i - 1]["role"] == "shape_type" else None
+
+
+def counted_array(parameters, i):
+    """The input array whose length the count parameters[i] is: the one before it."""
+    return next((p for p in reversed(parameters[:i]) if p["role"] == "array"), None) or next(
+        p for p in parameters[i:] if p["role"] == "array")

@@ -1,0 +1,56 @@
+"""A 3D scene library: shapes and meshes, rays and overlaps, a camera that culls and picks, cloth.
+
+Objects (Mesh, Scene, Camera, Solver) own memory of the library: close() frees it at once. Single
+values are small structs (Ray, Hit, Sphere, ...); tuples do in their place where the kind is known.
+Batches take and return numpy arrays, without copies, of the dtypes ray_dtype, hit_dtype, ...; rows
+of float32 do for rays, points and vertices. A query that finds nothing returns None. Calls release
+the interpreter's lock: queries may run in several threads at once, changes need the caller's lock.
+"""
+import ctypes as _ctypes
+
+from . import _low
+from ._low import *  # noqa: F401,F403
+from ._objects import *  # noqa: F401,F403
+from ._objects import Camera, Mesh, Scene, Solver
+from ._runtime import Error, InvalidArgument, InvalidId, OutOfMemory, check as _check, shape_of as _shape_of
+from ._runtime import value_of as _value_of
+
+_version = _low.gphys_version()
+__version__ = f"{_version >> 16}.{_version >> 8 & 255}.{_version & 255}"
+
+
+def status_name(status: int) -> str:
+    """Name of a status, such as "GPHYS_NO_HIT"."""
+    return _low.gphys_status_name(status).decode()
+
+
+def default_orbit() -> _low.Orbit:
+    """The orbit settings that the library starts from."""
+    orbit = _low.Orbit()
+    _check(_low.gphys_orbit_init(_ctypes.addressof(orbit)))
+    return orbit
+
+
+def transform(shape, by):
+    """The shape moved by a Transform; an Aabb becomes an Obb."""
+    kind, memory = _shape_of(shape)
+    moved = (_low.Obb if isinstance(shape, _low.Aabb) else type(shape))() if kind != _low.SHAPE_MESH else _low.Aabb()
+    _check(_low.gphys_shape_transform(kind, memory.address, _value_of(by, _low.Transform).address,
+                                      _ctypes.addressof(moved)))
+    return moved
+
+
+def _get_shape(self, model: int):
+    """The shape of a model in its own coordinates. Those of meshes are not known: Error."""
+    kinds = {number: kind for kind, number in _low.shape_types.items()}
+    shape = kinds.get(self.get_info(model).type, _low.Frustum)()
+    _check(_low.gphys_scene_get_shape(self._handle, model, _ctypes.addressof(shape), _ctypes.sizeof(shape)))
+    return shape
+
+
+def _contains(self, model: int) -> bool:
+    return _low.gphys_scene_has(self._handle, model) == _low.OK
+
+
+Scene.get_shape = _get_shape
+Scene.__contains__ = _contains

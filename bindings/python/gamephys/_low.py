@@ -1,0 +1,614 @@
+"""Generated from gamephys_api.json by bindings/generate.py. Not for editing."""
+
+from __future__ import annotations
+
+from ctypes import Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_void_p
+
+from numpy import dtype
+
+from ._runtime import Desc, Value, function
+
+OK = 0
+NO_HIT = 1  # the query found nothing; outputs untouched
+INCOMPLETE = 2  # more results than the caller's array holds
+UNBOUNDED = 3  # the answer is infinite (bounds of a plane); outputs untouched
+ERROR_INVALID_ARGUMENT = -1  # null, NaN, infinite, out of range, wrong stride, ...
+ERROR_INVALID_ID = -2  # no such model, body or constraint, or no longer
+ERROR_STRUCT_SIZE = -3  # a desc not initialised, or newer than this library
+ERROR_OUT_OF_MEMORY = -4
+ERROR_CAPACITY = -5  # more than 2^24 - 1 models or bodies
+ERROR_CYCLE = -6  # a model would become its own ancestor
+ERROR_UNSUPPORTED = -7  # the operation has no meaning for this kind of shape
+ERROR_SINGULAR = -8  # a matrix without an inverse
+ERROR_INTERNAL = -100  # a defect of the library; please report it
+
+FRUSTUM_NEAR = 0
+FRUSTUM_FAR = 1
+FRUSTUM_LEFT = 2
+FRUSTUM_RIGHT = 3
+FRUSTUM_BOTTOM = 4
+FRUSTUM_TOP = 5
+
+HIT_INSIDE = 1  # the ray or the swept sphere started inside or touching: t is 0
+HIT_BACK = 2  # a surface was met from behind its normal
+
+SHAPE_SPHERE = 1  # gphys_sphere
+SHAPE_CAPSULE = 2  # gphys_capsule
+SHAPE_AABB = 3  # gphys_aabb
+SHAPE_OBB = 4  # gphys_obb
+SHAPE_PLANE = 5  # gphys_plane
+SHAPE_TRIANGLE = 6  # gphys_triangle
+SHAPE_FRUSTUM = 7  # gphys_frustum
+SHAPE_MESH = 8  # gphys_mesh: the handle itself
+SHAPE_RAY = 16  # gphys_ray
+SHAPE_SEGMENT = 17  # gphys_segment
+
+SIDE_OUTSIDE = -1  # wholly behind the plane, wholly outside the frustum
+SIDE_CROSSING = 0  # touches or crosses the boundary
+SIDE_INSIDE = 1  # wholly in front of the plane, wholly inside the frustum
+
+DEPTH_ZERO_TO_ONE = 0  # DirectX, Vulkan, Metal, WebGPU
+DEPTH_MINUS_ONE_TO_ONE = 1  # OpenGL, WebGL
+
+PROJECTION_PERSPECTIVE = 0
+PROJECTION_ORTHOGRAPHIC = 1
+PROJECTION_USER = 2
+
+LEFT_HANDED = 0  # looks along its own +Z
+RIGHT_HANDED = 1  # looks along its own -Z
+
+CLOTH_SHEAR = 1  # constraints along both diagonals of each grid cell
+CLOTH_BEND = 2  # constraints that resist folding
+
+BODY_PARTICLES = 1
+BODY_ROPE = 2
+BODY_CLOTH = 3
+
+SOLVE_FREE = 0  # no constraints: exact flight
+SOLVE_DIRECT = 1  # chains: Newton on the whole rope at once
+SOLVE_GRAPH = 2  # everything else: chain families, then the rest, then reach limits
+
+VERSION_MAJOR = 1
+VERSION_MINOR = 0
+VERSION_PATCH = 0
+MAX_COORDINATE = 1e15
+NO_TRIANGLE = 0xffffffff
+ALL_LAYERS = 0xffffffff
+
+
+class Vec3(Value, Structure):
+    x: float
+    y: float
+    z: float
+    _fields_ = [("x", c_float), ("y", c_float), ("z", c_float)]
+
+
+vec3_dtype = dtype(("<f4", (3,)))
+Vec3.dtype = vec3_dtype
+
+
+class Quat(Value, Structure):
+    x: float  # rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
+    y: float  # rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
+    z: float  # rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
+    w: float  # rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
+    _fields_ = [("x", c_float), ("y", c_float), ("z", c_float), ("w", c_float)]
+
+
+quat_dtype = dtype(("<f4", (4,)))
+Quat.dtype = quat_dtype
+
+
+class Mat4(Value, Structure):
+    m: object  # element (row, column) is m[4 * column + row]
+    _fields_ = [("m", c_float * 16)]
+
+
+mat4_dtype = dtype(("<f4", (16,)))
+Mat4.dtype = mat4_dtype
+
+
+class Transform(Value, Structure):
+    """x -> position + rotation * (scale * x); scale > 0."""
+    position: Vec3
+    rotation: Quat
+    scale: float
+    _fields_ = [("position", Vec3), ("rotation", Quat), ("scale", c_float)]
+
+
+transform_dtype = dtype([("position", "<f4", (3,)), ("rotation", "<f4", (4,)), ("scale", "<f4")])
+Transform.dtype = transform_dtype
+
+
+class Ray(Value, Structure):
+    origin: Vec3
+    direction: Vec3  # any non-zero length
+    t_max: float  # >= 0, in multiples of direction; INFINITY allowed
+    _fields_ = [("origin", Vec3), ("direction", Vec3), ("t_max", c_float)]
+
+
+ray_dtype = dtype([("origin", "<f4", (3,)), ("direction", "<f4", (3,)), ("t_max", "<f4")])
+Ray.dtype = ray_dtype
+
+
+class Segment(Value, Structure):
+    a: Vec3  # may coincide: a point
+    b: Vec3  # may coincide: a point
+    _fields_ = [("a", Vec3), ("b", Vec3)]
+
+
+segment_dtype = dtype([("a", "<f4", (3,)), ("b", "<f4", (3,))])
+Segment.dtype = segment_dtype
+
+
+class Sphere(Value, Structure):
+    center: Vec3
+    radius: float  # >= 0
+    _fields_ = [("center", Vec3), ("radius", c_float)]
+
+
+sphere_dtype = dtype([("center", "<f4", (3,)), ("radius", "<f4")])
+Sphere.dtype = sphere_dtype
+
+
+class Capsule(Value, Structure):
+    """All points within radius of the segment a b."""
+    a: Vec3  # may coincide: a sphere
+    b: Vec3  # may coincide: a sphere
+    radius: float  # >= 0
+    _fields_ = [("a", Vec3), ("b", Vec3), ("radius", c_float)]
+
+
+capsule_dtype = dtype([("a", "<f4", (3,)), ("b", "<f4", (3,)), ("radius", "<f4")])
+Capsule.dtype = capsule_dtype
+
+
+class Aabb(Value, Structure):
+    min: Vec3  # min <= max on each axis; equality gives a flat box
+    max: Vec3  # min <= max on each axis; equality gives a flat box
+    _fields_ = [("min", Vec3), ("max", Vec3)]
+
+
+aabb_dtype = dtype([("min", "<f4", (3,)), ("max", "<f4", (3,))])
+Aabb.dtype = aabb_dtype
+
+
+class Obb(Value, Structure):
+    center: Vec3
+    half_extents: Vec3  # >= 0, along the axes of rotation
+    rotation: Quat
+    _fields_ = [("center", Vec3), ("half_extents", Vec3), ("rotation", Quat)]
+
+
+obb_dtype = dtype([("center", "<f4", (3,)), ("half_extents", "<f4", (3,)), ("rotation", "<f4", (4,))])
+Obb.dtype = obb_dtype
+
+
+class Plane(Value, Structure):
+    """The points x with dot(normal, x) = distance. The normal points to the front; it need not be
+    exactly unit: signed distances are divided by its length (for a unit normal, distance is the
+    plane's distance from the origin). distance divided by that length is within the range of
+    coordinates too."""
+    normal: Vec3  # not zero
+    distance: float
+    _fields_ = [("normal", Vec3), ("distance", c_float)]
+
+
+plane_dtype = dtype([("normal", "<f4", (3,)), ("distance", "<f4")])
+Plane.dtype = plane_dtype
+
+
+class Triangle(Value, Structure):
+    """May be degenerate: then it is the segment or point that its corners span. The normal is that
+    of cross(b - a, c - a)."""
+    a: Vec3
+    b: Vec3
+    c: Vec3
+    _fields_ = [("a", Vec3), ("b", Vec3), ("c", Vec3)]
+
+
+triangle_dtype = dtype([("a", "<f4", (3,)), ("b", "<f4", (3,)), ("c", "<f4", (3,))])
+Triangle.dtype = triangle_dtype
+
+
+class Frustum(Value, Structure):
+    """The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
+    which look inward, in the order of gphys_frustum_plane. Distances count from origin, so that a
+    frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1."""
+    origin: Vec3
+    planes: object
+    _fields_ = [("origin", Vec3), ("planes", Plane * 6)]
+
+
+frustum_dtype = dtype([("origin", "<f4", (3,)), ("planes", plane_dtype, (6,))])
+Frustum.dtype = frustum_dtype
+
+
+class Hit(Value, Structure):
+    """Where a ray, segment or swept sphere first meets something."""
+    model: int  # id of the model, 0 when the query was not of a scene
+    tag: int  # the model's tag, 0 likewise
+    t: float  # 0 .. t_max; along a segment or sweep 0 .. 1
+    point: Vec3  # where the surfaces meet
+    normal: Vec3  # unit, against the motion: dot(normal, direction) <= 0
+    triangle: int  # index within a mesh, else GPHYS_NO_TRIANGLE
+    u: float  # barycentric weights of b and c of a triangle, else 0
+    v: float  # barycentric weights of b and c of a triangle, else 0
+    flags: int  # GPHYS_HIT_...
+    _fields_ = [("model", c_uint32), ("tag", c_uint32), ("t", c_float), ("point", Vec3), ("normal", Vec3), ("triangle", c_uint32), ("u", c_float), ("v", c_float), ("flags", c_uint32)]
+
+
+hit_dtype = dtype([("model", "<u4"), ("tag", "<u4"), ("t", "<f4"), ("point", "<f4", (3,)), ("normal", "<f4", (3,)), ("triangle", "<u4"), ("u", "<f4"), ("v", "<f4"), ("flags", "<u4")])
+Hit.dtype = hit_dtype
+
+
+class Nearest(Value, Structure):
+    """The closest point of something to a given point."""
+    model: int  # as in gphys_hit
+    tag: int
+    point: Vec3  # equal to the query point when that is inside a solid
+    distance: float  # 0 inside a solid
+    triangle: int  # index within a mesh, else GPHYS_NO_TRIANGLE
+    _fields_ = [("model", c_uint32), ("tag", c_uint32), ("point", Vec3), ("distance", c_float), ("triangle", c_uint32)]
+
+
+nearest_dtype = dtype([("model", "<u4"), ("tag", "<u4"), ("point", "<f4", (3,)), ("distance", "<f4"), ("triangle", "<u4")])
+Nearest.dtype = nearest_dtype
+
+
+class MeshReport(Value, Structure):
+    """What is in a triangle array. Frozen."""
+    triangle_count: int
+    degenerate_count: int  # triangles of exactly zero area
+    first_degenerate: int  # index of the first, or GPHYS_NO_TRIANGLE
+    out_of_range_count: int  # triangles with an index >= vertex_count
+    first_out_of_range: int
+    bad_vertex_count: int  # vertices that are not finite or beyond GPHYS_MAX_COORDINATE
+    first_bad_vertex: int  # or 0xffffffff
+    open_edge_count: int  # edges that do not join exactly two triangles; 0 for a closed mesh
+    _fields_ = [("triangle_count", c_uint32), ("degenerate_count", c_uint32), ("first_degenerate", c_uint32), ("out_of_range_count", c_uint32), ("first_out_of_range", c_uint32), ("bad_vertex_count", c_uint32), ("first_bad_vertex", c_uint32), ("open_edge_count", c_uint32)]
+
+
+mesh_report_dtype = dtype([("triangle_count", "<u4"), ("degenerate_count", "<u4"), ("first_degenerate", "<u4"), ("out_of_range_count", "<u4"), ("first_out_of_range", "<u4"), ("bad_vertex_count", "<u4"), ("first_bad_vertex", "<u4"), ("open_edge_count", "<u4")])
+MeshReport.dtype = mesh_report_dtype
+
+
+class MeshDesc(Desc, Structure):
+    struct_size: int
+    allocator: int | None  # NULL: the C++ runtime's
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p)]
+
+
+class OctreeStats(Value, Structure):
+    """How an octree is made up. Frozen."""
+    item_count: int  # models or triangles in the tree
+    unbounded_count: int  # models of infinite extent, kept beside the tree
+    node_count: int
+    leaf_count: int
+    depth: int  # levels; 0 when empty
+    rebuilds: int  # times it was rebuilt as a whole since creation
+    cost: float  # expected node and item tests of a random ray that meets the root box
+    memory_bytes: int  # of the tree; saturates at 2^32 - 1
+    _fields_ = [("item_count", c_uint32), ("unbounded_count", c_uint32), ("node_count", c_uint32), ("leaf_count", c_uint32), ("depth", c_uint32), ("rebuilds", c_uint32), ("cost", c_float), ("memory_bytes", c_uint32)]
+
+
+octree_stats_dtype = dtype([("item_count", "<u4"), ("unbounded_count", "<u4"), ("node_count", "<u4"), ("leaf_count", "<u4"), ("depth", "<u4"), ("rebuilds", "<u4"), ("cost", "<f4"), ("memory_bytes", "<u4")])
+OctreeStats.dtype = octree_stats_dtype
+
+
+class OctreeBox(Value, Structure):
+    """One box of an octree, for drawing. Frozen."""
+    bounds: Aabb
+    depth: int  # 0 is the root
+    item_count: int  # 0 for an inner node
+    _fields_ = [("bounds", Aabb), ("depth", c_uint32), ("item_count", c_uint32)]
+
+
+octree_box_dtype = dtype([("bounds", aabb_dtype), ("depth", "<u4"), ("item_count", "<u4")])
+OctreeBox.dtype = octree_box_dtype
+
+
+class SceneDesc(Desc, Structure):
+    struct_size: int
+    allocator: int | None  # NULL: the C++ runtime's
+    reserve_models: int  # models to make room for at once; 0
+    task_runner: int | None  # whose threads worker_count counts; NULL: the scene's own
+    worker_count: int  # threads for one call, its own included, at most 1024; 0 and 1: that alone
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("reserve_models", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32)]
+
+
+class ModelDesc(Desc, Structure):
+    struct_size: int
+    parent: int  # 0: none
+    layers: int  # a query with mask m sees the model if layers & m; default 1
+    tag: int  # any number of the caller's, returned with each hit; 0
+    _fields_ = [("struct_size", c_uint32), ("parent", c_uint32), ("layers", c_uint32), ("tag", c_uint32)]
+
+
+model_desc_dtype = dtype([("struct_size", "<u4"), ("parent", "<u4"), ("layers", "<u4"), ("tag", "<u4")])
+ModelDesc.dtype = model_desc_dtype
+
+
+class ModelInfo(Value, Structure):
+    """What a model is. Frozen."""
+    type: int
+    parent: int  # 0: none
+    layers: int
+    tag: int
+    child_count: int  # direct children
+    _fields_ = [("type", c_int32), ("parent", c_uint32), ("layers", c_uint32), ("tag", c_uint32), ("child_count", c_uint32)]
+
+
+model_info_dtype = dtype([("type", "<i4"), ("parent", "<u4"), ("layers", "<u4"), ("tag", "<u4"), ("child_count", "<u4")])
+ModelInfo.dtype = model_info_dtype
+
+
+class CameraDesc(Desc, Structure):
+    struct_size: int
+    allocator: int | None  # NULL: the C++ runtime's
+    handedness: int
+    depth_range: int
+    reverse_z: int  # 1: near has the high depth, for float depth buffers
+    viewport_width: float  # pixels, 1e-3 .. 1e6
+    viewport_height: float
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("handedness", c_int32), ("depth_range", c_int32), ("reverse_z", c_int32), ("viewport_width", c_float), ("viewport_height", c_float)]
+
+
+class Orbit(Value, Structure):
+    """Orbit control: the camera circles a target. Inputs accumulate between updates in plain units;
+    nothing depends on the frame time or on how often update is called. Frozen."""
+    target: Vec3
+    up: Vec3  # any non-zero length; pitch is measured against it
+    distance: float  # metres from target, > 0
+    yaw: float  # radians; yaw 0 looks along the reference direction that is perpendicular to up (+Z for up = +Y), yaw > 0 to the right of it; pitch > 0 looks down
+    pitch: float  # radians; yaw 0 looks along the reference direction that is perpendicular to up (+Z for up = +Y), yaw > 0 to the right of it; pitch > 0 looks down
+    radians_per_unit: float  # of gphys_camera_orbit_rotate
+    metres_per_unit: float  # of gphys_camera_orbit_zoom and _pan
+    min_distance: float  # 0 < min <= max; max INFINITY allowed
+    max_distance: float  # 0 < min <= max; max INFINITY allowed
+    min_pitch: float  # within -pi/2 .. pi/2
+    max_pitch: float  # within -pi/2 .. pi/2
+    _fields_ = [("target", Vec3), ("up", Vec3), ("distance", c_float), ("yaw", c_float), ("pitch", c_float), ("radians_per_unit", c_float), ("metres_per_unit", c_float), ("min_distance", c_float), ("max_distance", c_float), ("min_pitch", c_float), ("max_pitch", c_float)]
+
+
+orbit_dtype = dtype([("target", "<f4", (3,)), ("up", "<f4", (3,)), ("distance", "<f4"), ("yaw", "<f4"), ("pitch", "<f4"), ("radians_per_unit", "<f4"), ("metres_per_unit", "<f4"), ("min_distance", "<f4"), ("max_distance", "<f4"), ("min_pitch", "<f4"), ("max_pitch", "<f4")])
+Orbit.dtype = orbit_dtype
+
+
+class SolverDesc(Desc, Structure):
+    struct_size: int
+    allocator: int | None  # NULL: the C++ runtime's
+    gravity: Vec3  # m/s^2; default (0, -9.81, 0)
+    substeps: int  # of one step, 1 .. 1000; default 8
+    fixed_step: float  # seconds simulated by each step of gphys_solver_advance; 1/60
+    max_steps: int  # most steps of one advance; time beyond is dropped; 8
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32)]
+
+
+class BodyDesc(Desc, Structure):
+    """Settings shared by all kinds of bodies."""
+    struct_size: int
+    mass: float  # kg of the whole body, spread evenly; > 0; default 1
+    radius: float  # of each particle for collision, metres, >= 0; default 0.01
+    damping: float  # rate in 1/s: velocities decay as exp(-damping t); >= 0; default 0
+    friction: float  # Coulomb coefficient against models, >= 0; default 0.5
+    restitution: float  # speed kept in a bounce, 0 .. 1; default 0
+    compliance: float  # of stretch, metres per newton, >= 0; 0 is inextensible; default 0
+    bend_compliance: float  # of GPHYS_CLOTH_BEND constraints, m/N; default 0.001
+    cloth_flags: int  # GPHYS_CLOTH_...; default SHEAR | BEND
+    layers: int  # mask of the models it collides with; 0: none; default all
+    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32)]
+
+
+body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4")])
+BodyDesc.dtype = body_desc_dtype
+
+
+class BodyInfo(Value, Structure):
+    """Frozen."""
+    kind: int
+    method: int
+    particle_count: int
+    constraint_count: int
+    triangle_count: int  # of cloth, for drawing
+    _fields_ = [("kind", c_int32), ("method", c_int32), ("particle_count", c_uint32), ("constraint_count", c_uint32), ("triangle_count", c_uint32)]
+
+
+body_info_dtype = dtype([("kind", "<i4"), ("method", "<i4"), ("particle_count", "<u4"), ("constraint_count", "<u4"), ("triangle_count", "<u4")])
+BodyInfo.dtype = body_info_dtype
+
+
+class ConstraintInfo(Value, Structure):
+    """One constraint. Frozen."""
+    id: int
+    particle_a: int
+    particle_b: int
+    rest_length: float  # metres
+    compliance: float  # metres per newton
+    _fields_ = [("id", c_uint32), ("particle_a", c_uint32), ("particle_b", c_uint32), ("rest_length", c_float), ("compliance", c_float)]
+
+
+constraint_info_dtype = dtype([("id", "<u4"), ("particle_a", "<u4"), ("particle_b", "<u4"), ("rest_length", "<f4"), ("compliance", "<f4")])
+ConstraintInfo.dtype = constraint_info_dtype
+
+
+class SolverStats(Value, Structure):
+    """Frozen."""
+    particle_count: int
+    pinned_count: int  # pinned or attached
+    constraint_count: int
+    contact_count: int  # particle and model pairs that touched in the last step, 4 a particle at most
+    strain_max: float  # largest |length / rest length - 1| of rigid constraints
+    strain_rms: float  # root mean square of the same
+    kinetic_energy: float  # joules
+    potential_energy: float  # joules: of gravity, 0 at the world's origin, and of stretch
+    _fields_ = [("particle_count", c_uint32), ("pinned_count", c_uint32), ("constraint_count", c_uint32), ("contact_count", c_uint32), ("strain_max", c_float), ("strain_rms", c_float), ("kinetic_energy", c_float), ("potential_energy", c_float)]
+
+
+solver_stats_dtype = dtype([("particle_count", "<u4"), ("pinned_count", "<u4"), ("constraint_count", "<u4"), ("contact_count", "<u4"), ("strain_max", "<f4"), ("strain_rms", "<f4"), ("kinetic_energy", "<f4"), ("potential_energy", "<f4")])
+SolverStats.dtype = solver_stats_dtype
+
+
+class Contact(Value, Structure):
+    """A particle that touched a model in the last step. Frozen."""
+    body: int
+    particle: int
+    model: int
+    tag: int  # the model's
+    point: Vec3  # on the model, world space
+    normal: Vec3  # unit, from the model to the particle
+    _fields_ = [("body", c_uint32), ("particle", c_uint32), ("model", c_uint32), ("tag", c_uint32), ("point", Vec3), ("normal", Vec3)]
+
+
+contact_dtype = dtype([("body", "<u4"), ("particle", "<u4"), ("model", "<u4"), ("tag", "<u4"), ("point", "<f4", (3,)), ("normal", "<f4", (3,))])
+Contact.dtype = contact_dtype
+
+
+gphys_version = function("gphys_version", c_uint32, [])
+gphys_status_name = function("gphys_status_name", c_char_p, [c_int32])
+gphys_last_error = function("gphys_last_error", c_char_p, [])
+gphys_shape_validate = function("gphys_shape_validate", c_int32, [c_int32, c_void_p])
+gphys_shape_bounds = function("gphys_shape_bounds", c_int32, [c_int32, c_void_p, c_void_p])
+gphys_shape_transform = function("gphys_shape_transform", c_int32, [c_int32, c_void_p, c_void_p, c_void_p])
+gphys_shape_contains = function("gphys_shape_contains", c_int32, [c_int32, c_void_p, c_void_p, c_float, c_void_p])
+gphys_shape_contains_batch = function("gphys_shape_contains_batch", c_int32, [c_int32, c_void_p, c_void_p, c_uint32, c_uint32, c_float, c_void_p, c_uint32])
+gphys_shape_closest_point = function("gphys_shape_closest_point", c_int32, [c_int32, c_void_p, c_void_p, c_void_p])
+gphys_shape_closest_point_batch = function("gphys_shape_closest_point_batch", c_int32, [c_int32, c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_segment_closest_points = function("gphys_segment_closest_points", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_shape_overlaps = function("gphys_shape_overlaps", c_int32, [c_int32, c_void_p, c_int32, c_void_p, c_void_p])
+gphys_shape_overlaps_batch = function("gphys_shape_overlaps_batch", c_int32, [c_int32, c_void_p, c_uint32, c_int32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_shape_classify_plane = function("gphys_shape_classify_plane", c_int32, [c_int32, c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_shape_classify_frustum = function("gphys_shape_classify_frustum", c_int32, [c_int32, c_void_p, c_void_p, c_void_p])
+gphys_shape_raycast = function("gphys_shape_raycast", c_int32, [c_int32, c_void_p, c_void_p, c_void_p])
+gphys_shape_raycast_batch = function("gphys_shape_raycast_batch", c_int32, [c_int32, c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_shape_segment_test = function("gphys_shape_segment_test", c_int32, [c_int32, c_void_p, c_void_p, c_void_p])
+gphys_shape_sweep_sphere = function("gphys_shape_sweep_sphere", c_int32, [c_int32, c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_frustum_corners = function("gphys_frustum_corners", c_int32, [c_void_p, c_void_p])
+gphys_frustum_from_matrix = function("gphys_frustum_from_matrix", c_int32, [c_void_p, c_int32, c_int32, c_void_p])
+gphys_mesh_check = function("gphys_mesh_check", c_int32, [c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_mesh_desc_init = function("gphys_mesh_desc_init", c_int32, [c_void_p, c_uint32])
+gphys_mesh_create = function("gphys_mesh_create", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_mesh_destroy = function("gphys_mesh_destroy", None, [c_void_p])
+gphys_mesh_get_report = function("gphys_mesh_get_report", c_int32, [c_void_p, c_void_p])
+gphys_mesh_get_vertices = function("gphys_mesh_get_vertices", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_mesh_get_indices = function("gphys_mesh_get_indices", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_mesh_raycast_all = function("gphys_mesh_raycast_all", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_mesh_raycast_any = function("gphys_mesh_raycast_any", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_mesh_overlap = function("gphys_mesh_overlap", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_mesh_get_octree_stats = function("gphys_mesh_get_octree_stats", c_int32, [c_void_p, c_void_p])
+gphys_mesh_get_octree_boxes = function("gphys_mesh_get_octree_boxes", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_desc_init = function("gphys_scene_desc_init", c_int32, [c_void_p, c_uint32])
+gphys_scene_create = function("gphys_scene_create", c_int32, [c_void_p, c_void_p])
+gphys_scene_destroy = function("gphys_scene_destroy", None, [c_void_p])
+gphys_model_desc_init = function("gphys_model_desc_init", c_int32, [c_void_p, c_uint32])
+gphys_scene_add = function("gphys_scene_add", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_scene_add_batch = function("gphys_scene_add_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p, c_void_p])
+gphys_scene_remove = function("gphys_scene_remove", c_int32, [c_void_p, c_uint32])
+gphys_scene_remove_batch = function("gphys_scene_remove_batch", c_int32, [c_void_p, c_void_p, c_uint32])
+gphys_scene_remove_subtree = function("gphys_scene_remove_subtree", c_int32, [c_void_p, c_uint32])
+gphys_scene_clear = function("gphys_scene_clear", c_int32, [c_void_p])
+gphys_scene_has = function("gphys_scene_has", c_int32, [c_void_p, c_uint32])
+gphys_scene_get_models = function("gphys_scene_get_models", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_get_info = function("gphys_scene_get_info", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_scene_get_shape = function("gphys_scene_get_shape", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_get_bounds = function("gphys_scene_get_bounds", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_scene_get_scene_bounds = function("gphys_scene_get_scene_bounds", c_int32, [c_void_p, c_void_p])
+gphys_scene_set_layers = function("gphys_scene_set_layers", c_int32, [c_void_p, c_uint32, c_uint32])
+gphys_scene_set_tag = function("gphys_scene_set_tag", c_int32, [c_void_p, c_uint32, c_uint32])
+gphys_scene_set_parent = function("gphys_scene_set_parent", c_int32, [c_void_p, c_uint32, c_uint32, c_int32])
+gphys_scene_set_transform = function("gphys_scene_set_transform", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_scene_set_transforms = function("gphys_scene_set_transforms", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32])
+gphys_scene_get_transforms = function("gphys_scene_get_transforms", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_get_world_transforms = function("gphys_scene_get_world_transforms", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast = function("gphys_scene_raycast", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_raycast_batch = function("gphys_scene_raycast_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_any = function("gphys_scene_raycast_any", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_raycast_any_batch = function("gphys_scene_raycast_any_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_all = function("gphys_scene_raycast_all", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_raycast_all_batch = function("gphys_scene_raycast_all_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_segment_test = function("gphys_scene_segment_test", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_segment_test_batch = function("gphys_scene_segment_test_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_scene_overlap = function("gphys_scene_overlap", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_overlap_batch = function("gphys_scene_overlap_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_cull = function("gphys_scene_cull", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_nearest = function("gphys_scene_nearest", c_int32, [c_void_p, c_void_p, c_float, c_uint32, c_void_p])
+gphys_scene_nearest_batch = function("gphys_scene_nearest_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_float, c_uint32, c_void_p, c_uint32])
+gphys_scene_sweep_sphere = function("gphys_scene_sweep_sphere", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_sweep_sphere_batch = function("gphys_scene_sweep_sphere_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_scene_get_octree_stats = function("gphys_scene_get_octree_stats", c_int32, [c_void_p, c_void_p])
+gphys_scene_get_octree_boxes = function("gphys_scene_get_octree_boxes", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_validate = function("gphys_scene_validate", c_int32, [c_void_p])
+gphys_camera_desc_init = function("gphys_camera_desc_init", c_int32, [c_void_p, c_uint32])
+gphys_camera_create = function("gphys_camera_create", c_int32, [c_void_p, c_void_p])
+gphys_camera_destroy = function("gphys_camera_destroy", None, [c_void_p])
+gphys_camera_set_perspective = function("gphys_camera_set_perspective", c_int32, [c_void_p, c_float, c_float, c_float])
+gphys_camera_set_orthographic = function("gphys_camera_set_orthographic", c_int32, [c_void_p, c_float, c_float, c_float])
+gphys_camera_set_projection = function("gphys_camera_set_projection", c_int32, [c_void_p, c_void_p])
+gphys_camera_set_viewport = function("gphys_camera_set_viewport", c_int32, [c_void_p, c_float, c_float])
+gphys_camera_set_transform = function("gphys_camera_set_transform", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_camera_set_world_matrix = function("gphys_camera_set_world_matrix", c_int32, [c_void_p, c_void_p])
+gphys_camera_look_at = function("gphys_camera_look_at", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_camera_get_transform = function("gphys_camera_get_transform", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_camera_get_world_matrix = function("gphys_camera_get_world_matrix", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_view_matrix = function("gphys_camera_get_view_matrix", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_projection_matrix = function("gphys_camera_get_projection_matrix", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_view_projection_matrix = function("gphys_camera_get_view_projection_matrix", c_int32, [c_void_p, c_void_p])
+gphys_orbit_init = function("gphys_orbit_init", c_int32, [c_void_p])
+gphys_camera_set_orbit = function("gphys_camera_set_orbit", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_orbit = function("gphys_camera_get_orbit", c_int32, [c_void_p, c_void_p])
+gphys_camera_orbit_rotate = function("gphys_camera_orbit_rotate", c_int32, [c_void_p, c_float, c_float])
+gphys_camera_orbit_zoom = function("gphys_camera_orbit_zoom", c_int32, [c_void_p, c_float])
+gphys_camera_orbit_pan = function("gphys_camera_orbit_pan", c_int32, [c_void_p, c_float, c_float])
+gphys_camera_orbit_update = function("gphys_camera_orbit_update", c_int32, [c_void_p])
+gphys_camera_get_frustum = function("gphys_camera_get_frustum", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_corners = function("gphys_camera_get_corners", c_int32, [c_void_p, c_void_p])
+gphys_camera_project = function("gphys_camera_project", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_camera_project_batch = function("gphys_camera_project_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_camera_unproject = function("gphys_camera_unproject", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_camera_unproject_batch = function("gphys_camera_unproject_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_camera_pick_ray = function("gphys_camera_pick_ray", c_int32, [c_void_p, c_float, c_float, c_void_p])
+gphys_camera_pick_rays = function("gphys_camera_pick_rays", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_camera_pick = function("gphys_camera_pick", c_int32, [c_void_p, c_void_p, c_float, c_float, c_uint32, c_void_p])
+gphys_camera_pick_batch = function("gphys_camera_pick_batch", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_camera_pick_rectangle = function("gphys_camera_pick_rectangle", c_int32, [c_void_p, c_void_p, c_float, c_float, c_float, c_float, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_camera_cull = function("gphys_camera_cull", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_desc_init = function("gphys_solver_desc_init", c_int32, [c_void_p, c_uint32])
+gphys_solver_create = function("gphys_solver_create", c_int32, [c_void_p, c_void_p])
+gphys_solver_destroy = function("gphys_solver_destroy", None, [c_void_p])
+gphys_solver_set_gravity = function("gphys_solver_set_gravity", c_int32, [c_void_p, c_void_p])
+gphys_solver_set_substeps = function("gphys_solver_set_substeps", c_int32, [c_void_p, c_uint32])
+gphys_body_desc_init = function("gphys_body_desc_init", c_int32, [c_void_p, c_uint32])
+gphys_solver_add_particles = function("gphys_solver_add_particles", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_void_p])
+gphys_solver_add_rope = function("gphys_solver_add_rope", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_float, c_void_p])
+gphys_solver_add_cloth = function("gphys_solver_add_cloth", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_void_p])
+gphys_solver_add_cloth_mesh = function("gphys_solver_add_cloth_mesh", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_solver_remove_body = function("gphys_solver_remove_body", c_int32, [c_void_p, c_uint32])
+gphys_solver_get_bodies = function("gphys_solver_get_bodies", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_solver_get_body_info = function("gphys_solver_get_body_info", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_solver_get_triangles = function("gphys_solver_get_triangles", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_get_positions = function("gphys_solver_get_positions", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_positions = function("gphys_solver_set_positions", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_get_velocities = function("gphys_solver_get_velocities", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_velocities = function("gphys_solver_set_velocities", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_get_masses = function("gphys_solver_get_masses", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_masses = function("gphys_solver_set_masses", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_radii = function("gphys_solver_set_radii", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_forces = function("gphys_solver_set_forces", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_pinned = function("gphys_solver_set_pinned", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_int32])
+gphys_solver_attach = function("gphys_solver_attach", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p])
+gphys_solver_detach = function("gphys_solver_detach", c_int32, [c_void_p, c_uint32, c_uint32])
+gphys_solver_add_distance = function("gphys_solver_add_distance", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
+gphys_solver_remove_constraint = function("gphys_solver_remove_constraint", c_int32, [c_void_p, c_uint32, c_uint32])
+gphys_solver_get_constraints = function("gphys_solver_get_constraints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_step = function("gphys_solver_step", c_int32, [c_void_p, c_void_p, c_float])
+gphys_solver_advance = function("gphys_solver_advance", c_int32, [c_void_p, c_void_p, c_float, c_void_p, c_void_p])
+gphys_solver_get_stats = function("gphys_solver_get_stats", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_solver_get_contacts = function("gphys_solver_get_contacts", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+MeshDesc._init = gphys_mesh_desc_init
+SceneDesc._init = gphys_scene_desc_init
+ModelDesc._init = gphys_model_desc_init
+CameraDesc._init = gphys_camera_desc_init
+SolverDesc._init = gphys_solver_desc_init
+BodyDesc._init = gphys_body_desc_init
+
+shape_types = {Sphere: SHAPE_SPHERE, Capsule: SHAPE_CAPSULE, Aabb: SHAPE_AABB, Obb: SHAPE_OBB, Plane: SHAPE_PLANE, Triangle: SHAPE_TRIANGLE, Frustum: SHAPE_FRUSTUM, Ray: SHAPE_RAY, Segment: SHAPE_SEGMENT}

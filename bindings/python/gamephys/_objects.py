@@ -1,0 +1,958 @@
+"""Generated from gamephys_api.json by bindings/generate.py. Not for editing."""
+from __future__ import annotations
+
+import ctypes
+from typing import Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _low as low
+from ._runtime import (Object, array_of, check, common_length, found, handle_of, list_of, ragged_of, result_array,
+                       shape_of, shapes_of, value_of)
+
+
+
+class Mesh(Object):
+    """Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
+    segments or points that they are, and counted in the report. 0 triangles are allowed.
+    @param desc  may be NULL
+    @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
+            multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+    Cost: O(n log n), about 1 us per triangle."""
+    _destroy = low.gphys_mesh_destroy
+
+    def __init__(self, vertices: ArrayLike, indices: ArrayLike, desc: low.MeshDesc | None = None):
+        desc_ = value_of(desc, low.MeshDesc)
+        vertices_ = array_of(vertices, "<f4", 3)
+        indices_ = array_of(indices, "<u4")
+        handle = ctypes.c_void_p()
+        check(low.gphys_mesh_create(desc_.address, vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(handle)))
+        self._own(handle.value)
+
+    def get_report(self) -> low.MeshReport:
+        """What the mesh was built from."""
+        out_report = low.MeshReport()
+        check(low.gphys_mesh_get_report(self._handle, ctypes.byref(out_report)))
+        return out_report
+
+    def get_vertices(self) -> np.ndarray:
+        """Copy the vertices out; in their original order."""
+        return list_of(low.gphys_mesh_get_vertices, (self._handle,), low.vec3_dtype)
+
+    def get_indices(self) -> np.ndarray:
+        """Copy the indices out; in their original order."""
+        return list_of(low.gphys_mesh_get_indices, (self._handle,), "<u4")
+
+    def raycast_all(self, ray: low.Ray | Sequence) -> np.ndarray:
+        """All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
+        Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits)"""
+        ray_ = value_of(ray, low.Ray)
+        return list_of(low.gphys_mesh_raycast_all, (self._handle, ray_.address,), low.hit_dtype)
+
+    def raycast_any(self, ray: low.Ray | Sequence) -> bool:
+        """Whether a ray hits anything; cheaper than the closest hit."""
+        ray_ = value_of(ray, low.Ray)
+        out_hit = ctypes.c_int32()
+        check(low.gphys_mesh_raycast_any(self._handle, ray_.address, ctypes.byref(out_hit)))
+        return bool(out_hit.value)
+
+    def overlap(self, shape: Shape) -> np.ndarray:
+        """Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+        ascending. Kept when the array is too small: the lowest."""
+        type_, shape_ = shape_of(shape)
+        return list_of(low.gphys_mesh_overlap, (self._handle, type_, shape_.address,), "<u4")
+
+    def get_octree_stats(self) -> low.OctreeStats:
+        """Cost: O(nodes)."""
+        out_stats = low.OctreeStats()
+        check(low.gphys_mesh_get_octree_stats(self._handle, ctypes.byref(out_stats)))
+        return out_stats
+
+    def get_octree_boxes(self) -> np.ndarray:
+        """Boxes of the tree, each parent before its children. Kept when too many: the first."""
+        return list_of(low.gphys_mesh_get_octree_boxes, (self._handle,), low.octree_box_dtype)
+
+
+
+class Scene(Object):
+    """With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
+    adding and moving many models, share their work among n threads; the results have the same bits
+    for every n. Without a task_runner n - 1 threads are started here and joined by
+    gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
+    work. They take no signals but faults, and the floating-point settings of the thread that
+    created them. In a child of fork they are gone: calls there run on one thread.
+    @param desc  may be NULL
+    @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started"""
+    _destroy = low.gphys_scene_destroy
+
+    def __init__(self, desc: low.SceneDesc | None = None):
+        desc_ = value_of(desc, low.SceneDesc)
+        handle = ctypes.c_void_p()
+        check(low.gphys_scene_create(desc_.address, ctypes.byref(handle)))
+        self._own(handle.value)
+
+    def add(self, shape: Shape, transform: low.Transform | None = None, desc: low.ModelDesc | None = None) -> int:
+        """Add a model.
+        @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
+        @param shape      in the model's own coordinates
+        @param transform  local; NULL is the identity
+        @param desc       NULL: no parent, layer 1, tag 0
+        @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
+                GPHYS_ERROR_CAPACITY
+        Cost: O(log n) amortised."""
+        type_, shape_ = shape_of(shape)
+        transform_ = value_of(transform, low.Transform)
+        desc_ = value_of(desc, low.ModelDesc)
+        out_model = ctypes.c_uint32()
+        check(low.gphys_scene_add(self._handle, type_, shape_.address, transform_.address, desc_.address, ctypes.byref(out_model)))
+        return out_model.value
+
+    def add_batch(self, shapes: ArrayLike, transforms: ArrayLike | None = None, desc: low.ModelDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
+        needs shape_stride 0). transforms may be NULL. out_models has count elements."""
+        type_, shapes_ = shapes_of(shapes)
+        transforms_ = array_of(transforms, low.transform_dtype)
+        count = common_length(shapes_, transforms_)
+        desc_ = value_of(desc, low.ModelDesc)
+        out_ = result_array(out, count, "<u4")
+        check(low.gphys_scene_add_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, count, desc_.address, out_.address))
+        return out_.array
+
+    def remove(self, model: int) -> None:
+        """Remove a model. Its children stay where they are in the world and lose their parent."""
+        check(low.gphys_scene_remove(self._handle, model))
+
+    def remove_batch(self, models: ArrayLike) -> None:
+        """Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID."""
+        models_ = array_of(models, "<u4")
+        count = common_length(models_)
+        check(low.gphys_scene_remove_batch(self._handle, models_.address, count))
+
+    def remove_subtree(self, model: int) -> None:
+        """Remove a model and all its descendants."""
+        check(low.gphys_scene_remove_subtree(self._handle, model))
+
+    def clear(self) -> None:
+        """Remove all. Ids given out before stay invalid."""
+        check(low.gphys_scene_clear(self._handle))
+
+    def has(self, model: int) -> None:
+        """GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID."""
+        check(low.gphys_scene_has(self._handle, model))
+
+    def get_models(self) -> np.ndarray:
+        """Ids of all models, ascending. Kept when too many: the lowest."""
+        return list_of(low.gphys_scene_get_models, (self._handle,), "<u4")
+
+    def get_info(self, model: int) -> low.ModelInfo:
+        """Kind, parent, layers, tag and number of children of a model."""
+        out_info = low.ModelInfo()
+        check(low.gphys_scene_get_info(self._handle, model, ctypes.byref(out_info)))
+        return out_info
+
+    def get_bounds(self, model: int) -> low.Aabb | None:
+        """World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position."""
+        out_bounds = low.Aabb()
+        return (out_bounds) if found(low.gphys_scene_get_bounds(self._handle, model, ctypes.byref(out_bounds))) else None
+
+    def get_scene_bounds(self) -> low.Aabb | None:
+        """World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out."""
+        out_bounds = low.Aabb()
+        return (out_bounds) if found(low.gphys_scene_get_scene_bounds(self._handle, ctypes.byref(out_bounds))) else None
+
+    def set_layers(self, model: int, layers: int = low.ALL_LAYERS) -> None:
+        """Change which queries see a model, or what its hits report. Children are not affected."""
+        check(low.gphys_scene_set_layers(self._handle, model, layers))
+
+    def set_tag(self, model: int, tag: int) -> None:
+        """Change which queries see a model, or what its hits report. Children are not affected."""
+        check(low.gphys_scene_set_tag(self._handle, model, tag))
+
+    def set_parent(self, model: int, parent: int, keep_world: int) -> None:
+        """Hang a model below another one, or below none (0).
+        @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
+                           changed so that the world transform stays (within float32 rounding)
+        @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants"""
+        check(low.gphys_scene_set_parent(self._handle, model, parent, keep_world))
+
+    def set_transform(self, model: int, transform: low.Transform | None = None) -> None:
+        """Set one local transform. Descendants follow. Cost: O(log n) for each model that moves."""
+        transform_ = value_of(transform, low.Transform)
+        check(low.gphys_scene_set_transform(self._handle, model, transform_.address))
+
+    def set_transforms(self, models: ArrayLike, transforms: ArrayLike | None = None) -> None:
+        """Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+        that moves when few move, O(n) when many do."""
+        models_ = array_of(models, "<u4")
+        transforms_ = array_of(transforms, low.transform_dtype)
+        count = common_length(models_, transforms_)
+        check(low.gphys_scene_set_transforms(self._handle, models_.address, transforms_.address, transforms_.stride, count))
+
+    def get_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+        that moves when few move, O(n) when many do."""
+        models_ = array_of(models, "<u4")
+        count = common_length(models_)
+        out_ = result_array(out, count, low.transform_dtype)
+        check(low.gphys_scene_get_transforms(self._handle, models_.address, count, out_.address, out_.stride))
+        return out_.array
+
+    def get_world_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+        that moves when few move, O(n) when many do."""
+        models_ = array_of(models, "<u4")
+        count = common_length(models_)
+        out_ = result_array(out, count, low.transform_dtype)
+        check(low.gphys_scene_get_world_transforms(self._handle, models_.address, count, out_.address, out_.stride))
+        return out_.array
+
+    def raycast(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
+        """Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+        @return GPHYS_OK or GPHYS_NO_HIT"""
+        ray_ = value_of(ray, low.Ray)
+        out_hit = low.Hit()
+        return (out_hit) if found(low.gphys_scene_raycast(self._handle, ray_.address, layers, ctypes.byref(out_hit))) else None
+
+    def raycast_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+        @return GPHYS_OK or GPHYS_NO_HIT"""
+        rays_ = array_of(rays, low.ray_dtype)
+        count = common_length(rays_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_scene_raycast_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride))
+        return out_.array
+
+    def raycast_any(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> bool:
+        """Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit."""
+        ray_ = value_of(ray, low.Ray)
+        out_hit = ctypes.c_int32()
+        check(low.gphys_scene_raycast_any(self._handle, ray_.address, layers, ctypes.byref(out_hit)))
+        return bool(out_hit.value)
+
+    def raycast_any_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit."""
+        rays_ = array_of(rays, low.ray_dtype)
+        count = common_length(rays_)
+        out_ = result_array(out, count, "<i4")
+        check(low.gphys_scene_raycast_any_batch(self._handle, rays_.address, rays_.stride, count, layers, out_.address, out_.stride))
+        return out_.array
+
+    def raycast_all(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> np.ndarray:
+        """Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
+        the first."""
+        ray_ = value_of(ray, low.Ray)
+        return list_of(low.gphys_scene_raycast_all, (self._handle, ray_.address, layers,), low.hit_dtype)
+
+    def raycast_all_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
+        """The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+        @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
+                            room. Where a ray's range crosses capacity, its first hits are written.
+        What stands in out_hits behind the last hit afterwards is unspecified.
+        @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity"""
+        rays_ = array_of(rays, low.ray_dtype)
+        count = common_length(rays_)
+        return ragged_of(low.gphys_scene_raycast_all_batch, (self._handle, rays_.address, rays_.stride, count, layers,), low.hit_dtype, count)
+
+    def segment_test(self, segment: low.Segment | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit:
+        """Closest model along a segment from a to b, both included; t in 0..1."""
+        segment_ = value_of(segment, low.Segment)
+        out_hit = low.Hit()
+        check(low.gphys_scene_segment_test(self._handle, segment_.address, layers, ctypes.byref(out_hit)))
+        return out_hit
+
+    def segment_test_batch(self, segments: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Closest model along a segment from a to b, both included; t in 0..1."""
+        segments_ = array_of(segments, low.segment_dtype)
+        count = common_length(segments_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_scene_segment_test_batch(self._handle, segments_.address, segments_.stride, count, layers, out_.address, out_.stride))
+        return out_.array
+
+    def overlap(self, shape: Shape, layers: int = low.ALL_LAYERS) -> np.ndarray:
+        """Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+        ascending. Kept when too many: the lowest."""
+        type_, shape_ = shape_of(shape)
+        return list_of(low.gphys_scene_overlap, (self._handle, type_, shape_.address, layers,), "<u4")
+
+    def overlap_batch(self, shapes: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
+        """Offsets as in gphys_scene_raycast_all_batch."""
+        type_, shapes_ = shapes_of(shapes)
+        count = common_length(shapes_)
+        return ragged_of(low.gphys_scene_overlap_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, layers,), "<u4", count)
+
+    def cull(self, frustum: low.Frustum | Sequence, layers: int = low.ALL_LAYERS) -> np.ndarray:
+        """Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
+        own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
+        per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
+        too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
+        as scratch memory to order them."""
+        frustum_ = value_of(frustum, low.Frustum)
+        return list_of(low.gphys_scene_cull, (self._handle, frustum_.address, layers,), "<u4")
+
+    def nearest(self, point: low.Vec3 | Sequence, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS) -> low.Nearest | None:
+        """The model nearest to a point, and its closest point.
+        @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+        @return GPHYS_OK or GPHYS_NO_HIT"""
+        point_ = value_of(point, low.Vec3)
+        out_nearest = low.Nearest()
+        return (out_nearest) if found(low.gphys_scene_nearest(self._handle, point_.address, max_distance, layers, ctypes.byref(out_nearest))) else None
+
+    def nearest_batch(self, points: ArrayLike, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+        """The model nearest to a point, and its closest point.
+        @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+        @return GPHYS_OK or GPHYS_NO_HIT"""
+        points_ = array_of(points, low.vec3_dtype)
+        count = common_length(points_)
+        out_ = result_array(out, count, low.nearest_dtype)
+        check(low.gphys_scene_nearest_batch(self._handle, points_.address, points_.stride, count, max_distance, layers, out_.address, out_.stride))
+        return out_.array
+
+    def sweep_sphere(self, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit:
+        """First model that a sphere touches while it moves by displacement; t in 0..1.
+        Fields as in gphys_shape_sweep_sphere."""
+        sphere_ = value_of(sphere, low.Sphere)
+        displacement_ = value_of(displacement, low.Vec3)
+        out_hit = low.Hit()
+        check(low.gphys_scene_sweep_sphere(self._handle, sphere_.address, displacement_.address, layers, ctypes.byref(out_hit)))
+        return out_hit
+
+    def sweep_sphere_batch(self, spheres: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+        """First model that a sphere touches while it moves by displacement; t in 0..1.
+        Fields as in gphys_shape_sweep_sphere."""
+        spheres_ = array_of(spheres, low.sphere_dtype)
+        displacements_ = array_of(displacements, low.vec3_dtype)
+        count = common_length(spheres_, displacements_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_scene_sweep_sphere_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride))
+        return out_.array
+
+    def get_octree_stats(self) -> low.OctreeStats:
+        """Cost: O(nodes)."""
+        out_stats = low.OctreeStats()
+        check(low.gphys_scene_get_octree_stats(self._handle, ctypes.byref(out_stats)))
+        return out_stats
+
+    def get_octree_boxes(self) -> np.ndarray:
+        """Boxes of the tree, each parent before its children. Kept when too many: the first."""
+        return list_of(low.gphys_scene_get_octree_boxes, (self._handle,), low.octree_box_dtype)
+
+    def validate(self) -> None:
+        """Check the scene's own structure: every model once in the tree, every box around its content,
+        parents and children in agreement, free slots free. For tests; O(n).
+        @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong"""
+        check(low.gphys_scene_validate(self._handle))
+
+
+
+class Camera(Object):
+    """@param desc  may be NULL"""
+    _destroy = low.gphys_camera_destroy
+
+    def __init__(self, desc: low.CameraDesc | None = None):
+        desc_ = value_of(desc, low.CameraDesc)
+        handle = ctypes.c_void_p()
+        check(low.gphys_camera_create(desc_.address, ctypes.byref(handle)))
+        self._own(handle.value)
+
+    def set_perspective(self, fov_y: float, near_distance: float, far_distance: float) -> None:
+        """@param fov_y  full vertical angle, 1e-6 <= fov_y < pi
+        @param near_distance  > 0
+        @param far_distance   > near_distance; INFINITY allowed"""
+        check(low.gphys_camera_set_perspective(self._handle, fov_y, near_distance, far_distance))
+
+    def set_orthographic(self, height: float, near_distance: float, far_distance: float) -> None:
+        """@param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+        @param near_distance, far_distance  far at least 1e-6 above near, which may be negative"""
+        check(low.gphys_camera_set_orthographic(self._handle, height, near_distance, far_distance))
+
+    def set_projection(self, projection: low.Mat4 | Sequence) -> None:
+        """Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+        library's). It is not changed by gphys_camera_set_viewport.
+        @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
+                GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
+                the matrix is for another depth range"""
+        projection_ = value_of(projection, low.Mat4)
+        check(low.gphys_camera_set_projection(self._handle, projection_.address))
+
+    def set_viewport(self, width: float, height: float) -> None:
+        """The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height."""
+        check(low.gphys_camera_set_viewport(self._handle, width, height))
+
+    def set_transform(self, position: low.Vec3 | Sequence, rotation: low.Quat | Sequence) -> None:
+        """Place the camera."""
+        position_ = value_of(position, low.Vec3)
+        rotation_ = value_of(rotation, low.Quat)
+        check(low.gphys_camera_set_transform(self._handle, position_.address, rotation_.address))
+
+    def set_world_matrix(self, world: low.Mat4 | Sequence) -> None:
+        """Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
+        kept, then up), so that a matrix which drifted is mended.
+        @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
+                they mirror or the last row is not 0 0 0 1"""
+        world_ = value_of(world, low.Mat4)
+        check(low.gphys_camera_set_world_matrix(self._handle, world_.address))
+
+    def look_at(self, eye: low.Vec3 | Sequence, target: low.Vec3 | Sequence, up: low.Vec3 | Sequence) -> None:
+        """Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
+        chosen in its place, always the same for the same input.
+        @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero"""
+        eye_ = value_of(eye, low.Vec3)
+        target_ = value_of(target, low.Vec3)
+        up_ = value_of(up, low.Vec3)
+        check(low.gphys_camera_look_at(self._handle, eye_.address, target_.address, up_.address))
+
+    def get_transform(self) -> tuple[low.Vec3, low.Quat]:
+        """Where the camera stands and how it is turned."""
+        out_position = low.Vec3()
+        out_rotation = low.Quat()
+        check(low.gphys_camera_get_transform(self._handle, ctypes.byref(out_position), ctypes.byref(out_rotation)))
+        return out_position, out_rotation
+
+    def get_world_matrix(self) -> low.Mat4:
+        """Camera to world."""
+        out_world = low.Mat4()
+        check(low.gphys_camera_get_world_matrix(self._handle, ctypes.byref(out_world)))
+        return out_world
+
+    def get_view_matrix(self) -> low.Mat4:
+        """World to camera: the transpose of the orthonormal world axes, and the position through them."""
+        out_view = low.Mat4()
+        check(low.gphys_camera_get_view_matrix(self._handle, ctypes.byref(out_view)))
+        return out_view
+
+    def get_projection_matrix(self) -> low.Mat4:
+        """Camera to clip space."""
+        out_projection = low.Mat4()
+        check(low.gphys_camera_get_projection_matrix(self._handle, ctypes.byref(out_projection)))
+        return out_projection
+
+    def get_view_projection_matrix(self) -> low.Mat4:
+        """Projection * view, multiplied in double precision and rounded once."""
+        out_view_projection = low.Mat4()
+        check(low.gphys_camera_get_view_projection_matrix(self._handle, ctypes.byref(out_view_projection)))
+        return out_view_projection
+
+    def set_orbit(self, orbit: low.Orbit | Sequence) -> None:
+        """Start orbiting with these settings; places the camera at once and drops pending input. An angle
+        or a distance outside its limits is brought inside."""
+        orbit_ = value_of(orbit, low.Orbit)
+        check(low.gphys_camera_set_orbit(self._handle, orbit_.address))
+
+    def get_orbit(self) -> low.Orbit:
+        """The present settings, angles and distance.
+        @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit"""
+        out_orbit = low.Orbit()
+        check(low.gphys_camera_get_orbit(self._handle, ctypes.byref(out_orbit)))
+        return out_orbit
+
+    def orbit_rotate(self, units_x: float, units_y: float) -> None:
+        """Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size."""
+        check(low.gphys_camera_orbit_rotate(self._handle, units_x, units_y))
+
+    def orbit_zoom(self, units: float) -> None:
+        """Add input: come closer by units times metres_per_unit (go back if negative)."""
+        check(low.gphys_camera_orbit_zoom(self._handle, units))
+
+    def orbit_pan(self, units_right: float, units_up: float) -> None:
+        """Add input: move the target to the camera's right and up, as the last update left them, by units
+        times metres_per_unit."""
+        check(low.gphys_camera_orbit_pan(self._handle, units_right, units_up))
+
+    def orbit_update(self) -> None:
+        """Apply the input since the last update, within the limits, and place the camera. Angles are
+        wrapped to -pi .. pi in constant time. The orbit's settings must have been set."""
+        check(low.gphys_camera_orbit_update(self._handle))
+
+    def get_frustum(self) -> low.Frustum:
+        """The seen volume, with origin at the camera's position and planes from its parameters: each
+        number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double."""
+        out_frustum = low.Frustum()
+        check(low.gphys_camera_get_frustum(self._handle, ctypes.byref(out_frustum)))
+        return out_frustum
+
+    def get_corners(self) -> np.ndarray | None:
+        """World positions of its corners, in the order of gphys_frustum_corners.
+        @return GPHYS_UNBOUNDED with an infinite far plane"""
+        out_corners = np.empty(8, low.vec3_dtype)
+        return (out_corners) if found(low.gphys_camera_get_corners(self._handle, out_corners.ctypes.data)) else None
+
+    def project(self, point: low.Vec3 | Sequence) -> low.Vec3 | None:
+        """World point to pixel. x, y may lie outside the viewport; z is the depth in the camera's range.
+        @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
+                image lies beyond the range of coordinates"""
+        point_ = value_of(point, low.Vec3)
+        out_pixel = low.Vec3()
+        return (out_pixel) if found(low.gphys_camera_project(self._handle, point_.address, ctypes.byref(out_pixel))) else None
+
+    def project_batch(self, points: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+        """The same for count points; a point without an image gets x = y = z = INFINITY."""
+        points_ = array_of(points, low.vec3_dtype)
+        count = common_length(points_)
+        out_ = result_array(out, count, low.vec3_dtype)
+        check(low.gphys_camera_project_batch(self._handle, points_.address, points_.stride, count, out_.address, out_.stride))
+        return out_.array
+
+    def unproject(self, pixel: low.Vec3 | Sequence) -> low.Vec3 | None:
+        """Pixel and depth to world point: the inverse of gphys_camera_project.
+        @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
+                beyond the range of coordinates"""
+        pixel_ = value_of(pixel, low.Vec3)
+        out_point = low.Vec3()
+        return (out_point) if found(low.gphys_camera_unproject(self._handle, pixel_.address, ctypes.byref(out_point))) else None
+
+    def unproject_batch(self, pixels: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+        """The same for count pixels; one at infinity gets x = y = z = INFINITY."""
+        pixels_ = array_of(pixels, low.vec3_dtype)
+        count = common_length(pixels_)
+        out_ = result_array(out, count, low.vec3_dtype)
+        check(low.gphys_camera_unproject_batch(self._handle, pixels_.address, pixels_.stride, count, out_.address, out_.stride))
+        return out_.array
+
+    def pick_ray(self, pixel_x: float, pixel_y: float) -> low.Ray | None:
+        """The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
+        on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
+        For perspective the stretch before the near plane is part of the ray. Pixels outside the
+        viewport are allowed.
+        @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)"""
+        out_ray = low.Ray()
+        return (out_ray) if found(low.gphys_camera_pick_ray(self._handle, pixel_x, pixel_y, ctypes.byref(out_ray))) else None
+
+    def pick_rays(self, x: int, y: int, width: int, height: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32."""
+        out_ = result_array(out, width * height, low.ray_dtype)
+        check(low.gphys_camera_pick_rays(self._handle, x, y, width, height, out_.address, out_.stride))
+        return out_.array
+
+    def pick(self, scene: Scene | None, pixel_x: float, pixel_y: float, layers: int = low.ALL_LAYERS) -> low.Hit | None:
+        """The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
+        float32; t is in metres.
+        @return GPHYS_OK or GPHYS_NO_HIT"""
+        out_hit = low.Hit()
+        return (out_hit) if found(low.gphys_camera_pick(self._handle, handle_of(scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))) else None
+
+    def pick_batch(self, scene: Scene | None, pixels: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+        """The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches."""
+        pixels_ = array_of(pixels, "<f4", 2)
+        count = common_length(pixels_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_camera_pick_batch(self._handle, handle_of(scene), pixels_.address, pixels_.stride, count, layers, out_.address, out_.stride))
+        return out_.array
+
+    def pick_rectangle(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, layers: int = low.ALL_LAYERS) -> np.ndarray:
+        """Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
+        rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+        @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area"""
+        return list_of(low.gphys_camera_pick_rectangle, (self._handle, handle_of(scene), x0, y0, x1, y1, layers,), "<u4")
+
+    def cull(self, scene: Scene | None, layers: int = low.ALL_LAYERS) -> np.ndarray:
+        """gphys_scene_cull with the camera's frustum."""
+        return list_of(low.gphys_camera_cull, (self._handle, handle_of(scene), layers,), "<u4")
+
+
+
+class Solver(Object):
+    """@param desc  may be NULL"""
+    _destroy = low.gphys_solver_destroy
+
+    def __init__(self, desc: low.SolverDesc | None = None):
+        desc_ = value_of(desc, low.SolverDesc)
+        handle = ctypes.c_void_p()
+        check(low.gphys_solver_create(desc_.address, ctypes.byref(handle)))
+        self._own(handle.value)
+
+    def set_gravity(self, gravity: low.Vec3 | Sequence) -> None:
+        """m/s^2, from the next step on."""
+        gravity_ = value_of(gravity, low.Vec3)
+        check(low.gphys_solver_set_gravity(self._handle, gravity_.address))
+
+    def set_substeps(self, substeps: int) -> None:
+        """1 .. 1000. More substeps: smaller errors, proportionally more time."""
+        check(low.gphys_solver_set_substeps(self._handle, substeps))
+
+    def add_particles(self, positions: ArrayLike, desc: low.BodyDesc | None = None) -> int:
+        """Add particles without constraints.
+        @param desc  may be NULL
+        @param positions  count elements, count >= 1"""
+        desc_ = value_of(desc, low.BodyDesc)
+        positions_ = array_of(positions, low.vec3_dtype)
+        count = common_length(positions_)
+        out_body = ctypes.c_uint32()
+        check(low.gphys_solver_add_particles(self._handle, desc_.address, positions_.address, positions_.stride, count, ctypes.byref(out_body)))
+        return out_body.value
+
+    def add_rope(self, positions: ArrayLike, link_length: float = 0, desc: low.BodyDesc | None = None) -> int:
+        """Add a rope through the given points, one particle at each.
+        @param count  >= 2
+        @param link_length  rest length of each link in metres; 0: as placed"""
+        desc_ = value_of(desc, low.BodyDesc)
+        positions_ = array_of(positions, low.vec3_dtype)
+        count = common_length(positions_)
+        out_body = ctypes.c_uint32()
+        check(low.gphys_solver_add_rope(self._handle, desc_.address, positions_.address, positions_.stride, count, link_length, ctypes.byref(out_body)))
+        return out_body.value
+
+    def add_cloth(self, corner: low.Vec3 | Sequence, edge_u: low.Vec3 | Sequence, edge_v: low.Vec3 | Sequence, columns: int, rows: int, desc: low.BodyDesc | None = None) -> int:
+        """Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
+        corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+        @param columns, rows  >= 2"""
+        desc_ = value_of(desc, low.BodyDesc)
+        corner_ = value_of(corner, low.Vec3)
+        edge_u_ = value_of(edge_u, low.Vec3)
+        edge_v_ = value_of(edge_v, low.Vec3)
+        out_body = ctypes.c_uint32()
+        check(low.gphys_solver_add_cloth(self._handle, desc_.address, corner_.address, edge_u_.address, edge_v_.address, columns, rows, ctypes.byref(out_body)))
+        return out_body.value
+
+    def add_cloth_mesh(self, mesh: Mesh | None, transform: low.Transform | None = None, desc: low.BodyDesc | None = None) -> int:
+        """Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+        with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+        @param transform  places the mesh; may be NULL"""
+        desc_ = value_of(desc, low.BodyDesc)
+        transform_ = value_of(transform, low.Transform)
+        out_body = ctypes.c_uint32()
+        check(low.gphys_solver_add_cloth_mesh(self._handle, desc_.address, handle_of(mesh), transform_.address, ctypes.byref(out_body)))
+        return out_body.value
+
+    def remove_body(self, body: int) -> None:
+        """Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+        with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+        @param transform  places the mesh; may be NULL"""
+        check(low.gphys_solver_remove_body(self._handle, body))
+
+    def get_bodies(self) -> np.ndarray:
+        """Ids of all bodies, ascending. Kept when too many: the lowest."""
+        return list_of(low.gphys_solver_get_bodies, (self._handle,), "<u4")
+
+    def get_body_info(self, body: int) -> low.BodyInfo:
+        """What a body is made of and how it is solved."""
+        out_info = low.BodyInfo()
+        check(low.gphys_solver_get_body_info(self._handle, body, ctypes.byref(out_info)))
+        return out_info
+
+    def get_triangles(self, body: int) -> np.ndarray:
+        """Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles."""
+        return list_of(low.gphys_solver_get_triangles, (self._handle, body,), "<u4")
+
+    def get_positions(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Metres."""
+        out_ = result_array(out, count, low.vec3_dtype)
+        check(low.gphys_solver_get_positions(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
+
+    def set_positions(self, body: int, first: int, positions: ArrayLike) -> None:
+        """Moves particles there at once and without collision on the way; velocities stay as they are."""
+        count = common_length(positions_)
+        positions_ = array_of(positions, low.vec3_dtype)
+        check(low.gphys_solver_set_positions(self._handle, body, first, count, positions_.address, positions_.stride))
+
+    def get_velocities(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """m/s"""
+        out_ = result_array(out, count, low.vec3_dtype)
+        check(low.gphys_solver_get_velocities(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
+
+    def set_velocities(self, body: int, first: int, velocities: ArrayLike) -> None:
+        """m/s"""
+        count = common_length(velocities_)
+        velocities_ = array_of(velocities, low.vec3_dtype)
+        check(low.gphys_solver_set_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
+
+    def get_masses(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """kg, > 0. A pinned particle keeps its mass for the time when it is released."""
+        out_ = result_array(out, count, "<f4")
+        check(low.gphys_solver_get_masses(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
+
+    def set_masses(self, body: int, first: int, masses: ArrayLike) -> None:
+        """kg, > 0. A pinned particle keeps its mass for the time when it is released."""
+        count = common_length(masses_)
+        masses_ = array_of(masses, "<f4")
+        check(low.gphys_solver_set_masses(self._handle, body, first, count, masses_.address, masses_.stride))
+
+    def set_radii(self, body: int, first: int, radii: ArrayLike) -> None:
+        """Collision radius, metres, >= 0."""
+        count = common_length(radii_)
+        radii_ = array_of(radii, "<f4")
+        check(low.gphys_solver_set_radii(self._handle, body, first, count, radii_.address, radii_.stride))
+
+    def set_forces(self, body: int, first: int, forces: ArrayLike) -> None:
+        """Forces in newtons that act beside gravity, from now on until set again."""
+        count = common_length(forces_)
+        forces_ = array_of(forces, low.vec3_dtype)
+        check(low.gphys_solver_set_forces(self._handle, body, first, count, forces_.address, forces_.stride))
+
+    def set_pinned(self, body: int, first: int, count: int, pinned: int) -> None:
+        """Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+        gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment."""
+        check(low.gphys_solver_set_pinned(self._handle, body, first, count, pinned))
+
+    def attach(self, scene: Scene | None, body: int, particle: int, model: int, local_point: low.Vec3 | None = None) -> None:
+        """Fix a particle to a model: it follows the model's transform in each step, and is released when
+        the model is gone. Steps must then be given this scene.
+        @param local_point  in the model's coordinates; NULL: where the particle is now"""
+        local_point_ = value_of(local_point, low.Vec3)
+        check(low.gphys_solver_attach(self._handle, handle_of(scene), body, particle, model, local_point_.address))
+
+    def detach(self, body: int, particle: int) -> None:
+        """Release an attached particle.
+        @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached"""
+        check(low.gphys_solver_detach(self._handle, body, particle))
+
+    def add_distance(self, body: int, particle_a: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
+        """Hold two different particles of a body at a distance.
+        @param rest_length  metres, >= 0; negative: the present distance
+        @param compliance   metres per newton, >= 0; 0 is rigid
+        @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one"""
+        out_constraint = ctypes.c_uint32()
+        check(low.gphys_solver_add_distance(self._handle, body, particle_a, particle_b, rest_length, compliance, ctypes.byref(out_constraint)))
+        return out_constraint.value
+
+    def remove_constraint(self, body: int, constraint: int) -> None:
+        """Hold two different particles of a body at a distance.
+        @param rest_length  metres, >= 0; negative: the present distance
+        @param compliance   metres per newton, >= 0; 0 is rigid
+        @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one"""
+        check(low.gphys_solver_remove_constraint(self._handle, body, constraint))
+
+    def get_constraints(self, body: int) -> np.ndarray:
+        """All constraints of a body, those of its builder included, by id. Kept when too many: the lowest."""
+        return list_of(low.gphys_solver_get_constraints, (self._handle, body,), low.constraint_info_dtype)
+
+    def step(self, scene: Scene | None, dt: float) -> None:
+        """Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
+        than 25 ms.
+        @param scene  to collide with and to follow attachments; NULL: none. Not modified.
+        @param dt     1e-6 .. 0.5
+        Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+        substeps, and a scene query for particles near models."""
+        check(low.gphys_solver_step(self._handle, handle_of(scene), dt))
+
+    def advance(self, scene: Scene | None, frame_time: float) -> tuple[int, float]:
+        """Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
+        frame, so the motion does not depend on the frame rate.
+        @param frame_time    seconds, >= 0
+        @param out_steps     steps made; may be NULL
+        @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL"""
+        out_steps = ctypes.c_uint32()
+        out_leftover = ctypes.c_float()
+        check(low.gphys_solver_advance(self._handle, handle_of(scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
+        return out_steps.value, out_leftover.value
+
+    def get_stats(self, body: int) -> low.SolverStats:
+        """@param body  0: all bodies together.  Cost: O(particles + constraints)."""
+        out_stats = low.SolverStats()
+        check(low.gphys_solver_get_stats(self._handle, body, ctypes.byref(out_stats)))
+        return out_stats
+
+    def get_contacts(self) -> np.ndarray:
+        """Contacts of the last step by body, particle, model. Kept when too many: the first."""
+        return list_of(low.gphys_solver_get_contacts, (self._handle,), low.contact_dtype)
+
+
+Shape = Union[low.Sphere, low.Capsule, low.Aabb, low.Obb, low.Plane, low.Triangle, low.Frustum, Mesh, low.Ray, low.Segment]
+
+
+def validate(shape: Shape) -> None:
+    """Whether the shape fulfils the ranges beside its struct.
+    @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field."""
+    type_, shape_ = shape_of(shape)
+    check(low.gphys_shape_validate(type_, shape_.address))
+
+
+def bounds(shape: Shape) -> low.Aabb | None:
+    """The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
+    @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
+            and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum"""
+    type_, shape_ = shape_of(shape)
+    out_bounds = low.Aabb()
+    return (out_bounds) if found(low.gphys_shape_bounds(type_, shape_.address, ctypes.byref(out_bounds))) else None
+
+
+def contains(shape: Shape, point: low.Vec3 | Sequence, tolerance: float = 0) -> bool:
+    """Whether the point is within tolerance metres of the shape (solid or surface).
+    With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+    axes are those of its rotation in double precision).
+    @param tolerance  >= 0
+    @param out_contains  0 or 1"""
+    type_, shape_ = shape_of(shape)
+    point_ = value_of(point, low.Vec3)
+    out_contains = ctypes.c_int32()
+    check(low.gphys_shape_contains(type_, shape_.address, point_.address, tolerance, ctypes.byref(out_contains)))
+    return bool(out_contains.value)
+
+
+def contains_batch(shape: Shape, points: ArrayLike, tolerance: float = 0, *, out: np.ndarray | None = None) -> np.ndarray:
+    """Whether the point is within tolerance metres of the shape (solid or surface).
+    With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+    axes are those of its rotation in double precision).
+    @param tolerance  >= 0
+    @param out_contains  0 or 1"""
+    type_, shape_ = shape_of(shape)
+    points_ = array_of(points, low.vec3_dtype)
+    count = common_length(points_)
+    out_ = result_array(out, count, "<i4")
+    check(low.gphys_shape_contains_batch(type_, shape_.address, points_.address, points_.stride, count, tolerance, out_.address, out_.stride))
+    return out_.array
+
+
+def closest_point(shape: Shape, point: low.Vec3 | Sequence) -> low.Nearest | None:
+    """The point of the shape that is closest to the given point: the point itself inside a solid.
+    Error: 1 ulp of the largest coordinate per axis. If several are equally close, one of them,
+    always the same. For a ray, t is limited by t_max.
+    @return GPHYS_NO_HIT only for an empty mesh or an empty frustum."""
+    type_, shape_ = shape_of(shape)
+    point_ = value_of(point, low.Vec3)
+    out_nearest = low.Nearest()
+    return (out_nearest) if found(low.gphys_shape_closest_point(type_, shape_.address, point_.address, ctypes.byref(out_nearest))) else None
+
+
+def closest_point_batch(shape: Shape, points: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    """The same for count points. An element for which there is none gets distance INFINITY."""
+    type_, shape_ = shape_of(shape)
+    points_ = array_of(points, low.vec3_dtype)
+    count = common_length(points_)
+    out_ = result_array(out, count, low.nearest_dtype)
+    check(low.gphys_shape_closest_point_batch(type_, shape_.address, points_.address, points_.stride, count, out_.address, out_.stride))
+    return out_.array
+
+
+def segment_closest_points(a: low.Segment | Sequence, b: low.Segment | Sequence) -> tuple[low.Vec3, low.Vec3, float]:
+    """The closest points of two segments and their distance. Parallel segments have many: the first
+    along a, always the same. out_a, out_b, out_distance may each be NULL."""
+    a_ = value_of(a, low.Segment)
+    b_ = value_of(b, low.Segment)
+    out_a = low.Vec3()
+    out_b = low.Vec3()
+    out_distance = ctypes.c_float()
+    check(low.gphys_segment_closest_points(a_.address, b_.address, ctypes.byref(out_a), ctypes.byref(out_b), ctypes.byref(out_distance)))
+    return out_a, out_b, out_distance.value
+
+
+def overlaps(a: Shape, b: Shape) -> bool:
+    """Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
+    triangle, frustum and mesh, in either order.
+    A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+    Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
+    precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
+    @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test)."""
+    a_type_, a_ = shape_of(a)
+    b_type_, b_ = shape_of(b)
+    out_overlaps = ctypes.c_int32()
+    check(low.gphys_shape_overlaps(a_type_, a_.address, b_type_, b_.address, ctypes.byref(out_overlaps)))
+    return bool(out_overlaps.value)
+
+
+def overlaps_batch(a: ArrayLike, b: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    """Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0."""
+    a_type_, a_ = shapes_of(a)
+    b_type_, b_ = shapes_of(b)
+    count = common_length(a_, b_)
+    out_ = result_array(out, count, "<i4")
+    check(low.gphys_shape_overlaps_batch(a_type_, a_.address, a_.stride, b_type_, b_.address, b_.stride, count, out_.address, out_.stride))
+    return out_.array
+
+
+def classify_plane(shape: Shape, plane: low.Plane | Sequence) -> tuple[int, float]:
+    """Classify a sphere, capsule, AABB, OBB or triangle against a plane.
+    @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
+                                behind, 0 when crossing; may be NULL"""
+    type_, shape_ = shape_of(shape)
+    plane_ = value_of(plane, low.Plane)
+    out_side = ctypes.c_int32()
+    out_signed_distance = ctypes.c_float()
+    check(low.gphys_shape_classify_plane(type_, shape_.address, plane_.address, ctypes.byref(out_side), ctypes.byref(out_signed_distance)))
+    return out_side.value, out_signed_distance.value
+
+
+def classify_frustum(shape: Shape, frustum: low.Frustum | Sequence) -> int:
+    """Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
+    that no point is shared, inside that the frustum holds the whole shape."""
+    type_, shape_ = shape_of(shape)
+    frustum_ = value_of(frustum, low.Frustum)
+    out_side = ctypes.c_int32()
+    check(low.gphys_shape_classify_frustum(type_, shape_.address, frustum_.address, ctypes.byref(out_side)))
+    return out_side.value
+
+
+def raycast(shape: Shape, ray: low.Ray | Sequence) -> low.Hit | None:
+    """First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
+    Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
+    shared edge or vertex always meets one of the triangles there.
+    Error: t within 1 ulp; no false miss and no false hit beyond 2^-48 of the distance for curved
+    shapes, none at all for triangles, meshes and AABBs.
+    @return GPHYS_OK or GPHYS_NO_HIT"""
+    type_, shape_ = shape_of(shape)
+    ray_ = value_of(ray, low.Ray)
+    out_hit = low.Hit()
+    return (out_hit) if found(low.gphys_shape_raycast(type_, shape_.address, ray_.address, ctypes.byref(out_hit))) else None
+
+
+def raycast_batch(shape: Shape, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    """The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
+    element.  @return GPHYS_OK"""
+    type_, shape_ = shape_of(shape)
+    rays_ = array_of(rays, low.ray_dtype)
+    count = common_length(rays_)
+    out_ = result_array(out, count, low.hit_dtype)
+    check(low.gphys_shape_raycast_batch(type_, shape_.address, rays_.address, rays_.stride, count, out_.address, out_.stride))
+    return out_.array
+
+
+def segment_test(shape: Shape, segment: low.Segment | Sequence) -> low.Hit | None:
+    """First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
+    A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+    then is met from no direction, the normal is zero.
+    @return GPHYS_OK or GPHYS_NO_HIT"""
+    type_, shape_ = shape_of(shape)
+    segment_ = value_of(segment, low.Segment)
+    out_hit = low.Hit()
+    return (out_hit) if found(low.gphys_shape_segment_test(type_, shape_.address, segment_.address, ctypes.byref(out_hit))) else None
+
+
+def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence) -> low.Hit | None:
+    """First contact of a sphere that moves by displacement (which may be zero) with a sphere,
+    capsule, AABB, OBB, plane, triangle, frustum or mesh.
+    @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
+                    the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
+                    and where the centre itself is in a solid, the normal is opposite to the
+                    displacement (zero if that is zero).
+    Cost: a frustum, approached step by step, takes about 10 us.
+    @return GPHYS_OK or GPHYS_NO_HIT"""
+    type_, shape_ = shape_of(shape)
+    sphere_ = value_of(sphere, low.Sphere)
+    displacement_ = value_of(displacement, low.Vec3)
+    out_hit = low.Hit()
+    return (out_hit) if found(low.gphys_shape_sweep_sphere(type_, shape_.address, sphere_.address, displacement_.address, ctypes.byref(out_hit))) else None
+
+
+def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
+    """The eight corners, each the intersection of three planes: near then far, each in the order
+    left-bottom, right-bottom, right-top, left-top.
+    @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)"""
+    frustum_ = value_of(frustum, low.Frustum)
+    out_corners = np.empty(8, low.vec3_dtype)
+    return (out_corners) if found(low.gphys_frustum_corners(frustum_.address, out_corners.ctypes.data)) else None
+
+
+def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, reverse_z: int) -> low.Frustum:
+    """The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
+    origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
+    @param reverse_z  0: near has the low depth; 1: near has the high depth
+    @return GPHYS_ERROR_SINGULAR if the matrix has no volume"""
+    view_projection_ = value_of(view_projection, low.Mat4)
+    out_frustum = low.Frustum()
+    check(low.gphys_frustum_from_matrix(view_projection_.address, depth_range, reverse_z, ctypes.byref(out_frustum)))
+    return out_frustum
+
+
+def mesh_check(vertices: ArrayLike, indices: ArrayLike) -> low.MeshReport:
+    """Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
+    @param vertices       vertex_count elements of 3 floats
+    @param vertex_stride  bytes between vertices, at least 12
+    @param indices        index_count numbers, three for each triangle"""
+    vertices_ = array_of(vertices, "<f4", 3)
+    indices_ = array_of(indices, "<u4")
+    out_report = low.MeshReport()
+    check(low.gphys_mesh_check(vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(out_report)))
+    return out_report

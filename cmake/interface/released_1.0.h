@@ -1,0 +1,1076 @@
+/* gamephys: a 3D scene library behind a stable C interface.
+ *
+ * Shapes and meshes in a scene, rays and overlaps asked of it, a camera that culls and picks,
+ * and particles, ropes and cloth that move through it.
+ *
+ * CONVENTIONS, true of every function below unless its own comment says otherwise
+ *
+ * Units      Metres, seconds, kilograms, radians. Numbers are float32; answers are computed in
+ *            double precision (exact arithmetic where the sign decides) and rounded once.
+ * Range      Every coordinate, size and offset is finite and at most GPHYS_MAX_COORDINATE in
+ *            magnitude. A quaternion's length is within 1e-3 of one; it stands for the exact
+ *            rotation of its direction, so its length never scales anything.
+ * Axes       The scene is neither left- nor right-handed and knows no "up"; gravity and a
+ *            camera's handedness are settings.
+ * Matrices   16 floats; element (row, column) is m[4 * column + row] for column vectors. This is
+ *            the memory order of OpenGL's column-major and DirectX's row-major, so both take it.
+ * Pixels     (0, 0) is the top-left corner of the viewport; the centre of the first pixel is
+ *            (0.5, 0.5). x goes right, y goes down.
+ * Shapes     Sphere, capsule, AABB, OBB and frustum are solid; plane, triangle and mesh are
+ *            surfaces; ray and segment are lines. All sets are closed: touching counts as true.
+ *            There is no hidden tolerance: where one is useful it is a parameter.
+ * Rays       The direction may have any non-zero length; t counts in multiples of it, and a hit
+ *            has 0 <= t <= t_max. A ray that starts inside a solid hits at t = 0 with
+ *            GPHYS_HIT_INSIDE set and the normal opposite to the direction.
+ * Ties       Equal t or equal distance: the lower id (as an unsigned number), then the lower
+ *            triangle index wins. Lists are in the order that their function states. The same
+ *            inputs give the same bits.
+ *
+ * Status     A function that can fail returns gphys_status: GPHYS_OK is 0, an outcome that is not
+ *            an error (no hit, list cut short) is positive, an error is negative. On an error
+ *            outputs are untouched and the object is unchanged; gphys_last_error() explains it.
+ *            The checks are the same in every build. The library never prints, aborts or throws.
+ * Handles    gphys_mesh, gphys_scene, gphys_camera and gphys_solver belong to the caller:
+ *            create / destroy; destroying NULL does nothing.
+ * Ids        uint32_t, 0 is none. A removed id stays invalid: a slot is reused last-removed-last
+ *            and with another generation, so an old id can come back only after its slot was
+ *            reused 255 times.
+ * Descs      Structs named *_desc start with struct_size. Fill one with its *_desc_init function,
+ *            passing sizeof; then change fields. They grow at the end in later releases, old
+ *            clients keep working. All other structs never change.
+ * Lists      (out, capacity, out_total): writes at most capacity elements and the full number to
+ *            *out_total. capacity 0 with out NULL only counts. GPHYS_INCOMPLETE when
+ *            *out_total > capacity; which elements are kept is stated, never arbitrary.
+ * Batches    (array, stride, ..., count): stride is the distance between elements in bytes; 0
+ *            stands for one element used throughout. An input stride must be 0 or at least the
+ *            element's size, an output stride at least the element's size, both multiples of 4.
+ *            All elements are checked before any output is written. Item i of a batch is bit for
+ *            bit what the single call would give.
+ * Memory     Queries allocate nothing. Nothing that the library returns has to be freed except
+ *            handles. Arrays are copied in and copied out, never kept.
+ * Threads    Different objects: any threads. One object: functions that take it as const may run
+ *            at the same time, all others need the caller's lock. No thread is ever started and
+ *            no lock is held.
+ */
+#ifndef GAMEPHYS_C_H
+#define GAMEPHYS_C_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifndef GPHYS_API
+#if defined(_WIN32) && !defined(GAMEPHYS_STATIC)
+#ifdef GAMEPHYS_BUILD
+#define GPHYS_API __declspec(dllexport)
+#else
+#define GPHYS_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__) && defined(GAMEPHYS_BUILD)
+#define GPHYS_API __attribute__((visibility("default")))
+#else
+#define GPHYS_API
+#endif
+#endif
+
+#define GPHYS_VERSION_MAJOR 1
+#define GPHYS_VERSION_MINOR 0
+#define GPHYS_VERSION_PATCH 0
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------------------------------
+ * Status and version
+ * ------------------------------------------------------------------------------------------ */
+
+typedef int32_t gphys_status;
+enum {
+    GPHYS_OK = 0,
+    GPHYS_NO_HIT = 1,                  /* the query found nothing; outputs untouched */
+    GPHYS_INCOMPLETE = 2,              /* more results than the caller's array holds */
+    GPHYS_UNBOUNDED = 3,               /* the answer is infinite (bounds of a plane); outputs untouched */
+    GPHYS_ERROR_INVALID_ARGUMENT = -1, /* null, NaN, infinite, out of range, wrong stride, ... */
+    GPHYS_ERROR_INVALID_ID = -2,       /* no such model, body or constraint, or no longer */
+    GPHYS_ERROR_STRUCT_SIZE = -3,      /* a desc not initialised, or newer than this library */
+    GPHYS_ERROR_OUT_OF_MEMORY = -4,
+    GPHYS_ERROR_CAPACITY = -5,    /* more than 2^24 - 1 models or bodies */
+    GPHYS_ERROR_CYCLE = -6,       /* a model would become its own ancestor */
+    GPHYS_ERROR_UNSUPPORTED = -7, /* the operation has no meaning for this kind of shape */
+    GPHYS_ERROR_SINGULAR = -8,    /* a matrix without an inverse */
+    GPHYS_ERROR_INTERNAL = -100   /* a defect of the library; please report it */
+};
+
+/** Version of the loaded library as major << 16 | minor << 8 | patch. Threads: any. */
+GPHYS_API uint32_t gphys_version(void);
+
+/** Name of a status, such as "GPHYS_NO_HIT"; "unknown" for other values. Static string, never
+ *  NULL. Threads: any. */
+GPHYS_API const char* gphys_status_name(gphys_status status);
+
+/** What the last failed call on this thread objected to: one English sentence, UTF-8, at most 255
+ *  bytes, empty before the first error. The text is overwritten by the next error on this thread
+ *  and kept by successful calls. Threads: each has its own. */
+GPHYS_API const char* gphys_last_error(void);
+
+/** Memory functions for one object and everything in it. Both are called on the thread that calls
+ *  the library, possibly from several threads if the objects that share it are used so.
+ *  allocate returns NULL on failure (reported as GPHYS_ERROR_OUT_OF_MEMORY, nothing changed);
+ *  release gets the same size and alignment again. The struct is copied at creation. */
+typedef struct gphys_allocator {
+    void* (*allocate)(void* user, size_t size, size_t alignment);
+    void (*release)(void* user, void* memory, size_t size, size_t alignment);
+    void* user;
+} gphys_allocator;
+
+/* ------------------------------------------------------------------------------------------
+ * Values. Frozen: their layout never changes. All fields are four bytes wide.
+ * ------------------------------------------------------------------------------------------ */
+
+typedef struct gphys_vec3 {
+    float x, y, z;
+} gphys_vec3;
+
+typedef struct gphys_quat {
+    float x, y, z, w; /* rotation of angle a about unit axis n: (n sin(a/2), cos(a/2)) */
+} gphys_quat;
+
+typedef struct gphys_mat4 {
+    float m[16]; /* element (row, column) is m[4 * column + row] */
+} gphys_mat4;
+
+/** x -> position + rotation * (scale * x); scale > 0. */
+typedef struct gphys_transform {
+    gphys_vec3 position;
+    gphys_quat rotation;
+    float scale;
+} gphys_transform;
+
+typedef struct gphys_ray {
+    gphys_vec3 origin;
+    gphys_vec3 direction; /* any non-zero length */
+    float t_max;          /* >= 0, in multiples of direction; INFINITY allowed */
+} gphys_ray;
+
+typedef struct gphys_segment {
+    gphys_vec3 a, b; /* may coincide: a point */
+} gphys_segment;
+
+typedef struct gphys_sphere {
+    gphys_vec3 center;
+    float radius; /* >= 0 */
+} gphys_sphere;
+
+/** All points within radius of the segment a b. */
+typedef struct gphys_capsule {
+    gphys_vec3 a, b; /* may coincide: a sphere */
+    float radius;    /* >= 0 */
+} gphys_capsule;
+
+typedef struct gphys_aabb {
+    gphys_vec3 min, max; /* min <= max on each axis; equality gives a flat box */
+} gphys_aabb;
+
+typedef struct gphys_obb {
+    gphys_vec3 center;
+    gphys_vec3 half_extents; /* >= 0, along the axes of rotation */
+    gphys_quat rotation;
+} gphys_obb;
+
+/** The points x with dot(normal, x) = distance. The normal points to the front; it need not be
+ *  exactly unit: signed distances are divided by its length (for a unit normal, distance is the
+ *  plane's distance from the origin). distance divided by that length is within the range of
+ *  coordinates too. */
+typedef struct gphys_plane {
+    gphys_vec3 normal; /* not zero */
+    float distance;
+} gphys_plane;
+
+/** May be degenerate: then it is the segment or point that its corners span. The normal is that
+ *  of cross(b - a, c - a). */
+typedef struct gphys_triangle {
+    gphys_vec3 a, b, c;
+} gphys_triangle;
+
+/** The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
+ *  which look inward, in the order of gphys_frustum_plane. Distances count from origin, so that a
+ *  frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1. */
+typedef struct gphys_frustum {
+    gphys_vec3 origin;
+    gphys_plane planes[6];
+} gphys_frustum;
+
+enum {
+    GPHYS_FRUSTUM_NEAR = 0,
+    GPHYS_FRUSTUM_FAR = 1,
+    GPHYS_FRUSTUM_LEFT = 2,
+    GPHYS_FRUSTUM_RIGHT = 3,
+    GPHYS_FRUSTUM_BOTTOM = 4,
+    GPHYS_FRUSTUM_TOP = 5
+};
+
+#define GPHYS_MAX_COORDINATE 1e15f
+#define GPHYS_NO_TRIANGLE 0xffffffffu
+#define GPHYS_ALL_LAYERS 0xffffffffu
+
+enum {
+    GPHYS_HIT_INSIDE = 1, /* the ray or the swept sphere started inside or touching: t is 0 */
+    GPHYS_HIT_BACK = 2    /* a surface was met from behind its normal */
+};
+
+/** Where a ray, segment or swept sphere first meets something. */
+typedef struct gphys_hit {
+    uint32_t model;    /* id of the model, 0 when the query was not of a scene */
+    uint32_t tag;      /* the model's tag, 0 likewise */
+    float t;           /* 0 .. t_max; along a segment or sweep 0 .. 1 */
+    gphys_vec3 point;  /* where the surfaces meet */
+    gphys_vec3 normal; /* unit, against the motion: dot(normal, direction) <= 0 */
+    uint32_t triangle; /* index within a mesh, else GPHYS_NO_TRIANGLE */
+    float u, v;        /* barycentric weights of b and c of a triangle, else 0 */
+    uint32_t flags;    /* GPHYS_HIT_... */
+} gphys_hit;
+
+/** The closest point of something to a given point. */
+typedef struct gphys_nearest {
+    uint32_t model; /* as in gphys_hit */
+    uint32_t tag;
+    gphys_vec3 point;  /* equal to the query point when that is inside a solid */
+    float distance;    /* 0 inside a solid */
+    uint32_t triangle; /* index within a mesh, else GPHYS_NO_TRIANGLE */
+} gphys_nearest;
+
+/** Says which struct a `const void* shape` points to. */
+typedef int32_t gphys_shape_type;
+enum {
+    GPHYS_SHAPE_SPHERE = 1,   /* gphys_sphere */
+    GPHYS_SHAPE_CAPSULE = 2,  /* gphys_capsule */
+    GPHYS_SHAPE_AABB = 3,     /* gphys_aabb */
+    GPHYS_SHAPE_OBB = 4,      /* gphys_obb */
+    GPHYS_SHAPE_PLANE = 5,    /* gphys_plane */
+    GPHYS_SHAPE_TRIANGLE = 6, /* gphys_triangle */
+    GPHYS_SHAPE_FRUSTUM = 7,  /* gphys_frustum */
+    GPHYS_SHAPE_MESH = 8,     /* gphys_mesh: the handle itself */
+    GPHYS_SHAPE_RAY = 16,     /* gphys_ray */
+    GPHYS_SHAPE_SEGMENT = 17  /* gphys_segment */
+};
+
+typedef struct gphys_mesh gphys_mesh;
+typedef struct gphys_scene gphys_scene;
+typedef struct gphys_camera gphys_camera;
+typedef struct gphys_solver gphys_solver;
+
+/* ------------------------------------------------------------------------------------------
+ * Shapes: questions about single primitives and meshes, without a scene.
+ * A shape is passed as its type and a pointer to its struct. Meshes are taken in their own
+ * coordinates. Cost: 5 to 500 ns for primitives, 0.5 to 20 us for overlaps of frusta, O(log n + k)
+ * expected for meshes of n triangles. No allocation. Threads: any, everything is const.
+ * ------------------------------------------------------------------------------------------ */
+
+/** Whether the shape fulfils the ranges beside its struct.
+ *  @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field. */
+GPHYS_API gphys_status gphys_shape_validate(gphys_shape_type type, const void* shape);
+
+/** The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
+ *  @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
+ *          and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum */
+GPHYS_API gphys_status gphys_shape_bounds(gphys_shape_type type, const void* shape, gphys_aabb* out_bounds);
+
+/** Move a shape. Error: each float of the result within 1 ulp of its largest coordinate.
+ *  @param out_shape  same struct as shape, except that an AABB becomes a gphys_obb; may be shape
+ *                    itself where the types agree. A ray's t_max is kept (its direction scales).
+ *  @return GPHYS_ERROR_UNSUPPORTED for a mesh; GPHYS_ERROR_INVALID_ARGUMENT if the result leaves
+ *          the range of coordinates. */
+GPHYS_API gphys_status gphys_shape_transform(gphys_shape_type type, const void* shape, const gphys_transform* transform,
+                                             void* out_shape);
+
+/** Whether the point is within tolerance metres of the shape (solid or surface).
+ *  With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+ *  axes are those of its rotation in double precision).
+ *  @param tolerance  >= 0
+ *  @param out_contains  0 or 1 */
+GPHYS_API gphys_status gphys_shape_contains(gphys_shape_type type, const void* shape, const gphys_vec3* point,
+                                            float tolerance, int32_t* out_contains);
+GPHYS_API gphys_status gphys_shape_contains_batch(gphys_shape_type type, const void* shape, const gphys_vec3* points,
+                                                  uint32_t point_stride, uint32_t count, float tolerance,
+                                                  int32_t* out_contains, uint32_t out_stride);
+
+/** The point of the shape that is closest to the given point: the point itself inside a solid.
+ *  Error: 1 ulp of the largest coordinate per axis. If several are equally close, one of them,
+ *  always the same. For a ray, t is limited by t_max.
+ *  @return GPHYS_NO_HIT only for an empty mesh or an empty frustum. */
+GPHYS_API gphys_status gphys_shape_closest_point(gphys_shape_type type, const void* shape, const gphys_vec3* point,
+                                                 gphys_nearest* out_nearest);
+/** The same for count points. An element for which there is none gets distance INFINITY. */
+GPHYS_API gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* shape,
+                                                       const gphys_vec3* points, uint32_t point_stride, uint32_t count,
+                                                       gphys_nearest* out_nearest, uint32_t out_stride);
+
+/** The closest points of two segments and their distance. Parallel segments have many: the first
+ *  along a, always the same. out_a, out_b, out_distance may each be NULL. */
+GPHYS_API gphys_status gphys_segment_closest_points(const gphys_segment* a, const gphys_segment* b, gphys_vec3* out_a,
+                                                    gphys_vec3* out_b, float* out_distance);
+
+/** Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
+ *  triangle, frustum and mesh, in either order.
+ *  A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+ *  Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
+ *  precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
+ *  @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test). */
+GPHYS_API gphys_status gphys_shape_overlaps(gphys_shape_type a_type, const void* a, gphys_shape_type b_type,
+                                            const void* b, int32_t* out_overlaps);
+/** Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0. */
+GPHYS_API gphys_status gphys_shape_overlaps_batch(gphys_shape_type a_type, const void* a, uint32_t a_stride,
+                                                  gphys_shape_type b_type, const void* b, uint32_t b_stride,
+                                                  uint32_t count, int32_t* out_overlaps, uint32_t out_stride);
+
+/** On which side something is of a plane or a frustum. */
+typedef int32_t gphys_side;
+enum {
+    GPHYS_SIDE_OUTSIDE = -1, /* wholly behind the plane, wholly outside the frustum */
+    GPHYS_SIDE_CROSSING = 0, /* touches or crosses the boundary */
+    GPHYS_SIDE_INSIDE = 1    /* wholly in front of the plane, wholly inside the frustum */
+};
+
+/** Classify a sphere, capsule, AABB, OBB or triangle against a plane.
+ *  @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
+ *                              behind, 0 when crossing; may be NULL */
+GPHYS_API gphys_status gphys_shape_classify_plane(gphys_shape_type type, const void* shape, const gphys_plane* plane,
+                                                  gphys_side* out_side, float* out_signed_distance);
+
+/** Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
+ *  that no point is shared, inside that the frustum holds the whole shape. */
+GPHYS_API gphys_status gphys_shape_classify_frustum(gphys_shape_type type, const void* shape,
+                                                    const gphys_frustum* frustum, gphys_side* out_side);
+
+/** First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
+ *  Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
+ *  shared edge or vertex always meets one of the triangles there.
+ *  Error: t within 1 ulp; no false miss and no false hit beyond 2^-48 of the distance for curved
+ *  shapes, none at all for triangles, meshes and AABBs.
+ *  @return GPHYS_OK or GPHYS_NO_HIT */
+GPHYS_API gphys_status gphys_shape_raycast(gphys_shape_type type, const void* shape, const gphys_ray* ray,
+                                           gphys_hit* out_hit);
+/** The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
+ *  element.  @return GPHYS_OK */
+GPHYS_API gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape, const gphys_ray* rays,
+                                                 uint32_t ray_stride, uint32_t count, gphys_hit* out_hits,
+                                                 uint32_t out_stride);
+
+/** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
+ *  A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+ *  then is met from no direction, the normal is zero.
+ *  @return GPHYS_OK or GPHYS_NO_HIT */
+GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const void* shape, const gphys_segment* segment,
+                                                gphys_hit* out_hit);
+
+/** First contact of a sphere that moves by displacement (which may be zero) with a sphere,
+ *  capsule, AABB, OBB, plane, triangle, frustum or mesh.
+ *  @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
+ *                  the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
+ *                  and where the centre itself is in a solid, the normal is opposite to the
+ *                  displacement (zero if that is zero).
+ *  Cost: a frustum, approached step by step, takes about 10 us.
+ *  @return GPHYS_OK or GPHYS_NO_HIT */
+GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void* shape, const gphys_sphere* sphere,
+                                                const gphys_vec3* displacement, gphys_hit* out_hit);
+
+/** The eight corners, each the intersection of three planes: near then far, each in the order
+ *  left-bottom, right-bottom, right-top, left-top.
+ *  @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane) */
+GPHYS_API gphys_status gphys_frustum_corners(const gphys_frustum* frustum, gphys_vec3 out_corners[8]);
+
+/** Depth range of clip space. */
+typedef int32_t gphys_depth_range;
+enum {
+    GPHYS_DEPTH_ZERO_TO_ONE = 0,     /* DirectX, Vulkan, Metal, WebGPU */
+    GPHYS_DEPTH_MINUS_ONE_TO_ONE = 1 /* OpenGL, WebGL */
+};
+
+/** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
+ *  origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
+ *  @param reverse_z  0: near has the low depth; 1: near has the high depth
+ *  @return GPHYS_ERROR_SINGULAR if the matrix has no volume */
+GPHYS_API gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_depth_range depth_range,
+                                                 int32_t reverse_z, gphys_frustum* out_frustum);
+
+/* ------------------------------------------------------------------------------------------
+ * Mesh: a triangle surface with its own tree. Immutable, so one mesh can serve many models,
+ * scenes and threads. It is a shape: gphys_shape_* functions take it as GPHYS_SHAPE_MESH.
+ * ------------------------------------------------------------------------------------------ */
+
+/** What is in a triangle array. Frozen. */
+typedef struct gphys_mesh_report {
+    uint32_t triangle_count;
+    uint32_t degenerate_count;   /* triangles of exactly zero area */
+    uint32_t first_degenerate;   /* index of the first, or GPHYS_NO_TRIANGLE */
+    uint32_t out_of_range_count; /* triangles with an index >= vertex_count */
+    uint32_t first_out_of_range;
+    uint32_t bad_vertex_count; /* vertices that are not finite or beyond GPHYS_MAX_COORDINATE */
+    uint32_t first_bad_vertex; /* or 0xffffffff */
+    uint32_t open_edge_count;  /* edges that do not join exactly two triangles; 0 for a closed mesh */
+} gphys_mesh_report;
+
+/** Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
+ *  @param vertices       vertex_count elements of 3 floats
+ *  @param vertex_stride  bytes between vertices, at least 12
+ *  @param indices        index_count numbers, three for each triangle */
+GPHYS_API gphys_status gphys_mesh_check(const float* vertices, uint32_t vertex_stride, uint32_t vertex_count,
+                                        const uint32_t* indices, uint32_t index_count, gphys_mesh_report* out_report);
+
+typedef struct gphys_mesh_desc {
+    uint32_t struct_size;
+    const gphys_allocator* allocator; /* NULL: the C++ runtime's */
+} gphys_mesh_desc;
+
+/** Fill a desc with the defaults. size is sizeof(gphys_mesh_desc) of the caller. */
+GPHYS_API gphys_status gphys_mesh_desc_init(gphys_mesh_desc* desc, uint32_t size);
+
+/** Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
+ *  segments or points that they are, and counted in the report. 0 triangles are allowed.
+ *  @param desc  may be NULL
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
+ *          multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+ *  Cost: O(n log n), about 1 us per triangle. */
+GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertices, uint32_t vertex_stride,
+                                         uint32_t vertex_count, const uint32_t* indices, uint32_t index_count,
+                                         gphys_mesh** out_mesh);
+
+/** Give up the caller's hold. Models that use the mesh keep it alive as long as they exist. */
+GPHYS_API void gphys_mesh_destroy(gphys_mesh* mesh);
+
+/** What the mesh was built from. */
+GPHYS_API gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report);
+/** Copy the vertices out; in their original order. */
+GPHYS_API gphys_status gphys_mesh_get_vertices(const gphys_mesh* mesh, gphys_vec3* out_vertices, uint32_t capacity,
+                                               uint32_t* out_total);
+/** Copy the indices out; in their original order. */
+GPHYS_API gphys_status gphys_mesh_get_indices(const gphys_mesh* mesh, uint32_t* out_indices, uint32_t capacity,
+                                              uint32_t* out_total);
+
+/** All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
+ *  Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits) */
+GPHYS_API gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray, gphys_hit* out_hits,
+                                              uint32_t capacity, uint32_t* out_total);
+
+/** Whether a ray hits anything; cheaper than the closest hit. */
+GPHYS_API gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray, int32_t* out_hit);
+
+/** Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+ *  ascending. Kept when the array is too small: the lowest. */
+GPHYS_API gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, const void* shape,
+                                          uint32_t* out_triangles, uint32_t capacity, uint32_t* out_total);
+
+/** How an octree is made up. Frozen. */
+typedef struct gphys_octree_stats {
+    uint32_t item_count;      /* models or triangles in the tree */
+    uint32_t unbounded_count; /* models of infinite extent, kept beside the tree */
+    uint32_t node_count;
+    uint32_t leaf_count;
+    uint32_t depth;        /* levels; 0 when empty */
+    uint32_t rebuilds;     /* times it was rebuilt as a whole since creation */
+    float cost;            /* expected node and item tests of a random ray that meets the root box */
+    uint32_t memory_bytes; /* of the tree; saturates at 2^32 - 1 */
+} gphys_octree_stats;
+
+/** One box of an octree, for drawing. Frozen. */
+typedef struct gphys_octree_box {
+    gphys_aabb bounds;
+    uint32_t depth;      /* 0 is the root */
+    uint32_t item_count; /* 0 for an inner node */
+} gphys_octree_box;
+
+/** Cost: O(nodes). */
+GPHYS_API gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_stats* out_stats);
+/** Boxes of the tree, each parent before its children. Kept when too many: the first. */
+GPHYS_API gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys_octree_box* out_boxes,
+                                                   uint32_t capacity, uint32_t* out_total);
+
+/* ------------------------------------------------------------------------------------------
+ * Scene: models (a shape or a shared mesh, placed by a transform) in an octree that keeps itself
+ * up to date: each change is seen by the next query.
+ *
+ * A model's transform is relative to its parent, to the world without one. World transforms of
+ * children are computed in double precision and rounded to float32; queries are exact with
+ * respect to that rounded transform, which gphys_scene_get_world_transforms returns.
+ *
+ * In the world, a model's scale is from 1e-15 to 1e15 and its box within 2^52 of the origin. A
+ * change that would leave this range, for the model or for a descendant, is refused with
+ * GPHYS_ERROR_INVALID_ARGUMENT.
+ * ------------------------------------------------------------------------------------------ */
+
+typedef uint32_t gphys_model_id;
+
+typedef struct gphys_scene_desc {
+    uint32_t struct_size;
+    const gphys_allocator* allocator; /* NULL: the C++ runtime's */
+    uint32_t reserve_models;          /* models to make room for at once; 0 */
+} gphys_scene_desc;
+
+GPHYS_API gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t size);
+/** @param desc  may be NULL */
+GPHYS_API gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_scene);
+GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
+
+typedef struct gphys_model_desc {
+    uint32_t struct_size;
+    gphys_model_id parent; /* 0: none */
+    uint32_t layers;       /* a query with mask m sees the model if layers & m; default 1 */
+    uint32_t tag;          /* any number of the caller's, returned with each hit; 0 */
+} gphys_model_desc;
+
+GPHYS_API gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t size);
+
+/** Add a model.
+ *  @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
+ *  @param shape      in the model's own coordinates
+ *  @param transform  local; NULL is the identity
+ *  @param desc       NULL: no parent, layer 1, tag 0
+ *  @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
+ *          GPHYS_ERROR_CAPACITY
+ *  Cost: O(log n) amortised. */
+GPHYS_API gphys_status gphys_scene_add(gphys_scene* scene, gphys_shape_type type, const void* shape,
+                                       const gphys_transform* transform, const gphys_model_desc* desc,
+                                       gphys_model_id* out_model);
+
+/** Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
+ *  needs shape_stride 0). transforms may be NULL. out_models has count elements. */
+GPHYS_API gphys_status gphys_scene_add_batch(gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                             uint32_t shape_stride, const gphys_transform* transforms,
+                                             uint32_t transform_stride, uint32_t count, const gphys_model_desc* desc,
+                                             gphys_model_id* out_models);
+
+/** Remove a model. Its children stay where they are in the world and lose their parent. */
+GPHYS_API gphys_status gphys_scene_remove(gphys_scene* scene, gphys_model_id model);
+/** Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID. */
+GPHYS_API gphys_status gphys_scene_remove_batch(gphys_scene* scene, const gphys_model_id* models, uint32_t count);
+/** Remove a model and all its descendants. */
+GPHYS_API gphys_status gphys_scene_remove_subtree(gphys_scene* scene, gphys_model_id model);
+/** Remove all. Ids given out before stay invalid. */
+GPHYS_API gphys_status gphys_scene_clear(gphys_scene* scene);
+
+/** GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID. */
+GPHYS_API gphys_status gphys_scene_has(const gphys_scene* scene, gphys_model_id model);
+/** Ids of all models, ascending. Kept when too many: the lowest. */
+GPHYS_API gphys_status gphys_scene_get_models(const gphys_scene* scene, gphys_model_id* out_models, uint32_t capacity,
+                                              uint32_t* out_total);
+
+/** What a model is. Frozen. */
+typedef struct gphys_model_info {
+    gphys_shape_type type;
+    gphys_model_id parent; /* 0: none */
+    uint32_t layers;
+    uint32_t tag;
+    uint32_t child_count; /* direct children */
+} gphys_model_info;
+
+/** Kind, parent, layers, tag and number of children of a model. */
+GPHYS_API gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model, gphys_model_info* out_info);
+/** Copy a model's shape, in its own coordinates, to out_shape, which has room for the struct of
+ *  its type: out_size is that room in bytes. For a mesh GPHYS_ERROR_UNSUPPORTED. */
+GPHYS_API gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id model, void* out_shape,
+                                             uint32_t out_size);
+/** World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position. */
+GPHYS_API gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id model, gphys_aabb* out_bounds);
+/** World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out. */
+GPHYS_API gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds);
+
+/** Change which queries see a model, or what its hits report. Children are not affected. */
+GPHYS_API gphys_status gphys_scene_set_layers(gphys_scene* scene, gphys_model_id model, uint32_t layers);
+GPHYS_API gphys_status gphys_scene_set_tag(gphys_scene* scene, gphys_model_id model, uint32_t tag);
+
+/** Hang a model below another one, or below none (0).
+ *  @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
+ *                     changed so that the world transform stays (within float32 rounding)
+ *  @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants */
+GPHYS_API gphys_status gphys_scene_set_parent(gphys_scene* scene, gphys_model_id model, gphys_model_id parent,
+                                              int32_t keep_world);
+
+/** Set one local transform. Descendants follow. Cost: O(log n) for each model that moves. */
+GPHYS_API gphys_status gphys_scene_set_transform(gphys_scene* scene, gphys_model_id model,
+                                                 const gphys_transform* transform);
+/** Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+ *  that moves when few move, O(n) when many do. */
+GPHYS_API gphys_status gphys_scene_set_transforms(gphys_scene* scene, const gphys_model_id* models,
+                                                  const gphys_transform* transforms, uint32_t transform_stride,
+                                                  uint32_t count);
+GPHYS_API gphys_status gphys_scene_get_transforms(const gphys_scene* scene, const gphys_model_id* models,
+                                                  uint32_t count, gphys_transform* out_transforms, uint32_t out_stride);
+GPHYS_API gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene, const gphys_model_id* models,
+                                                        uint32_t count, gphys_transform* out_transforms,
+                                                        uint32_t out_stride);
+
+/* Queries. `layers` is a mask, GPHYS_ALL_LAYERS sees everything. All of them are const, allocate
+ * nothing and take O(log n + k) expected. The batch forms answer item i as the single call does;
+ * where that would return GPHYS_NO_HIT the element gets model = 0, t or distance = INFINITY and
+ * zeros, and the batch returns GPHYS_OK. */
+
+/** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+ *  @return GPHYS_OK or GPHYS_NO_HIT */
+GPHYS_API gphys_status gphys_scene_raycast(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
+                                           gphys_hit* out_hit);
+GPHYS_API gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
+                                                 uint32_t count, uint32_t layers, gphys_hit* out_hits,
+                                                 uint32_t out_stride);
+
+/** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit. */
+GPHYS_API gphys_status gphys_scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
+                                               int32_t* out_hit);
+GPHYS_API gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* rays,
+                                                     uint32_t ray_stride, uint32_t count, uint32_t layers,
+                                                     int32_t* out_hits, uint32_t out_stride);
+
+/** Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
+ *  the first. */
+GPHYS_API gphys_status gphys_scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
+                                               gphys_hit* out_hits, uint32_t capacity, uint32_t* out_total);
+/** The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+ *  @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
+ *                      room. Where a ray's range crosses capacity, its first hits are written.
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity */
+GPHYS_API gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* rays,
+                                                     uint32_t ray_stride, uint32_t count, uint32_t layers,
+                                                     gphys_hit* out_hits, uint32_t capacity, uint32_t* out_offsets);
+
+/** Closest model along a segment from a to b, both included; t in 0..1. */
+GPHYS_API gphys_status gphys_scene_segment_test(const gphys_scene* scene, const gphys_segment* segment, uint32_t layers,
+                                                gphys_hit* out_hit);
+GPHYS_API gphys_status gphys_scene_segment_test_batch(const gphys_scene* scene, const gphys_segment* segments,
+                                                      uint32_t segment_stride, uint32_t count, uint32_t layers,
+                                                      gphys_hit* out_hits, uint32_t out_stride);
+
+/** Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+ *  ascending. Kept when too many: the lowest. */
+GPHYS_API gphys_status gphys_scene_overlap(const gphys_scene* scene, gphys_shape_type type, const void* shape,
+                                           uint32_t layers, gphys_model_id* out_models, uint32_t capacity,
+                                           uint32_t* out_total);
+/** Offsets as in gphys_scene_raycast_all_batch. */
+GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                                 uint32_t shape_stride, uint32_t count, uint32_t layers,
+                                                 gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets);
+
+/** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
+ *  own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
+ *  per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
+ *  too many: the lowest. */
+GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
+                                        gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
+
+/** The model nearest to a point, and its closest point.
+ *  @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+ *  @return GPHYS_OK or GPHYS_NO_HIT */
+GPHYS_API gphys_status gphys_scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance,
+                                           uint32_t layers, gphys_nearest* out_nearest);
+GPHYS_API gphys_status gphys_scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* points,
+                                                 uint32_t point_stride, uint32_t count, float max_distance,
+                                                 uint32_t layers, gphys_nearest* out_nearest, uint32_t out_stride);
+
+/** First model that a sphere touches while it moves by displacement; t in 0..1.
+ *  Fields as in gphys_shape_sweep_sphere. */
+GPHYS_API gphys_status gphys_scene_sweep_sphere(const gphys_scene* scene, const gphys_sphere* sphere,
+                                                const gphys_vec3* displacement, uint32_t layers, gphys_hit* out_hit);
+GPHYS_API gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, const gphys_sphere* spheres,
+                                                      uint32_t sphere_stride, const gphys_vec3* displacements,
+                                                      uint32_t displacement_stride, uint32_t count, uint32_t layers,
+                                                      gphys_hit* out_hits, uint32_t out_stride);
+
+/** Cost: O(nodes). */
+GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);
+/** Boxes of the tree, each parent before its children. Kept when too many: the first. */
+GPHYS_API gphys_status gphys_scene_get_octree_boxes(const gphys_scene* scene, gphys_octree_box* out_boxes,
+                                                    uint32_t capacity, uint32_t* out_total);
+
+/** Check the scene's own structure: every model once in the tree, every box around its content,
+ *  parents and children in agreement, free slots free. For tests; O(n).
+ *  @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong */
+GPHYS_API gphys_status gphys_scene_validate(const gphys_scene* scene);
+
+/* ------------------------------------------------------------------------------------------
+ * Camera: projection, placement, orbit control, and what follows from them: matrices, frustum,
+ * culling, picking. It keeps its own state in double precision; a camera far from the origin is
+ * as exact as one at the origin.
+ *
+ * Defaults: left-handed, looking down +Z with +Y up and +X right, depth 0..1, perspective with a
+ * vertical field of view of 60 degrees, near 0.1, far 1000, viewport 800 x 600.
+ * ------------------------------------------------------------------------------------------ */
+
+typedef int32_t gphys_projection;
+enum { GPHYS_PROJECTION_PERSPECTIVE = 0, GPHYS_PROJECTION_ORTHOGRAPHIC = 1, GPHYS_PROJECTION_USER = 2 };
+
+typedef int32_t gphys_handedness;
+enum {
+    GPHYS_LEFT_HANDED = 0, /* looks along its own +Z */
+    GPHYS_RIGHT_HANDED = 1 /* looks along its own -Z */
+};
+
+typedef struct gphys_camera_desc {
+    uint32_t struct_size;
+    const gphys_allocator* allocator; /* NULL: the C++ runtime's */
+    gphys_handedness handedness;
+    gphys_depth_range depth_range;
+    int32_t reverse_z;    /* 1: near has the high depth, for float depth buffers */
+    float viewport_width; /* pixels, 1e-3 .. 1e6 */
+    float viewport_height;
+} gphys_camera_desc;
+
+GPHYS_API gphys_status gphys_camera_desc_init(gphys_camera_desc* desc, uint32_t size);
+/** @param desc  may be NULL */
+GPHYS_API gphys_status gphys_camera_create(const gphys_camera_desc* desc, gphys_camera** out_camera);
+GPHYS_API void gphys_camera_destroy(gphys_camera* camera);
+
+/** @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
+ *  @param near_distance  > 0
+ *  @param far_distance   > near_distance; INFINITY allowed */
+GPHYS_API gphys_status gphys_camera_set_perspective(gphys_camera* camera, float fov_y, float near_distance,
+                                                    float far_distance);
+/** @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+ *  @param near_distance, far_distance  far at least 1e-6 above near, which may be negative */
+GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float height, float near_distance,
+                                                     float far_distance);
+/** Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+ *  library's). It is not changed by gphys_camera_set_viewport.
+ *  @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
+ *          GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
+ *          the matrix is for another depth range */
+GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const gphys_mat4* projection);
+/** The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height. */
+GPHYS_API gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height);
+
+/** Place the camera. */
+GPHYS_API gphys_status gphys_camera_set_transform(gphys_camera* camera, const gphys_vec3* position,
+                                                  const gphys_quat* rotation);
+/** Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
+ *  kept, then up), so that a matrix which drifted is mended.
+ *  @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
+ *          they mirror or the last row is not 0 0 0 1 */
+GPHYS_API gphys_status gphys_camera_set_world_matrix(gphys_camera* camera, const gphys_mat4* world);
+/** Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
+ *  chosen in its place, always the same for the same input.
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero */
+GPHYS_API gphys_status gphys_camera_look_at(gphys_camera* camera, const gphys_vec3* eye, const gphys_vec3* target,
+                                            const gphys_vec3* up);
+
+/** Where the camera stands and how it is turned. */
+GPHYS_API gphys_status gphys_camera_get_transform(const gphys_camera* camera, gphys_vec3* out_position,
+                                                  gphys_quat* out_rotation);
+/** Camera to world. */
+GPHYS_API gphys_status gphys_camera_get_world_matrix(const gphys_camera* camera, gphys_mat4* out_world);
+/** World to camera: the transpose of the orthonormal world axes, and the position through them. */
+GPHYS_API gphys_status gphys_camera_get_view_matrix(const gphys_camera* camera, gphys_mat4* out_view);
+/** Camera to clip space. */
+GPHYS_API gphys_status gphys_camera_get_projection_matrix(const gphys_camera* camera, gphys_mat4* out_projection);
+/** Projection * view, multiplied in double precision and rounded once. */
+GPHYS_API gphys_status gphys_camera_get_view_projection_matrix(const gphys_camera* camera,
+                                                               gphys_mat4* out_view_projection);
+
+/** Orbit control: the camera circles a target. Inputs accumulate between updates in plain units;
+ *  nothing depends on the frame time or on how often update is called. Frozen. */
+typedef struct gphys_orbit {
+    gphys_vec3 target;
+    gphys_vec3 up;                    /* any non-zero length; pitch is measured against it */
+    float distance;                   /* metres from target, > 0 */
+    float yaw, pitch;                 /* radians; yaw 0 looks along the reference direction that is
+                                         perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
+                                         it; pitch > 0 looks down */
+    float radians_per_unit;           /* of gphys_camera_orbit_rotate */
+    float metres_per_unit;            /* of gphys_camera_orbit_zoom and _pan */
+    float min_distance, max_distance; /* 0 < min <= max; max INFINITY allowed */
+    float min_pitch, max_pitch;       /* within -pi/2 .. pi/2 */
+} gphys_orbit;
+
+/** Defaults: target 0, up +Y, distance 10, yaw and pitch 0, one radian and one metre per unit,
+ *  distance 0.01 .. INFINITY, pitch -89 .. 89 degrees. */
+GPHYS_API gphys_status gphys_orbit_init(gphys_orbit* orbit);
+/** Start orbiting with these settings; places the camera at once and drops pending input. An angle
+ *  or a distance outside its limits is brought inside. */
+GPHYS_API gphys_status gphys_camera_set_orbit(gphys_camera* camera, const gphys_orbit* orbit);
+/** The present settings, angles and distance.
+ *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit */
+GPHYS_API gphys_status gphys_camera_get_orbit(const gphys_camera* camera, gphys_orbit* out_orbit);
+/** Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size. */
+GPHYS_API gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float units_x, float units_y);
+/** Add input: come closer by units times metres_per_unit (go back if negative). */
+GPHYS_API gphys_status gphys_camera_orbit_zoom(gphys_camera* camera, float units);
+/** Add input: move the target to the camera's right and up, as the last update left them, by units
+ *  times metres_per_unit. */
+GPHYS_API gphys_status gphys_camera_orbit_pan(gphys_camera* camera, float units_right, float units_up);
+/** Apply the input since the last update, within the limits, and place the camera. Angles are
+ *  wrapped to -pi .. pi in constant time. The orbit's settings must have been set. */
+GPHYS_API gphys_status gphys_camera_orbit_update(gphys_camera* camera);
+
+/** The seen volume, with origin at the camera's position and planes from its parameters: each
+ *  number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double. */
+GPHYS_API gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphys_frustum* out_frustum);
+/** World positions of its corners, in the order of gphys_frustum_corners.
+ *  @return GPHYS_UNBOUNDED with an infinite far plane */
+GPHYS_API gphys_status gphys_camera_get_corners(const gphys_camera* camera, gphys_vec3 out_corners[8]);
+
+/** World point to pixel. x, y may lie outside the viewport; z is the depth in the camera's range.
+ *  @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
+ *          image lies beyond the range of coordinates */
+GPHYS_API gphys_status gphys_camera_project(const gphys_camera* camera, const gphys_vec3* point, gphys_vec3* out_pixel);
+/** The same for count points; a point without an image gets x = y = z = INFINITY. */
+GPHYS_API gphys_status gphys_camera_project_batch(const gphys_camera* camera, const gphys_vec3* points,
+                                                  uint32_t point_stride, uint32_t count, gphys_vec3* out_pixels,
+                                                  uint32_t out_stride);
+/** Pixel and depth to world point: the inverse of gphys_camera_project.
+ *  @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
+ *          beyond the range of coordinates */
+GPHYS_API gphys_status gphys_camera_unproject(const gphys_camera* camera, const gphys_vec3* pixel,
+                                              gphys_vec3* out_point);
+/** The same for count pixels; one at infinity gets x = y = z = INFINITY. */
+GPHYS_API gphys_status gphys_camera_unproject_batch(const gphys_camera* camera, const gphys_vec3* pixels,
+                                                    uint32_t pixel_stride, uint32_t count, gphys_vec3* out_points,
+                                                    uint32_t out_stride);
+
+/** The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
+ *  on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
+ *  For perspective the stretch before the near plane is part of the ray. Pixels outside the
+ *  viewport are allowed.
+ *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections) */
+GPHYS_API gphys_status gphys_camera_pick_ray(const gphys_camera* camera, float pixel_x, float pixel_y,
+                                             gphys_ray* out_ray);
+/** Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32. */
+GPHYS_API gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32_t x, uint32_t y, uint32_t width,
+                                              uint32_t height, gphys_ray* out_rays, uint32_t out_stride);
+
+/** The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
+ *  float32; t is in metres.
+ *  @return GPHYS_OK or GPHYS_NO_HIT */
+GPHYS_API gphys_status gphys_camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x,
+                                         float pixel_y, uint32_t layers, gphys_hit* out_hit);
+/** The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches. */
+GPHYS_API gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_scene* scene,
+                                               const float* pixels, uint32_t pixel_stride, uint32_t count,
+                                               uint32_t layers, gphys_hit* out_hits, uint32_t out_stride);
+/** Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
+ *  rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area */
+GPHYS_API gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0,
+                                                   float y0, float x1, float y1, uint32_t layers,
+                                                   gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
+
+/** gphys_scene_cull with the camera's frustum. */
+GPHYS_API gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* scene, uint32_t layers,
+                                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
+
+/* ------------------------------------------------------------------------------------------
+ * Solver: bodies made of particles and distance constraints (free particles, ropes, cloth) that
+ * move under gravity, forces and damping and collide with the models of a scene.
+ *
+ * Particles of a body are numbered from 0 in the order in which they were given. State is read
+ * and written as arrays over a range (first, count) of one body. Positions are world space.
+ * The same calls give the same bits.
+ * ------------------------------------------------------------------------------------------ */
+
+typedef uint32_t gphys_body_id;
+typedef uint32_t gphys_constraint_id;
+
+typedef struct gphys_solver_desc {
+    uint32_t struct_size;
+    const gphys_allocator* allocator; /* NULL: the C++ runtime's */
+    gphys_vec3 gravity;               /* m/s^2; default (0, -9.81, 0) */
+    uint32_t substeps;                /* of one step, 1 .. 1000; default 8 */
+    float fixed_step;                 /* seconds simulated by each step of gphys_solver_advance; 1/60 */
+    uint32_t max_steps;               /* most steps of one advance; time beyond is dropped; 8 */
+} gphys_solver_desc;
+
+GPHYS_API gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size);
+/** @param desc  may be NULL */
+GPHYS_API gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** out_solver);
+GPHYS_API void gphys_solver_destroy(gphys_solver* solver);
+
+/** m/s^2, from the next step on. */
+GPHYS_API gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity);
+/** 1 .. 1000. More substeps: smaller errors, proportionally more time. */
+GPHYS_API gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps);
+
+enum {
+    GPHYS_CLOTH_SHEAR = 1, /* constraints along both diagonals of each grid cell */
+    GPHYS_CLOTH_BEND = 2   /* constraints that resist folding */
+};
+
+/** Settings shared by all kinds of bodies. */
+typedef struct gphys_body_desc {
+    uint32_t struct_size;
+    float mass;            /* kg of the whole body, spread evenly; > 0; default 1 */
+    float radius;          /* of each particle for collision, metres, >= 0; default 0.01 */
+    float damping;         /* rate in 1/s: velocities decay as exp(-damping t); >= 0; default 0 */
+    float friction;        /* Coulomb coefficient against models, >= 0; default 0.5 */
+    float restitution;     /* speed kept in a bounce, 0 .. 1; default 0 */
+    float compliance;      /* of stretch, metres per newton, >= 0; 0 is inextensible; default 0 */
+    float bend_compliance; /* of GPHYS_CLOTH_BEND constraints, m/N; default 0.001 */
+    uint32_t cloth_flags;  /* GPHYS_CLOTH_...; default SHEAR | BEND */
+    uint32_t layers;       /* mask of the models it collides with; 0: none; default all */
+} gphys_body_desc;
+
+GPHYS_API gphys_status gphys_body_desc_init(gphys_body_desc* desc, uint32_t size);
+
+/** Add particles without constraints.
+ *  @param desc  may be NULL
+ *  @param positions  count elements, count >= 1 */
+GPHYS_API gphys_status gphys_solver_add_particles(gphys_solver* solver, const gphys_body_desc* desc,
+                                                  const gphys_vec3* positions, uint32_t position_stride, uint32_t count,
+                                                  gphys_body_id* out_body);
+/** Add a rope through the given points, one particle at each.
+ *  @param count  >= 2
+ *  @param link_length  rest length of each link in metres; 0: as placed */
+GPHYS_API gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_body_desc* desc,
+                                             const gphys_vec3* positions, uint32_t position_stride, uint32_t count,
+                                             float link_length, gphys_body_id* out_body);
+/** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
+ *  corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+ *  @param columns, rows  >= 2 */
+GPHYS_API gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_body_desc* desc,
+                                              const gphys_vec3* corner, const gphys_vec3* edge_u,
+                                              const gphys_vec3* edge_v, uint32_t columns, uint32_t rows,
+                                              gphys_body_id* out_body);
+/** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+ *  with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+ *  @param transform  places the mesh; may be NULL */
+GPHYS_API gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const gphys_body_desc* desc,
+                                                   const gphys_mesh* mesh, const gphys_transform* transform,
+                                                   gphys_body_id* out_body);
+GPHYS_API gphys_status gphys_solver_remove_body(gphys_solver* solver, gphys_body_id body);
+/** Ids of all bodies, ascending. Kept when too many: the lowest. */
+GPHYS_API gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
+                                               uint32_t* out_total);
+
+typedef int32_t gphys_body_kind;
+enum { GPHYS_BODY_PARTICLES = 1, GPHYS_BODY_ROPE = 2, GPHYS_BODY_CLOTH = 3 };
+
+/** How a body is solved, chosen from its constraints. */
+typedef int32_t gphys_solve_method;
+enum {
+    GPHYS_SOLVE_FREE = 0,   /* no constraints: exact flight */
+    GPHYS_SOLVE_DIRECT = 1, /* chains: Newton on the whole rope at once */
+    GPHYS_SOLVE_GRAPH = 2   /* everything else: chain families, then the rest, then reach limits */
+};
+
+/** Frozen. */
+typedef struct gphys_body_info {
+    gphys_body_kind kind;
+    gphys_solve_method method;
+    uint32_t particle_count;
+    uint32_t constraint_count;
+    uint32_t triangle_count; /* of cloth, for drawing */
+} gphys_body_info;
+
+/** What a body is made of and how it is solved. */
+GPHYS_API gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body,
+                                                  gphys_body_info* out_info);
+/** Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles. */
+GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
+                                                  uint32_t capacity, uint32_t* out_total);
+
+/* State of the particles first .. first + count - 1 of a body. A range that does not lie within
+ * the body is GPHYS_ERROR_INVALID_ARGUMENT. Setters check all elements before they change any. */
+
+/** Metres. */
+GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                  uint32_t count, gphys_vec3* out_positions, uint32_t out_stride);
+/** Moves particles there at once and without collision on the way; velocities stay as they are. */
+GPHYS_API gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                  uint32_t count, const gphys_vec3* positions, uint32_t stride);
+/** m/s */
+GPHYS_API gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                   uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride);
+GPHYS_API gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                   uint32_t count, const gphys_vec3* velocities, uint32_t stride);
+/** kg, > 0. A pinned particle keeps its mass for the time when it is released. */
+GPHYS_API gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                               uint32_t count, float* out_masses, uint32_t out_stride);
+GPHYS_API gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                               const float* masses, uint32_t stride);
+/** Collision radius, metres, >= 0. */
+GPHYS_API gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                              const float* radii, uint32_t stride);
+/** Forces in newtons that act beside gravity, from now on until set again. */
+GPHYS_API gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                               const gphys_vec3* forces, uint32_t stride);
+/** Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+ *  gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment. */
+GPHYS_API gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                               int32_t pinned);
+
+/** Fix a particle to a model: it follows the model's transform in each step, and is released when
+ *  the model is gone. Steps must then be given this scene.
+ *  @param local_point  in the model's coordinates; NULL: where the particle is now */
+GPHYS_API gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene, gphys_body_id body,
+                                           uint32_t particle, gphys_model_id model, const gphys_vec3* local_point);
+/** Release an attached particle.
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached */
+GPHYS_API gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle);
+
+/** Hold two different particles of a body at a distance.
+ *  @param rest_length  metres, >= 0; negative: the present distance
+ *  @param compliance   metres per newton, >= 0; 0 is rigid
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one */
+GPHYS_API gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
+                                                 uint32_t particle_b, float rest_length, float compliance,
+                                                 gphys_constraint_id* out_constraint);
+GPHYS_API gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body,
+                                                      gphys_constraint_id constraint);
+
+/** One constraint. Frozen. */
+typedef struct gphys_constraint_info {
+    gphys_constraint_id id;
+    uint32_t particle_a, particle_b;
+    float rest_length; /* metres */
+    float compliance;  /* metres per newton */
+} gphys_constraint_info;
+
+/** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest. */
+GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,
+                                                    gphys_constraint_info* out_constraints, uint32_t capacity,
+                                                    uint32_t* out_total);
+
+/** Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
+ *  than 25 ms.
+ *  @param scene  to collide with and to follow attachments; NULL: none. Not modified.
+ *  @param dt     1e-6 .. 0.5
+ *  Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+ *  substeps, and a scene query for particles near models. */
+GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt);
+/** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
+ *  frame, so the motion does not depend on the frame rate.
+ *  @param frame_time    seconds, >= 0
+ *  @param out_steps     steps made; may be NULL
+ *  @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL */
+GPHYS_API gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene, float frame_time,
+                                            uint32_t* out_steps, float* out_leftover);
+
+/** Frozen. */
+typedef struct gphys_solver_stats {
+    uint32_t particle_count;
+    uint32_t pinned_count; /* pinned or attached */
+    uint32_t constraint_count;
+    uint32_t contact_count; /* particle and model pairs that touched in the last step, 4 a particle at most */
+    float strain_max;       /* largest |length / rest length - 1| of rigid constraints */
+    float strain_rms;       /* root mean square of the same */
+    float kinetic_energy;   /* joules */
+    float potential_energy; /* joules: of gravity, 0 at the world's origin, and of stretch */
+} gphys_solver_stats;
+
+/** @param body  0: all bodies together.  Cost: O(particles + constraints). */
+GPHYS_API gphys_status gphys_solver_get_stats(const gphys_solver* solver, gphys_body_id body,
+                                              gphys_solver_stats* out_stats);
+
+/** A particle that touched a model in the last step. Frozen. */
+typedef struct gphys_contact {
+    gphys_body_id body;
+    uint32_t particle;
+    gphys_model_id model;
+    uint32_t tag;      /* the model's */
+    gphys_vec3 point;  /* on the model, world space */
+    gphys_vec3 normal; /* unit, from the model to the particle */
+} gphys_contact;
+
+/** Contacts of the last step by body, particle, model. Kept when too many: the first. */
+GPHYS_API gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact* out_contacts,
+                                                 uint32_t capacity, uint32_t* out_total);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* GAMEPHYS_C_H */

@@ -1,0 +1,33 @@
+# Sourced by scripts that look at binaries.
+
+# stub API.json HEADER OUTPUT [MAP]: a library with this interface and nothing else.
+stub() {
+    python3 "$SOURCE/cmake/interface/stub.py" "$1" "$PWD/$2" >"$3.c"
+    "$CC" -g -w -shared -fPIC -Wl,-soname,libgamephys.so.1 -Wl,--version-script="${4:-$SOURCE/cmake/gamephys.map}" \
+        "$3.c" -o "$3"
+}
+
+# binary_compatible OLD NEW: functions may be added and descs may grow.
+binary_compatible() {
+    cat >suppressions.ini <<'END'
+[suppress_type]
+name_regexp = ^gphys_.*_desc$
+has_data_member_inserted_at = end
+[suppress_function]
+change_kind = added-function
+END
+    abidiff --no-added-syms --suppressions suppressions.ini "$1" "$2"
+}
+
+# exports_match LIBRARY: the header's functions, the version script's list and the library's
+# exports are the same set.
+exports_match() {
+    "$here/functions.sh" | sort >header.txt
+    sed -n 's/^ *\(gphys_[a-z0-9_]*\);$/\1/p' "$SOURCE/cmake/gamephys.map" | sort >map.txt
+    # T: functions. Anything else, such as a weak or unique symbol of the C++ library, is a leak.
+    nm -D --defined-only --with-symbol-versions "$1" | grep -v ' A GAMEPHYS_' >nm.txt
+    sed -n 's/^[0-9a-f]* T \(gphys_[a-z0-9_]*\)@@GAMEPHYS_1\.0$/\1/p' nm.txt | sort >binary.txt
+    diff header.txt map.txt || fail "cmake/gamephys.map differs from the header"
+    diff header.txt binary.txt || fail "the exports differ from the header"
+    expect_no_match "exported without being in the list" -v ' T gphys_' nm.txt
+}
