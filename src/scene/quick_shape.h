@@ -71,6 +71,19 @@ inline QuickBox quick_box(Vec3 center, Vec3 half, const gphys_transform& world) 
     return {scaled_rotation(q), norm_squared(q), quick_point(center, world), half * scale,
             sum(abs(widen(world.position))) + (sum(abs(center)) + sum(half)) * scale};
 }
+/// A float box that holds it.
+inline Box quick_bounds(const QuickBox& box) {
+    const Vec3 reach = abs(box.axes.x) * box.half.x + abs(box.axes.y) * box.half.y + abs(box.axes.z) * box.half.z;
+    const double error = slack * box.magnitude, shorten = 1 / box.unit;
+    Box result;
+    for (int k = 0; k < 3; ++k) {
+        const double half = reach[k] * shorten + error;
+        result.min[k] = round_down(box.center[k] - half);
+        result.max[k] = round_up(box.center[k] + half);
+    }
+    return result;
+}
+
 inline QuickBox quick_shape(const gphys_aabb& box, const gphys_transform& world) {
     const Vec3 low = widen(box.min), high = widen(box.max);
     return quick_box((low + high) * 0.5, (high - low) * 0.5, world);
