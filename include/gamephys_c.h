@@ -12,6 +12,9 @@
  *            rotation of its direction, so its length never scales anything.
  * Axes       The scene is neither left- nor right-handed and knows no "up"; gravity and a
  *            camera's handedness are settings.
+ * Origin     Float coordinates count from the origin of their scene, camera or solver: a point of the
+ *            world in double precision, (0, 0, 0) until gphys_scene_set_origin and its likes move
+ *            it. Wherever that is, a float k metres from it tells places 6e-8 k metres apart.
  * Matrices   16 floats; element (row, column) is m[4 * column + row] for column vectors. This is
  *            the memory order of OpenGL's column-major and DirectX's row-major, so both take it.
  * Pixels     (0, 0) is the top-left corner of the viewport; the centre of the first pixel is
@@ -534,6 +537,19 @@ GPHYS_API gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t si
 GPHYS_API gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_scene);
 GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
 
+/** Move the point of the world that all coordinates of the scene count from, those that it is given
+ *  and those that it returns. Models stay where they are in the world: the positions of those without
+ *  a parent become what they are from there, kept in double precision and rounded to float32 once,
+ *  however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
+ *  and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
+ *  @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
+ *  Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
+ *  on. Queries cost nothing more. */
+GPHYS_API gphys_status gphys_scene_set_origin(gphys_scene* scene, const double origin[3]);
+/** Where in the world the scene's coordinates count from. */
+GPHYS_API gphys_status gphys_scene_get_origin(const gphys_scene* scene, double out_origin[3]);
+
 typedef struct gphys_model_desc {
     uint32_t struct_size;
     gphys_model_id parent; /* 0: none */
@@ -742,6 +758,12 @@ GPHYS_API gphys_status gphys_camera_desc_init(gphys_camera_desc* desc, uint32_t 
 GPHYS_API gphys_status gphys_camera_create(const gphys_camera_desc* desc, gphys_camera** out_camera);
 GPHYS_API void gphys_camera_destroy(gphys_camera* camera);
 
+/** Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
+ *  The camera and the target of its orbit stay where they are in the world. Picking and culling need a
+ *  scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT. */
+GPHYS_API gphys_status gphys_camera_set_origin(gphys_camera* camera, const double origin[3]);
+GPHYS_API gphys_status gphys_camera_get_origin(const gphys_camera* camera, double out_origin[3]);
+
 /** @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
  *  @param near_distance  > 0
  *  @param far_distance   > near_distance; INFINITY allowed */
@@ -903,6 +925,13 @@ GPHYS_API gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t 
 /** @param desc  may be NULL */
 GPHYS_API gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** out_solver);
 GPHYS_API void gphys_solver_destroy(gphys_solver* solver);
+
+/** Move the point of the world that the coordinates of all particles count from; see
+ *  gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
+ *  step and an attachment need a scene of the same origin, else they return
+ *  GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles). */
+GPHYS_API gphys_status gphys_solver_set_origin(gphys_solver* solver, const double origin[3]);
+GPHYS_API gphys_status gphys_solver_get_origin(const gphys_solver* solver, double out_origin[3]);
 
 /** m/s^2, from the next step on. */
 GPHYS_API gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity);
@@ -1073,7 +1102,7 @@ typedef struct gphys_solver_stats {
     float strain_max;       /* largest |length / rest length - 1| of rigid constraints */
     float strain_rms;       /* root mean square of the same */
     float kinetic_energy;   /* joules */
-    float potential_energy; /* joules: of gravity, 0 at the world's origin, and of stretch */
+    float potential_energy; /* joules: of gravity, 0 at the solver's origin, and of stretch */
 } gphys_solver_stats;
 
 /** @param body  0: all bodies together.  Cost: O(particles + constraints). */

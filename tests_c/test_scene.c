@@ -286,10 +286,37 @@ static void what_was_set_is_what_one_gets(void** state) {
     gphys_scene_destroy(scene);
 }
 
+static void an_origin_is_checked_kept_and_returned(void** state) {
+    const double origin[3] = {1e9, -2e9, 0.125}, bad[3] = {0, 0, (double)INFINITY};
+    double now[3] = {7, 7, 7};
+    gphys_model_id models[2];
+    gphys_transform at;
+    gphys_scene* scene = scene_of_two(models);
+    (void)state;
+    assert_invalid(gphys_scene_set_origin(NULL, origin));
+    assert_invalid(gphys_scene_set_origin(scene, NULL));
+    assert_invalid(gphys_scene_set_origin(scene, bad));
+    assert_invalid(gphys_scene_get_origin(NULL, now));
+    assert_invalid(gphys_scene_get_origin(scene, NULL));
+    assert_untouched(scene, models);
+    assert_int_equal(gphys_scene_get_origin(scene, now), GPHYS_OK);
+    assert_true(now[0] == 0 && now[1] == 0 && now[2] == 0);
+    assert_int_equal(gphys_scene_set_origin(scene, origin), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_origin(scene, now), GPHYS_OK);
+    assert_memory_equal(now, origin, sizeof now);
+    assert_int_equal(gphys_scene_get_transforms(scene, &models[1], 1, &at, sizeof at), GPHYS_OK);
+    assert_true(at.position.y == 2e9f && at.position.z == -0.125f);
+    now[0] = now[1] = now[2] = 0;
+    assert_int_equal(gphys_scene_set_origin(scene, now), GPHYS_OK);
+    assert_untouched(scene, models);
+    gphys_scene_destroy(scene);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(descs_have_defaults_and_a_size),
         cmocka_unit_test(creation_checks_its_arguments),
+        cmocka_unit_test(an_origin_is_checked_kept_and_returned),
         cmocka_unit_test(add_refuses_what_is_no_model),
         cmocka_unit_test(stale_ids_are_refused_everywhere),
         cmocka_unit_test(null_and_bad_strides_are_refused_everywhere),

@@ -7,9 +7,9 @@
 #include <new>
 
 #include "foundation/math.h"
-#include "shapes/shapes.h"
 #include "foundation/status.h"
 #include "foundation/strided.h"
+#include "shapes/shapes.h"
 
 namespace gphys {
 
@@ -44,6 +44,16 @@ gphys_status guarded(Body&& body) noexcept {
         const gphys_status status_ = (expression); \
         if (status_ != GPHYS_OK) return status_;   \
     } while (0)
+
+inline bool is_origin(const double* origin) {
+    return std::fabs(origin[0]) <= GPHYS_MAX_COORDINATE && std::fabs(origin[1]) <= GPHYS_MAX_COORDINATE &&
+           std::fabs(origin[2]) <= GPHYS_MAX_COORDINATE;
+}
+inline void write_origin(Vec3 from, double* to) {
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
 
 inline bool is_bool(int32_t value) { return value == 0 || value == 1; }
 

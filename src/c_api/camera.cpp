@@ -126,6 +126,20 @@ gphys_status gphys_camera_create(const gphys_camera_desc* desc, gphys_camera** o
 
 void gphys_camera_destroy(gphys_camera* camera) { destroy(unwrap(camera)); }
 
+gphys_status gphys_camera_set_origin(gphys_camera* camera, const double origin[3]) {
+    GPHYS_REQUIRE(camera && origin, "camera or origin is null");
+    GPHYS_REQUIRE(is_origin(origin), "origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
+    GPHYS_REQUIRE(unwrap(camera)->set_origin({origin[0], origin[1], origin[2]}),
+                  "origin: the camera would be beyond GPHYS_MAX_COORDINATE");
+    return GPHYS_OK;
+}
+
+gphys_status gphys_camera_get_origin(const gphys_camera* camera, double out_origin[3]) {
+    GPHYS_REQUIRE(camera && out_origin, "camera or out_origin is null");
+    write_origin(unwrap(camera)->origin(), out_origin);
+    return GPHYS_OK;
+}
+
 gphys_status gphys_camera_set_perspective(gphys_camera* camera, float fov_y, float near_distance, float far_distance) {
     GPHYS_REQUIRE(camera, "camera is null");
     GPHYS_REQUIRE(fov_y >= smallest_fov && fov_y < pi, "fov_y: must be at least 1e-6 and below pi");

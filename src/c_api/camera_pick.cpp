@@ -29,6 +29,7 @@ gphys_status list_models(gphys_model_id* out, uint32_t capacity, uint32_t* out_t
 gphys_status gphys_camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x, float pixel_y,
                                uint32_t layers, gphys_hit* out_hit) {
     GPHYS_REQUIRE(camera && scene && out_hit, "camera, scene or out_hit is null");
+    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera and scene have different origins");
     GPHYS_REQUIRE(is_pixel(pixel_x, pixel_y), "pixel: not finite or out of range");
     return guarded([&] { return pick(*unwrap(camera), *unwrap(scene), pixel_x, pixel_y, layers, *out_hit); });
 }
@@ -37,6 +38,7 @@ gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_sce
                                      uint32_t pixel_stride, uint32_t count, uint32_t layers, gphys_hit* out_hits,
                                      uint32_t out_stride) {
     GPHYS_REQUIRE(camera && scene, "camera or scene is null");
+    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera and scene have different origins");
     if (count == 0) return GPHYS_OK;
     GPHYS_REQUIRE(pixels && out_hits, "pixels or out_hits is null");
     GPHYS_REQUIRE(valid_stride(pixel_stride, sizeof(Pixel)), "pixel_stride: must be 0 or a multiple of 4, at least 8");
@@ -57,6 +59,7 @@ gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys
                                          float x1, float y1, uint32_t layers, gphys_model_id* out_models,
                                          uint32_t capacity, uint32_t* out_total) {
     GPHYS_REQUIRE(camera && scene, "camera or scene is null");
+    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera and scene have different origins");
     GPHYS_REQUIRE(is_pixel(x0, y0) && is_pixel(x1, y1), "rectangle: not finite or out of range");
     GPHYS_REQUIRE(x0 != x1 && y0 != y1, "rectangle: has no area");
     return list_models(out_models, capacity, out_total, [&] {
@@ -69,6 +72,7 @@ gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys
 gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* scene, uint32_t layers,
                                gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
     GPHYS_REQUIRE(camera && scene, "camera or scene is null");
+    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera and scene have different origins");
     return list_models(out_models, capacity, out_total,
                        [&] { return cull(*unwrap(camera), *unwrap(scene), layers, out_models, capacity); });
 }

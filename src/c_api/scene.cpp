@@ -112,6 +112,20 @@ gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_
     });
 }
 
+gphys_status gphys_scene_set_origin(gphys_scene* scene, const double origin[3]) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene && origin, "scene or origin is null");
+        GPHYS_REQUIRE(is_origin(origin), "origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
+        return unwrap(scene)->set_origin({origin[0], origin[1], origin[2]});
+    });
+}
+
+gphys_status gphys_scene_get_origin(const gphys_scene* scene, double out_origin[3]) {
+    GPHYS_REQUIRE(scene && out_origin, "scene or out_origin is null");
+    write_origin(unwrap(scene)->origin(), out_origin);
+    return GPHYS_OK;
+}
+
 void gphys_scene_destroy(gphys_scene* scene) { destroy(unwrap(scene)); }
 
 gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t size) {

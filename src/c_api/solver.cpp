@@ -2,10 +2,10 @@
 // a body are in solver_state.cpp.
 #include "solver/solver.h"
 
-#include "mesh/mesh.h"
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
+#include "mesh/mesh.h"
 
 using namespace gphys;
 
@@ -90,6 +90,20 @@ gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** o
 }
 
 void gphys_solver_destroy(gphys_solver* solver) { destroy(unwrap(solver)); }
+
+gphys_status gphys_solver_set_origin(gphys_solver* solver, const double origin[3]) {
+    GPHYS_REQUIRE(solver && origin, "solver or origin is null");
+    GPHYS_REQUIRE(is_origin(origin), "origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
+    GPHYS_REQUIRE(unwrap(solver)->set_origin({origin[0], origin[1], origin[2]}),
+                  "origin: a particle would be beyond GPHYS_MAX_COORDINATE");
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_get_origin(const gphys_solver* solver, double out_origin[3]) {
+    GPHYS_REQUIRE(solver && out_origin, "solver or out_origin is null");
+    write_origin(unwrap(solver)->origin(), out_origin);
+    return GPHYS_OK;
+}
 
 gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity) {
     GPHYS_REQUIRE(solver, "solver is null");
@@ -212,6 +226,8 @@ gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, f
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(solver, "solver is null");
         GPHYS_REQUIRE(is_step(dt), "dt: must be 1e-6 to 0.5");
+        GPHYS_REQUIRE(!scene || unwrap(solver)->origin() == unwrap(scene)->origin(),
+                      "solver and scene have different origins");
         unwrap(solver)->step(unwrap(scene), dt);
         return GPHYS_OK;
     });
@@ -222,6 +238,8 @@ gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(solver, "solver is null");
         GPHYS_REQUIRE(is_amount(frame_time), "frame_time: must be at least 0 and in range");
+        GPHYS_REQUIRE(!scene || unwrap(solver)->origin() == unwrap(scene)->origin(),
+                      "solver and scene have different origins");
         uint32_t steps = 0;
         double leftover = 0;
         unwrap(solver)->advance(unwrap(scene), frame_time, steps, leftover);

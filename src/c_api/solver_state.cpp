@@ -1,9 +1,9 @@
 // gphys_solver_*: the particles and constraints of a body, read and changed.
-#include "solver/solver.h"
-#include "foundation/strided.h"
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
+#include "foundation/strided.h"
+#include "solver/solver.h"
 
 using namespace gphys;
 
@@ -132,6 +132,7 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
     return guarded([&]() -> gphys_status {
         GPHYS_TRY(check_particle(solver, body, particle));
         GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(unwrap(solver)->origin() == unwrap(scene)->origin(), "solver and scene have different origins");
         GPHYS_TRY(unwrap(scene)->check(model));
         if (local_point) GPHYS_REQUIRE_VALID(*local_point);
         Body& b = unwrap(solver)->body(body);

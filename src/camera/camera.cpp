@@ -120,6 +120,17 @@ void Camera::set_orbit(const gphys_orbit& settings) {
 
 void Camera::follow_orbit() { place(orbit_->position(), orbit_->axes()); }
 
+bool Camera::set_origin(Vec3 origin) {
+    WorldPlace world = world_;
+    const Vec3 position = world.move_origin(origin_, origin, narrow(position_));
+    if (max_component(abs(position)) > GPHYS_MAX_COORDINATE) return false;
+    if (orbit_) orbit_->shift(origin_ - origin);
+    place(position, axes_);
+    world_ = world;
+    origin_ = origin;
+    return true;
+}
+
 Mat3 Camera::rotation() const { return {axes_.x, axes_.y, axes_.z * z_sign()}; }
 
 Mat4 Camera::world_matrix() const {

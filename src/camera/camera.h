@@ -6,9 +6,9 @@
 #include <optional>
 #include <variant>
 
-#include "foundation/memory.h"
 #include "camera/orbit.h"
 #include "camera/projection.h"
+#include "foundation/memory.h"
 
 namespace gphys {
 
@@ -35,6 +35,10 @@ public:
     const Orbit* orbit() const { return orbit_ ? &*orbit_ : nullptr; }
     /// Place the camera where its orbit now is.
     void follow_orbit();
+
+    /// The camera stays where it is in the world; false if that is out of the range of coordinates.
+    bool set_origin(Vec3 origin);
+    Vec3 origin() const { return origin_; }
 
     Vec3 position() const { return position_; }
     /// The camera's own axes in the world: right, up, and forward (left-handed) or back.
@@ -69,6 +73,8 @@ private:
     DepthRange depth_range_;
     double width_, height_;  // pixels
     std::variant<Perspective, Orthographic, UserProjection> projection_;
+    Vec3 origin_;       // in the world, of the position
+    WorldPlace world_;  // of the position
     Vec3 position_;
     Mat3 axes_;  // right, up, forward in the world; the mirror image of a rotation if right-handed
     std::optional<Orbit> orbit_;

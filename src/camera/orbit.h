@@ -16,6 +16,8 @@ public:
     void zoom(double units);
     void pan(double units_right, double units_up);
     void update();
+    /// Move the target with everything else.
+    void shift(Vec3 offset) { target_ += offset; }
 
     gphys_orbit settings() const;
     /// Columns right, up, forward.

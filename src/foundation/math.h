@@ -130,6 +130,20 @@ constexpr gphys_quat narrow(Quat q) {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
 }
 
+/// A place in the world whose position is counted in floats from an origin that moves. As long as the
+/// position is the one that was last derived from it, it is what that position stands for.
+class WorldPlace {
+public:
+    /// The position from the new origin.
+    Vec3 move_origin(Vec3 origin, Vec3 new_origin, gphys_vec3 position) {
+        if (widen(narrow(world_ - origin)) != widen(position)) world_ = origin + widen(position);
+        return world_ - new_origin;
+    }
+
+private:
+    Vec3 world_;
+};
+
 /// The float before f, or f itself: without a branch, for whether is the toss of a coin wherever a
 /// double is rounded down.
 inline float float_before(float f, bool whether) {

@@ -58,6 +58,9 @@ public:
     gphys_status set_transforms(const gphys_model_id* models, const gphys_transform* transforms,
                                 uint32_t transform_stride, uint32_t count);
     gphys_status set_layers(gphys_model_id model, uint32_t layers);
+    /// All models stay where they are in the world.
+    gphys_status set_origin(Vec3 origin);
+    Vec3 origin() const { return origin_; }
     gphys_status set_tag(gphys_model_id model, uint32_t tag);
 
     bool has(gphys_model_id model) const { return ids_.has(model); }
@@ -210,6 +213,8 @@ private:
     Vector<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
     Pool<Family> families_{&memory};
     Octree octree_{&memory, chosen_isa(), &workers_};  // items are slots
+    Vec3 origin_;                                      // in the world, of all coordinates
+    Vector<WorldPlace> places_{&memory};               // by slot, of models without a parent; since set_origin
     // That each model is in, a change of layers may leave some out; none if there is a model without
     // any point, an empty mesh.
     uint32_t common_layers_ = ~0u;

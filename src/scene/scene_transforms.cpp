@@ -131,6 +131,36 @@ gphys_status Scene::set_transforms(const gphys_model_id* models, const gphys_tra
     return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong) : GPHYS_OK;
 }
 
+/// Every model without a parent moves the other way, and the others with it.
+gphys_status Scene::set_origin(Vec3 origin) {
+    Vector<gphys_model_id> models(&memory);
+    Vector<gphys_transform> transforms(&memory);
+    Vector<WorldPlace> places(places_, &memory);
+    models.reserve(size());
+    transforms.reserve(size());
+    places.resize(std::max<size_t>(places.size(), ids_.slots()));
+    bool in_range = true;
+    for_each_model([&](gphys_model_id model) {
+        const uint32_t slot = IdTable::slot_of(model);
+        if (parent_of(slot) != none) return;
+        gphys_transform moved = local_of(slot);
+        const Vec3 position = places[slot].move_origin(origin_, origin, moved.position);
+        in_range = in_range && max_component(abs(position)) <= GPHYS_MAX_COORDINATE;
+        moved.position = narrow(position);
+        models.push_back(model);
+        transforms.push_back(moved);
+    });
+    if (!in_range) {
+        return fail(GPHYS_ERROR_INVALID_ARGUMENT, "origin: a model would be beyond GPHYS_MAX_COORDINATE");
+    }
+    const gphys_status status =
+        set_transforms(models.data(), transforms.data(), sizeof(gphys_transform), static_cast<uint32_t>(models.size()));
+    if (status != GPHYS_OK) return status;
+    places_.swap(places);
+    origin_ = origin;
+    return GPHYS_OK;
+}
+
 /// What hangs below a moving model is carried along with it and must not be moved twice. A model
 /// that is marked already has all its descendants marked: each is visited once.
 void Scene::mark_carried(const gphys_model_id* models, uint32_t count) {

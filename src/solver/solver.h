@@ -2,7 +2,7 @@
 // forces -> integrate -> constraints -> collide -> publish, once per substep and body.
 //
 //   builders.cpp        bodies come and go
-//   state.cpp           their particles and constraints are read and changed
+//   state.cpp           their particles and constraints are read and changed, or all moved
 //   step.cpp            the step: which body is moved how, attachments, the time scheme
 //   free_flight.cpp     bodies without constraints: exact flight and impacts
 //   plan_chains.cpp     which constraints form chains
@@ -47,6 +47,9 @@ public:
 
     void set_gravity(Vec3 gravity) { settings_.gravity = gravity; }
     void set_substeps(uint32_t substeps) { settings_.substeps = substeps; }
+    /// All particles stay where they are in the world; false if one leaves the range of coordinates.
+    bool set_origin(Vec3 origin);
+    Vec3 origin() const { return origin_; }
 
     // Bodies. Values have been checked. Whatever fails, by status or std::bad_alloc, changes nothing.
 
@@ -83,6 +86,7 @@ private:
     void look_around(const Scene& scene, double dt);
 
     SolverSettings settings_;
+    Vec3 origin_;      // in the world, of all coordinates
     double owed_ = 0;  // seconds that advance has not simulated yet
     IdTable ids_{&memory};
     Vector<Body> bodies_{&memory};  // by slot

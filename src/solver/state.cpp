@@ -83,6 +83,27 @@ void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
     interrupt(body);
 }
 
+bool Solver::set_origin(Vec3 origin) {
+    const Vec3 shift = origin_ - origin;
+    for (const Body& b : bodies_) {
+        for (const Vec3 p : b.position) {
+            if (max_component(abs(p + shift)) > GPHYS_MAX_COORDINATE) return false;
+        }
+    }
+    for (Body& b : bodies_) {
+        for (Vector<Vec3>* places : {&b.position, &b.predicted, &b.start, &b.earlier}) {
+            for (Vec3& p : *places) p += shift;
+        }
+        for (Touch& touch : b.touches) {
+            if (touch.model != 0) touch.point = narrow(widen(touch.point) + shift);
+        }
+        for (Attachment& attachment : b.attachments) attachment.begin += shift, attachment.end += shift;
+    }
+    for (PlacedModel& seen : seen_) seen.world.position = narrow(widen(seen.world.position) + shift);
+    origin_ = origin;
+    return true;
+}
+
 gphys_status add_distance(Body& body, uint32_t a, uint32_t b, double rest, double compliance,
                           gphys_constraint_id& out) {
     if (!body.constraint_ids.reserve(1)) {
