@@ -762,6 +762,7 @@ GPHYS_API void gphys_camera_destroy(gphys_camera* camera);
  *  The camera and the target of its orbit stay where they are in the world. Picking and culling need a
  *  scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT. */
 GPHYS_API gphys_status gphys_camera_set_origin(gphys_camera* camera, const double origin[3]);
+/** Where in the world the camera's coordinates count from. */
 GPHYS_API gphys_status gphys_camera_get_origin(const gphys_camera* camera, double out_origin[3]);
 
 /** @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
@@ -931,6 +932,7 @@ GPHYS_API void gphys_solver_destroy(gphys_solver* solver);
  *  step and an attachment need a scene of the same origin, else they return
  *  GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles). */
 GPHYS_API gphys_status gphys_solver_set_origin(gphys_solver* solver, const double origin[3]);
+/** Where in the world the particles' coordinates count from. */
 GPHYS_API gphys_status gphys_solver_get_origin(const gphys_solver* solver, double out_origin[3]);
 
 /** m/s^2, from the next step on. */

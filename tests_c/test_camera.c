@@ -623,8 +623,28 @@ static void transform_and_world_matrix_describe_the_same_place(void** state) {
     }
 }
 
+static void an_origin_is_checked_kept_and_returned(void** state) {
+    const double origin[3] = {1e9, -2e9, 0.125}, bad[3] = {0, 0, 2e15};
+    double now[3] = {7, 7, 7};
+    gphys_camera* camera = NULL;
+    (void)state;
+    assert_int_equal(gphys_camera_create(NULL, &camera), GPHYS_OK);
+    assert_int_equal(gphys_camera_set_origin(NULL, origin), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_camera_set_origin(camera, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_camera_set_origin(camera, bad), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_camera_get_origin(NULL, now), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_camera_get_origin(camera, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_camera_get_origin(camera, now), GPHYS_OK);
+    assert_true(now[0] == 0 && now[1] == 0 && now[2] == 0);
+    assert_int_equal(gphys_camera_set_origin(camera, origin), GPHYS_OK);
+    assert_int_equal(gphys_camera_get_origin(camera, now), GPHYS_OK);
+    assert_memory_equal(now, origin, sizeof now);
+    gphys_camera_destroy(camera);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_origin_is_checked_kept_and_returned),
         cmocka_unit_test(desc_has_the_documented_defaults),
         cmocka_unit_test(create_checks_its_desc),
         cmocka_unit_test(the_callers_allocator_is_used_and_may_fail),

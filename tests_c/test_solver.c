@@ -389,8 +389,28 @@ static void test_step_and_settings(void** state) {
     assert_true(fabsf(leftover - 0.2f) < 1e-3f);
 }
 
+static void an_origin_is_checked_kept_and_returned(void** state) {
+    const double origin[3] = {1e9, -2e9, 0.125}, bad[3] = {0, 0, 2e15};
+    double now[3] = {7, 7, 7};
+    gphys_solver* solver = NULL;
+    (void)state;
+    assert_int_equal(gphys_solver_create(NULL, &solver), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_origin(NULL, origin), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_solver_set_origin(solver, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_solver_set_origin(solver, bad), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_solver_get_origin(NULL, now), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_solver_get_origin(solver, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_solver_get_origin(solver, now), GPHYS_OK);
+    assert_true(now[0] == 0 && now[1] == 0 && now[2] == 0);
+    assert_int_equal(gphys_solver_set_origin(solver, origin), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_origin(solver, now), GPHYS_OK);
+    assert_memory_equal(now, origin, sizeof now);
+    gphys_solver_destroy(solver);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_origin_is_checked_kept_and_returned),
         cmocka_unit_test_setup_teardown(test_desc, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_body_desc, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_adding_bodies, set_up, tear_down),
