@@ -2,7 +2,7 @@
 from ._names import SHAPES, base_type, calls, camel, counted_array, creations, element, plain
 
 NUMBERS = {"float": "c_float", "int32_t": "c_int32", "uint32_t": "c_uint32", "size_t": "c_size_t"}
-DTYPES = {"float": "<f4", "int32_t": "<i4", "uint32_t": "<u4"}
+DTYPES = {"float": "<f4", "double": "<f8", "int32_t": "<i4", "uint32_t": "<u4"}
 # Structs that are nothing but numbers of one meaning become the last axis of an array.
 VECTORS = {"gphys_vec3": 3, "gphys_quat": 4, "gphys_mat4": 16}
 
@@ -105,6 +105,8 @@ def input_hint(api, p):
         return "ArrayLike | None" if p["name"] == "transforms" else "ArrayLike"
     if p["role"] == "handle":
         return f"{camel(element(p))} | None"
+    if p["role"] == "in" and p.get("count"):
+        return "ArrayLike"
     if p["role"] == "in":
         kind = camel(element(p))
         return f"low.{kind} | None" if kind.endswith("Desc") or default(p) else f"low.{kind} | Sequence"
@@ -153,6 +155,9 @@ def body(api, call, self_handle):
             arguments.append(f"{name}_")
         elif role == "shape":
             lines.append(f"{parameters[i - 1]['name']}_, {name}_ = shape_of({name})")
+            arguments.append(f"{name}_.address")
+        elif role == "in" and p.get("count"):
+            lines.append(f"{name}_ = array_of({name}, {numpy_type(api, element(p))}, {p['count']})")
             arguments.append(f"{name}_.address")
         elif role == "in":
             lines.append(f"{name}_ = value_of({name}, low.{camel(element(p))})")

@@ -441,7 +441,7 @@ class SolverStats(Value, Structure):
     strain_max: float  # largest |length / rest length - 1| of rigid constraints
     strain_rms: float  # root mean square of the same
     kinetic_energy: float  # joules
-    potential_energy: float  # joules: of gravity, 0 at the world's origin, and of stretch
+    potential_energy: float  # joules: of gravity, 0 at the solver's origin, and of stretch
     _fields_ = [("particle_count", c_uint32), ("pinned_count", c_uint32), ("constraint_count", c_uint32), ("contact_count", c_uint32), ("strain_max", c_float), ("strain_rms", c_float), ("kinetic_energy", c_float), ("potential_energy", c_float)]
 
 
@@ -500,6 +500,8 @@ gphys_mesh_get_octree_boxes = function("gphys_mesh_get_octree_boxes", c_int32, [
 gphys_scene_desc_init = function("gphys_scene_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_scene_create = function("gphys_scene_create", c_int32, [c_void_p, c_void_p])
 gphys_scene_destroy = function("gphys_scene_destroy", None, [c_void_p])
+gphys_scene_set_origin = function("gphys_scene_set_origin", c_int32, [c_void_p, c_void_p])
+gphys_scene_get_origin = function("gphys_scene_get_origin", c_int32, [c_void_p, c_void_p])
 gphys_model_desc_init = function("gphys_model_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_scene_add = function("gphys_scene_add", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_void_p, c_void_p])
 gphys_scene_add_batch = function("gphys_scene_add_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p, c_void_p])
@@ -541,6 +543,8 @@ gphys_scene_validate = function("gphys_scene_validate", c_int32, [c_void_p])
 gphys_camera_desc_init = function("gphys_camera_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_camera_create = function("gphys_camera_create", c_int32, [c_void_p, c_void_p])
 gphys_camera_destroy = function("gphys_camera_destroy", None, [c_void_p])
+gphys_camera_set_origin = function("gphys_camera_set_origin", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_origin = function("gphys_camera_get_origin", c_int32, [c_void_p, c_void_p])
 gphys_camera_set_perspective = function("gphys_camera_set_perspective", c_int32, [c_void_p, c_float, c_float, c_float])
 gphys_camera_set_orthographic = function("gphys_camera_set_orthographic", c_int32, [c_void_p, c_float, c_float, c_float])
 gphys_camera_set_projection = function("gphys_camera_set_projection", c_int32, [c_void_p, c_void_p])
@@ -575,6 +579,8 @@ gphys_camera_cull = function("gphys_camera_cull", c_int32, [c_void_p, c_void_p, 
 gphys_solver_desc_init = function("gphys_solver_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_solver_create = function("gphys_solver_create", c_int32, [c_void_p, c_void_p])
 gphys_solver_destroy = function("gphys_solver_destroy", None, [c_void_p])
+gphys_solver_set_origin = function("gphys_solver_set_origin", c_int32, [c_void_p, c_void_p])
+gphys_solver_get_origin = function("gphys_solver_get_origin", c_int32, [c_void_p, c_void_p])
 gphys_solver_set_gravity = function("gphys_solver_set_gravity", c_int32, [c_void_p, c_void_p])
 gphys_solver_set_substeps = function("gphys_solver_set_substeps", c_int32, [c_void_p, c_uint32])
 gphys_body_desc_init = function("gphys_body_desc_init", c_int32, [c_void_p, c_uint32])

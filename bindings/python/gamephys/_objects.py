@@ -92,6 +92,25 @@ class Scene(Object):
         check(low.gphys_scene_create(desc_.address, ctypes.byref(handle)))
         self._own(handle.value)
 
+    def set_origin(self, origin: ArrayLike) -> None:
+        """Move the point of the world that all coordinates of the scene count from, those that it is given
+        and those that it returns. Models stay where they are in the world: the positions of those without
+        a parent become what they are from there, kept in double precision and rounded to float32 once,
+        however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
+        and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
+        @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
+        @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
+        Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
+        on. Queries cost nothing more."""
+        origin_ = array_of(origin, "<f8", 3)
+        check(low.gphys_scene_set_origin(self._handle, origin_.address))
+
+    def get_origin(self) -> np.ndarray:
+        """Where in the world the scene's coordinates count from."""
+        out_origin = np.empty(3, "<f8")
+        check(low.gphys_scene_get_origin(self._handle, out_origin.ctypes.data))
+        return out_origin
+
     def add(self, shape: Shape, transform: low.Transform | None = None, desc: low.ModelDesc | None = None) -> int:
         """Add a model.
         @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
@@ -355,6 +374,19 @@ class Camera(Object):
         check(low.gphys_camera_create(desc_.address, ctypes.byref(handle)))
         self._own(handle.value)
 
+    def set_origin(self, origin: ArrayLike) -> None:
+        """Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
+        The camera and the target of its orbit stay where they are in the world. Picking and culling need a
+        scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT."""
+        origin_ = array_of(origin, "<f8", 3)
+        check(low.gphys_camera_set_origin(self._handle, origin_.address))
+
+    def get_origin(self) -> np.ndarray:
+        """Where in the world the camera's coordinates count from."""
+        out_origin = np.empty(3, "<f8")
+        check(low.gphys_camera_get_origin(self._handle, out_origin.ctypes.data))
+        return out_origin
+
     def set_perspective(self, fov_y: float, near_distance: float, far_distance: float) -> None:
         """@param fov_y  full vertical angle, 1e-6 <= fov_y < pi
         @param near_distance  > 0
@@ -560,6 +592,20 @@ class Solver(Object):
         handle = ctypes.c_void_p()
         check(low.gphys_solver_create(desc_.address, ctypes.byref(handle)))
         self._own(handle.value)
+
+    def set_origin(self, origin: ArrayLike) -> None:
+        """Move the point of the world that the coordinates of all particles count from; see
+        gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
+        step and an attachment need a scene of the same origin, else they return
+        GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles)."""
+        origin_ = array_of(origin, "<f8", 3)
+        check(low.gphys_solver_set_origin(self._handle, origin_.address))
+
+    def get_origin(self) -> np.ndarray:
+        """Where in the world the particles' coordinates count from."""
+        out_origin = np.empty(3, "<f8")
+        check(low.gphys_solver_get_origin(self._handle, out_origin.ctypes.data))
+        return out_origin
 
     def set_gravity(self, gravity: low.Vec3 | Sequence) -> None:
         """m/s^2, from the next step on."""
