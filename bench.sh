@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Times the library: ./bench.sh [scene mesh query update] [--peers] [--quick] [--docs]
+# Times the library: ./bench.sh [scene mesh query update solver] [--peers] [--quick] [--docs]
 # Installs what it needs, builds with the flags that users get, writes build/bench/<suite>.csv with
 # a plot beside each, the machine's description and ratios.md. --peers measures Embree, Bullet and
 # FCL in the same run; --quick is a few seconds of smaller work; --docs puts the results into
@@ -10,13 +10,17 @@ cd "$(dirname "$0")"
 peers=OFF
 docs=OFF
 arguments=()
+suites=()
+solver=OFF
 for argument in "$@"; do
     case $argument in
         --peers) peers=ON ;;
         --docs) docs=ON ;;
-        --quick | scene | mesh | query | update) arguments+=("$argument") ;;
+        --quick) arguments+=("$argument") ;;
+        scene | mesh | query | update) suites+=("$argument") ;;
+        solver) solver=ON ;;
         *)
-            echo "usage: ./bench.sh [scene mesh query update] [--peers] [--quick] [--docs]" >&2
+            echo "usage: ./bench.sh [scene mesh query update solver] [--peers] [--quick] [--docs]" >&2
             exit 2
             ;;
     esac
@@ -30,7 +34,7 @@ install_packages "${packages[@]}"
 
 cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_TESTS=OFF -DGAMEPHYS_EXAMPLES=OFF \
     -DGAMEPHYS_BENCH=ON -DGAMEPHYS_BENCH_PEERS=$peers
-cmake --build build/release --target gamephys_bench
+cmake --build build/release --target gamephys_bench gamephys_bench_solver
 mkdir -p build/bench
 rm -f build/bench/*.csv
 {
@@ -39,7 +43,9 @@ rm -f build/bench/*.csv
     [ $peers = OFF ] || echo "Peers: $(dpkg-query -W -f '${source:Package} ${source:Upstream-Version}, ' "${peer_packages[@]}" | sed 's/, $//')"
     echo "Date: $(date -u +%F)"
 } | tee build/bench/machine.txt
-build/release/bench/gamephys_bench --out=build/bench "${arguments[@]}"
+if [ ${#suites[@]} -gt 0 ] || [ $solver = OFF ]; then
+    build/release/bench/gamephys_bench --out=build/bench "${suites[@]}" "${arguments[@]}"
+fi
 
 # One plot a suite: time against n, a line for each implementation and case.
 for csv in build/bench/*.csv; do
@@ -57,6 +63,29 @@ plot for [row in rows] sprintf("< awk -F, -v OFS=, -v r=%s '\$2\"/\"\$3==r {prin
     with linespoints title row noenhanced
 PLOT
 done
+
+# Work and precision of solvers: stretch against the time of a frame, a picture a case.
+if [ $solver = ON ]; then
+    build/release/bench/gamephys_bench_solver --out=build/bench "${arguments[@]}"
+    gnuplot - <<PLOT
+csv = "build/bench/solver.csv"
+set terminal pngcairo size 800,480 noenhanced
+set logscale xy
+set format y "%.0e"
+set key outside
+set grid
+set xlabel "ms per frame"
+do for [case in system("awk -F, 'NR>1 {print \$2}' ".csv." | uniq")] {
+    set output "build/bench/solver_".case.".png"
+    set title case
+    set ylabel case eq "chain_30" ? "distance from the reference, m" : "largest stretch"
+    column = case eq "chain_30" ? 9 : 6
+    methods = system("awk -F, -v c=".case." '\$2==c {print \$3}' ".csv." | uniq")
+    plot for [m in methods] sprintf("< awk -F, '\$2==\"%s\" && \$3==\"%s\" {print \$5, \$%d}' %s", case, m, column, csv) \
+        using 1:2 with linespoints lw 2 title m
+}
+PLOT
+fi
 
 python3 bench/report.py build/bench | tee build/bench/ratios.md
 if [ $docs = ON ]; then

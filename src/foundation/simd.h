@@ -2,6 +2,7 @@
 // plain IEEE arithmetic without fused operations, so each instruction set gives the same bits.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #define GPHYS_ISA_IS_scalar 1
@@ -78,6 +79,20 @@ inline FloatRegister maximum(FloatRegister a, FloatRegister b) {
     return a > b ? a : b;
 #endif
 }
+inline FloatRegister square_root(FloatRegister a) {
+#if GPHYS_ISA_IS(avx2)
+    return _mm256_sqrt_ps(a);
+#elif GPHYS_ISA_IS(sse2)
+    return _mm_sqrt_ps(a);
+#elif GPHYS_ISA_IS(neon)
+    return vsqrtq_f32(reinterpret_cast<float32x4_t>(a));
+#elif GPHYS_ISA_IS(wasm)
+    return reinterpret_cast<FloatRegister>(wasm_f32x4_sqrt(reinterpret_cast<v128_t>(a)));
+#else
+    for (int i = 0; i < register_lanes; ++i) a[i] = __builtin_sqrtf(a[i]);
+    return a;
+#endif
+}
 /// Bit i is set if lane i is.
 inline uint32_t lane_bits(MaskRegister mask) {
 #if GPHYS_ISA_IS(avx2)
@@ -105,6 +120,14 @@ inline Float8 operator-(Float8 a, Float8 b) {
 }
 inline Float8 operator*(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] *= b.part[i];
+    return a;
+}
+inline Float8 operator/(Float8 a, Float8 b) {
+    for (int i = 0; i < register_count; ++i) a.part[i] /= b.part[i];
+    return a;
+}
+inline Float8 sqrt(Float8 a) {
+    for (FloatRegister& part : a.part) part = square_root(part);
     return a;
 }
 inline Float8 min(Float8 a, Float8 b) {
@@ -136,5 +159,71 @@ inline uint32_t bits(Mask8 mask) {
     for (int i = 0; i < register_count; ++i) result |= lane_bits(mask.part[i]) << (register_lanes * i);
     return result;
 }
+
+/// Eight quadruples of floats, each at a place of its own, component by component.
+struct Quads8 {
+    Float8 x, y, z, w;
+};
+
+#if GPHYS_ISA_IS(avx2)
+/// Within each half of the registers, which hold four quadruples twice: rows become columns, and back.
+inline void transpose(FloatRegister (&v)[4]) {
+    const FloatRegister a = _mm256_unpacklo_ps(v[0], v[1]), b = _mm256_unpackhi_ps(v[0], v[1]);
+    const FloatRegister c = _mm256_unpacklo_ps(v[2], v[3]), d = _mm256_unpackhi_ps(v[2], v[3]);
+    v[0] = _mm256_shuffle_ps(a, c, 0x44);
+    v[1] = _mm256_shuffle_ps(a, c, 0xee);
+    v[2] = _mm256_shuffle_ps(b, d, 0x44);
+    v[3] = _mm256_shuffle_ps(b, d, 0xee);
+}
+inline Quads8 load_quads(const float* from, const uint32_t* index) {
+    FloatRegister v[4];
+    for (int i = 0; i < 4; ++i) {
+        v[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(from + 4 * size_t{index[i]})),
+                                    _mm_loadu_ps(from + 4 * size_t{index[i + 4]}), 1);
+    }
+    transpose(v);
+    return {{{v[0]}}, {{v[1]}}, {{v[2]}}, {{v[3]}}};
+}
+inline void store_quads(float* to, const uint32_t* index, const Quads8& quads) {
+    FloatRegister v[4] = {quads.x.part[0], quads.y.part[0], quads.z.part[0], quads.w.part[0]};
+    transpose(v);
+    for (int i = 0; i < 4; ++i) {
+        _mm_storeu_ps(to + 4 * size_t{index[i]}, _mm256_castps256_ps128(v[i]));
+        _mm_storeu_ps(to + 4 * size_t{index[i + 4]}, _mm256_extractf128_ps(v[i], 1));
+    }
+}
+#else
+inline void transpose(FloatRegister (&v)[4]) {
+    const FloatRegister a = __builtin_shufflevector(v[0], v[1], 0, 4, 1, 5);
+    const FloatRegister b = __builtin_shufflevector(v[0], v[1], 2, 6, 3, 7);
+    const FloatRegister c = __builtin_shufflevector(v[2], v[3], 0, 4, 1, 5);
+    const FloatRegister d = __builtin_shufflevector(v[2], v[3], 2, 6, 3, 7);
+    v[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    v[1] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    v[2] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    v[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+inline Quads8 load_quads(const float* from, const uint32_t* index) {
+    Quads8 quads;
+    for (int half = 0; half < 2; ++half) {
+        FloatRegister v[4];
+        for (int i = 0; i < 4; ++i) {
+            v[i] = *reinterpret_cast<const FloatsInMemory*>(from + 4 * size_t{index[4 * half + i]});
+        }
+        transpose(v);
+        quads.x.part[half] = v[0], quads.y.part[half] = v[1], quads.z.part[half] = v[2], quads.w.part[half] = v[3];
+    }
+    return quads;
+}
+inline void store_quads(float* to, const uint32_t* index, const Quads8& quads) {
+    for (int half = 0; half < 2; ++half) {
+        FloatRegister v[4] = {quads.x.part[half], quads.y.part[half], quads.z.part[half], quads.w.part[half]};
+        transpose(v);
+        for (int i = 0; i < 4; ++i) {
+            *reinterpret_cast<FloatsInMemory*>(to + 4 * size_t{index[4 * half + i]}) = v[i];
+        }
+    }
+}
+#endif
 
 }  // namespace gphys::GPHYS_ISA

@@ -53,6 +53,23 @@ struct BodySettings {
     uint32_t layers = 0;  // of the models it collides with
 };
 
+/// The state of cloth during a step, as cloth_kernels.h takes it: four floats for each particle, and
+/// for two more that do not move.
+struct ClothState {
+    explicit ClothState(std::pmr::memory_resource* memory)
+        : at(memory),
+          start(memory),
+          moved(memory),
+          velocity(memory),
+          velocity_before(memory),
+          acceleration(memory),
+          mass(memory) {}
+
+    Vec3 origin;              // of the positions
+    double average_mass = 1;  // of the particles
+    Vector<float> at, start, moved, velocity, velocity_before, acceleration, mass;
+};
+
 struct Body {
     explicit Body(std::pmr::memory_resource* memory)
         : position(memory),
@@ -73,6 +90,7 @@ struct Body {
           earlier(memory),
           earlier_velocity(memory),
           touches(memory),
+          cloth(memory),
           plan(memory) {}
 
     uint32_t size() const { return static_cast<uint32_t>(position.size()); }
@@ -96,7 +114,7 @@ struct Body {
     Vector<uint32_t> triangles;  // of cloth, for drawing
 
     // The history that the time scheme needs: the state at the beginning of the substep under way,
-    // and the one a substep before it.
+    // and the one a substep before it. Of cloth it is in `cloth`.
     Vector<Vec3> predicted;  // where the particles would go without constraints
     Vector<Vec3> start, start_velocity, earlier, earlier_velocity;
     double earlier_step = 0;  // seconds between the two; 0 when motion was interrupted
@@ -104,6 +122,7 @@ struct Body {
     Vector<Touch> touches;  // touches_per_particle each; empty until the body meets a scene
     bool touched = false;   // in the substep under way
 
+    ClothState cloth;
     Plan plan;
 };
 

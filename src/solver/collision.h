@@ -91,6 +91,15 @@ Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to
 /// Of a body whose particles have just been moved from start to position.
 void collide(Body& body, const Surroundings& around, double quiet);
 
+/// What gravity adds in two substeps is no speed to bounce with.
+inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravity); }
+
+/// cloth.cpp: a body of many chains. A step begins and ends with its own functions.
+void reserve_cloth(Body& body);
+void begin_cloth(Body& body, Vec3 gravity);
+void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void end_cloth(Body& body);
+
 /// free_flight.cpp: a body without constraints, moved and collided.
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h);
 

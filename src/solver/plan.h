@@ -4,6 +4,7 @@
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
+#include "solver/cloth_kernels.h"
 
 namespace gphys {
 
@@ -21,20 +22,43 @@ struct ReachLimit {
     double distance;
 };
 
-/// What elimination along a chain leaves for substitution, per particle of a rope ...
+/// What elimination along a rope leaves for substitution, per particle.
 struct DirectRow {
     double next[4][4];  // times the unknowns of the next particle and link
     double value[4];
 };
-/// ... and per link of a chain in a family.
-struct LineRow {
-    Vec3 direction;
-    double inverse_pivot, value, coupling;
+/// Chains and limits of cloth, packed for cloth_kernels.h. Lanes that are left over hold two
+/// particles beyond the last one, which do not move.
+struct ClothBatches {
+    explicit ClothBatches(std::pmr::memory_resource* memory)
+        : chains(memory),
+          particles(memory),
+          rest(memory),
+          compliance(memory),
+          softness(memory),
+          stiffness(memory),
+          limited(memory),
+          anchors(memory),
+          distances(memory),
+          rows(memory) {}
+
+    Vector<ChainBatch> chains;  // family after family
+    Vector<uint32_t> particles;
+    Vector<float> rest;
+    Vector<double> compliance;  // by link and chain; infinity for those that are not there
+    double scale = 0;           // average mass / step^2, for which this is:
+    Vector<float> softness;     // compliance * scale
+    Vector<float> stiffness;    // 1 / (compliance * average mass); 0 for rigid links and absent ones
+    bool elastic = false;       // whether any is not
+    Vector<uint32_t> limited, anchors;
+    Vector<float> distances;
+    Vector<float> rows;  // room for the longest chain
 };
 
 struct Plan {
     explicit Plan(std::pmr::memory_resource* memory)
         : chains(memory),
+          families(memory),
           particles(memory),
           rest(memory),
           compliance(memory),
@@ -42,13 +66,14 @@ struct Plan {
           tension(memory),
           reach_limits(memory),
           direct_rows(memory),
-          line_rows(memory) {}
+          batches(memory) {}
 
     gphys_solve_method method = GPHYS_SOLVE_FREE;
     bool chains_current = false, reach_current = false;
 
     /// By family. The chains of a family share no particle, so their order within it is free.
     Vector<Chain> chains;
+    Vector<uint32_t> families;  // the first chain of each, and the end
     Vector<uint32_t> particles;
     Vector<double> rest, compliance;  // by link
     Vector<double> target;            // by link: the length it shall have; only for direct solving
@@ -56,7 +81,7 @@ struct Plan {
     Vector<ReachLimit> reach_limits;
 
     Vector<DirectRow> direct_rows;  // room for the longest chain
-    Vector<LineRow> line_rows;
+    ClothBatches batches;           // the same chains and limits as the kernels take them
 };
 
 /// Which method suits the constraints. O(particles); allocates nothing.
@@ -64,15 +89,14 @@ gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
-/// Parts of it: plan_chains.cpp and reach_limits.cpp.
+/// Parts of it: plan_chains.cpp, reach_limits.cpp and plan_cloth.cpp.
 void plan_direct_chains(Body& body);
 void plan_chain_families(Body& body);
 void plan_reach_limits(Body& body);
+void pack_cloth(Body& body);
 
-/// The solvers. Positions are moved so that the constraints hold; `step` is the effective time step
-/// of the scheme: a force f moves a particle by f / m * step^2.
-void solve_directly(Body& body, double step);        // rope_direct.cpp
-void solve_chain_families(Body& body, double step);  // cloth_families.cpp
-void apply_reach_limits(Body& body);                 // reach_limits.cpp
+/// Positions are moved so that the constraints hold; `step` is the effective time step of the scheme:
+/// a force f moves a particle by f / m * step^2.
+void solve_directly(Body& body, double step);
 
 }  // namespace gphys

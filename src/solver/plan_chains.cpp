@@ -26,6 +26,7 @@ void walk_chain(const Body& body, uint32_t end, Visit&& visit) {
 
 void clear_chains(Plan& plan) {
     plan.chains.clear();
+    plan.families.clear();
     plan.particles.clear();
     plan.rest.clear();
     plan.compliance.clear();
@@ -237,10 +238,15 @@ void plan_chain_families(Body& body) {
 
     Vector<uint32_t> order(line_count, memory);
     for (uint32_t line = 0; line < line_count; ++line) order[line] = line;
-    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return family[a] < family[b]; });
+    // Within a family the longest first, so that chains solved side by side are of one length.
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        if (family[a] != family[b]) return family[a] < family[b];
+        return lines.chains[a].link_count > lines.chains[b].link_count;
+    });
     clear_chains(plan);
     for (const uint32_t line : order) {
         const Chain& chain = lines.chains[line];
+        if (plan.families.size() == family[line]) plan.families.push_back(static_cast<uint32_t>(plan.chains.size()));
         begin_chain(plan, lines.particles[chain.first_particle]);
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t link = chain.first_link + i;
@@ -248,7 +254,7 @@ void plan_chain_families(Body& body) {
                      lines.particles[chain.first_particle + i + 1]);
         }
     }
-    plan.line_rows.resize(longest_chain(plan));
+    plan.families.push_back(line_count);
 }
 
 void update_plan(Body& body) {
@@ -262,7 +268,10 @@ void update_plan(Body& body) {
     }
     if (!plan.reach_current) {
         plan.reach_limits.clear();
-        if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(body);
+        if (plan.method == GPHYS_SOLVE_GRAPH) {
+            plan_reach_limits(body);
+            pack_cloth(body);
+        }
         plan.reach_current = true;
     }
 }

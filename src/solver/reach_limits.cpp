@@ -90,15 +90,4 @@ void plan_reach_limits(Body& body) {
     }
 }
 
-void apply_reach_limits(Body& body) {
-    for (const ReachLimit& limit : body.plan.reach_limits) {
-        const Vec3 anchor = body.position[limit.anchor];
-        const Vec3 away = body.position[limit.particle] - anchor;
-        const double squared = length_squared(away);
-        if (squared > limit.distance * limit.distance) {
-            body.position[limit.particle] = anchor + away * (limit.distance / std::sqrt(squared));
-        }
-    }
-}
-
 }  // namespace gphys

@@ -7,8 +7,10 @@
 //   free_flight.cpp     bodies without constraints: exact flight and impacts
 //   plan_chains.cpp     which constraints form chains
 //   rope_direct.cpp     ropes: Newton on the whole chain
-//   cloth_families.cpp  cloth and graphs: families of chains
+//   cloth.cpp           cloth and graphs: families of chains
+//   cloth_kernels.cpp   their inner loops
 //   reach_limits.cpp    how far cloth can be from its pins
+//   plan_cloth.cpp      chains and limits, packed for the kernels
 //   collision.cpp       particles against the scene
 //   stats.cpp           strain, energy, contacts
 #pragma once

@@ -2,7 +2,7 @@
 //
 //   free         exact flight and impacts                                    free_flight.cpp
 //   direct       predict, solve chains as a whole, new velocities, collide   rope_direct.cpp
-//   graph        predict, chain families, reach limits, velocities, collide  cloth_families.cpp
+//   graph        predict, chain families, reach limits, velocities, collide  cloth.cpp
 //
 // Time scheme of constrained bodies: the backward differentiation formula of second order for
 // unequal steps, with constraint forces at the end of the substep. Unlike a position difference
@@ -12,35 +12,18 @@
 #include <cstring>
 
 #include "solver/solver.h"
+#include "solver/time_scheme.h"
 
 namespace gphys {
 namespace {
 
-/// x1 = (now x0 - earlier x_(-1) + h v1) / next, and the same for v1 with h times the acceleration.
-struct TimeScheme {
-    double h;
-    double next = 1, now = 1, earlier = 0;
-
-    TimeScheme(double step, double step_before) : h(step) {
-        // Steps that grow faster than 1 + sqrt(2) make the formula unstable (Grigorieff 1983).
-        const double ratio = step_before > 0 ? step / step_before : infinity;
-        if (ratio > 2) return;
-        next = (1 + 2 * ratio) / (1 + ratio);
-        now = 1 + ratio;
-        earlier = ratio * ratio / (1 + ratio);
-    }
-
-    Vec3 from_history(Vec3 x0, Vec3 x_before) const { return earlier == 0 ? x0 : x0 * now - x_before * earlier; }
-};
-
-/// Move free particles to where they would go without constraints. Damping is part of the formula,
-/// so it is as accurate as the rest and never overshoots.
+/// Move free particles to where they would go without constraints.
 void predict(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     std::swap(body.earlier, body.start);
     std::swap(body.earlier_velocity, body.start_velocity);
     body.start = body.position;
     body.start_velocity = body.velocity;
-    const double drag = 1 / (scheme.next + body.settings.damping * scheme.h);
+    const double drag = scheme.drag(body.settings.damping);
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.pinned(p)) continue;
         const Vec3 acceleration = gravity + body.force[p] * body.inverse_mass[p];
@@ -63,49 +46,6 @@ void finish(Body& body, const TimeScheme& scheme) {
     }
 }
 
-double elastic_energy(const Plan& plan, const Vector<Vec3>& position) {
-    double sum = 0;
-    for (const Chain& chain : plan.chains) {
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t particle = chain.first_particle + i, link = chain.first_link + i;
-            if (plan.compliance[link] == 0) continue;
-            const double length = distance(position[plan.particles[particle]], position[plan.particles[particle + 1]]);
-            const double stretch = length - plan.rest[link];
-            sum += stretch * stretch / (2 * plan.compliance[link]);
-        }
-    }
-    return sum;
-}
-
-/// What sweeps over a graph leave unsolved can do work in long steps. Motion within the body is
-/// slowed so that the substep gains no energy; the motion of a free body as a whole stays.
-void take_back_gain(Body& body, Vec3 gravity) {
-    if (!body.attachments.empty()) return;  // moving models do work
-    double gain = elastic_energy(body.plan, body.position) - elastic_energy(body.plan, body.start);
-    double mass = 0;
-    Vec3 momentum;
-    bool held = false;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        held = held || body.pinned(p);
-        if (body.pinned(p)) continue;
-        const double m = body.mass[p];
-        gain += m / 2 * (length_squared(body.velocity[p]) - length_squared(body.start_velocity[p])) -
-                dot(gravity * m + body.force[p], body.position[p] - body.start[p]);
-        mass += m;
-        momentum += body.velocity[p] * m;
-    }
-    if (gain <= 0) return;
-    const Vec3 drift = held ? Vec3{} : momentum / mass;
-    double inner = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (!body.pinned(p)) inner += body.mass[p] / 2 * length_squared(body.velocity[p] - drift);
-    }
-    const double kept = gain < inner ? std::sqrt(1 - gain / inner) : 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (!body.pinned(p)) body.velocity[p] = drift + (body.velocity[p] - drift) * kept;
-    }
-}
-
 void follow_models(Body& body, double fraction, double h) {
     for (const Attachment& attachment : body.attachments) {
         Vec3& position = body.position[attachment.particle];
@@ -115,23 +55,28 @@ void follow_models(Body& body, double fraction, double h) {
     }
 }
 
-void move_constrained(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const TimeScheme scheme(h, body.earlier_step);
     predict(body, scheme, gravity);
     follow_models(body, around.end, h);
-    // A force acts on the position through both formulas: h / next for each.
-    const double step = h / std::sqrt(scheme.next * (scheme.next + body.settings.damping * h));
-    if (body.plan.method == GPHYS_SOLVE_DIRECT) {
-        solve_directly(body, step);
-    } else {
-        solve_chain_families(body, step);
-        apply_reach_limits(body);
-    }
+    solve_directly(body, scheme.step(body.settings.damping));
     finish(body, scheme);
-    if (body.plan.method == GPHYS_SOLVE_GRAPH) take_back_gain(body, gravity);
-    // What gravity adds in two substeps is no speed to bounce with.
-    collide(body, around, 2 * h * length(gravity));
+    collide(body, around, quiet_speed(gravity, h));
     body.earlier_step = body.touched ? 0 : h;
+}
+
+void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    switch (body.plan.method) {
+        case GPHYS_SOLVE_FREE:
+            follow_models(body, around.end, h);
+            fly(body, around, gravity, h);
+            break;
+        case GPHYS_SOLVE_DIRECT:
+            move_chains(body, around, gravity, h);
+            break;
+        default:
+            move_cloth(body, around, gravity, h);
+    }
 }
 
 /// One sweep over a graph leaves an error that grows with the square of the substep. Beyond 25 ms, at
@@ -162,6 +107,18 @@ void aim_attachments(Body& body, const Scene* scene) {
                            body.attachments.end());
 }
 
+void reserve_history(Body& body) {
+    body.start.resize(body.size());
+    if (body.plan.method == GPHYS_SOLVE_GRAPH) {
+        reserve_cloth(body);
+        return;
+    }
+    body.predicted.resize(body.size());
+    body.start_velocity.resize(body.size());
+    body.earlier.resize(body.size());
+    body.earlier_velocity.resize(body.size());
+}
+
 }  // namespace
 
 /// Everything that may fail for want of memory, before anything moves.
@@ -171,11 +128,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         Body& body = bodies_[slot];
         aim_attachments(body, scene);
         update_plan(body);
-        body.predicted.resize(body.size());
-        body.start.resize(body.size());
-        body.start_velocity.resize(body.size());
-        body.earlier.resize(body.size());
-        body.earlier_velocity.resize(body.size());
+        reserve_history(body);
         if (scene && body.settings.layers != 0) body.touches.resize(size_t{body.size()} * touches_per_particle);
     }
     next_seen_.clear();
@@ -215,16 +168,13 @@ void Solver::step(const Scene* scene, double dt) {
         std::fill(body.touches.begin(), body.touches.end(), Touch{});
         const uint32_t substeps = substeps_of(body, dt, settings_.substeps);
         const double h = dt / substeps;
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, settings_.gravity);
         for (uint32_t i = 1; i <= substeps; ++i) {
             const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
             const Surroundings around{scene, &moved_, dt, begin, end};
-            if (body.plan.method == GPHYS_SOLVE_FREE) {
-                follow_models(body, end, h);
-                fly(body, around, settings_.gravity, h);
-            } else {
-                move_constrained(body, around, settings_.gravity, h);
-            }
+            move(body, around, settings_.gravity, h);
         }
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body);
     }
     seen_.swap(next_seen_);
 }

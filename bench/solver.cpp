@@ -1,0 +1,325 @@
+// gamephys_bench_solver [CASE...] [--quick] [--out=DIR]: work and precision of solvers. Each method moves each
+// system for some seconds; DIR/solver.csv gets a row for each with the time of a 60 Hz frame beside
+// the stretch, the energy gained and the distance from a reference.
+#include "solver.h"
+
+#include <time.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <stdexcept>
+
+namespace bench {
+
+namespace {
+
+constexpr double bend_compliance = 1e-3;  // m/N
+
+class Gamephys final : public Method {
+public:
+    Gamephys(const System& system, uint32_t substeps) {
+        gphys_solver_desc desc;
+        check(gphys_solver_desc_init(&desc, sizeof desc));
+        desc.gravity = {0, -static_cast<float>(gravity), 0};
+        desc.substeps = substeps;
+        check(gphys_solver_create(&desc, &solver_));
+        for (size_t first = 0; first < system.positions.size(); first += system.body_size) add(system, first);
+    }
+    ~Gamephys() override { gphys_solver_destroy(solver_); }
+    void step() override { check(gphys_solver_step(solver_, nullptr, static_cast<float>(frame))); }
+    std::vector<gphys_vec3> positions() const override { return read(gphys_solver_get_positions); }
+    std::vector<gphys_vec3> velocities() const override { return read(gphys_solver_get_velocities); }
+
+private:
+    static void check(gphys_status status) {
+        if (status != GPHYS_OK) throw std::runtime_error(gphys_last_error());
+    }
+
+    void add(const System& system, size_t first) {
+        gphys_body_desc desc;
+        check(gphys_body_desc_init(&desc, sizeof desc));
+        desc.damping = system.damping;
+        desc.cloth_flags = GPHYS_CLOTH_SHEAR | (system.bend ? GPHYS_CLOTH_BEND : 0);
+        desc.bend_compliance = static_cast<float>(bend_compliance);
+        gphys_body_id body = 0;
+        if (system.columns > 0) {
+            const uint32_t n = system.columns;
+            check(gphys_solver_add_cloth(solver_, &desc, &system.positions[0], &system.positions[n - 1],
+                                         &system.positions[n * (n - 1)], n, n, &body));
+        } else {
+            check(gphys_solver_add_rope(solver_, &desc, &system.positions[first], 12, system.body_size,
+                                        static_cast<float>(system.links[0].rest), &body));
+        }
+        for (uint32_t i = 0; i < system.body_size; ++i) {
+            const float mass = system.masses[first + i];
+            check(mass > 0 ? gphys_solver_set_masses(solver_, body, i, 1, &mass, 4)
+                           : gphys_solver_set_pinned(solver_, body, i, 1, 1));
+        }
+        bodies_.emplace_back(body, system.body_size);
+    }
+
+    template <class Get>
+    std::vector<gphys_vec3> read(Get&& get) const {
+        std::vector<gphys_vec3> out;
+        for (const auto& [body, size] : bodies_) {
+            out.resize(out.size() + size);
+            check(get(solver_, body, 0, size, &out[out.size() - size], 12));
+        }
+        return out;
+    }
+
+    gphys_solver* solver_ = nullptr;
+    std::vector<std::pair<gphys_body_id, uint32_t>> bodies_;
+};
+
+/// Ropes of `links` links of the given length from the origin along x, their first ends pinned.
+System ropes(uint32_t count, uint32_t links, float length, float tip_mass) {
+    System system;
+    system.body_size = links + 1;
+    for (uint32_t rope = 0; rope < count; ++rope) {
+        for (uint32_t i = 0; i <= links; ++i) {
+            const auto p = static_cast<uint32_t>(system.positions.size());
+            if (i > 0) system.links.push_back({p - 1, p, static_cast<double>(length), 0});
+            system.positions.push_back({static_cast<float>(i) * length, 0, static_cast<float>(rope)});
+            system.masses.push_back(i == 0 ? 0 : i == links ? tip_mass : 1);
+        }
+    }
+    return system;
+}
+
+/// A square sheet of n x n particles 2 cm apart, level, held at two corners.
+System cloth(uint32_t n, bool bend) {
+    System system;
+    system.body_size = n * n;
+    system.columns = n;
+    system.bend = bend;
+    system.damping = 1;
+    constexpr double spacing = 0.02;
+    for (uint32_t i = 0; i < n * n; ++i) {
+        system.positions.push_back({static_cast<float>(i % n * spacing), 0, static_cast<float>(i / n * spacing)});
+    }
+    system.masses.assign(n * n, 1);
+    system.masses[0] = system.masses[n - 1] = 0;
+    const auto join = [&](uint32_t right, uint32_t down, bool mirrored, double compliance) {
+        for (uint32_t row = 0; row + down < n; ++row) {
+            for (uint32_t column = 0; column + right < n; ++column) {
+                const uint32_t from = row * n + column + (mirrored ? right : 0);
+                const uint32_t to = (row + down) * n + column + (mirrored ? 0 : right);
+                system.links.push_back({from, to, spacing * std::hypot(right, down), compliance});
+            }
+        }
+    };
+    join(1, 0, false, 0);
+    join(0, 1, false, 0);
+    join(1, 1, false, 0);
+    join(1, 1, true, 0);
+    if (bend) join(2, 0, false, bend_compliance), join(0, 2, false, bend_compliance);
+    return system;
+}
+
+double distance(gphys_vec3 a, gphys_vec3 b) {
+    return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y, static_cast<double>(a.z) - b.z);
+}
+
+/// Largest stretch of rigid links, and the root of its mean square.
+std::pair<double, double> stretch(const System& system, const std::vector<gphys_vec3>& positions) {
+    double most = 0, squares = 0, count = 0;
+    for (const Link& link : system.links) {
+        if (link.compliance > 0) continue;
+        const double strain = distance(positions[link.a], positions[link.b]) / link.rest - 1;
+        most = std::max(most, strain);
+        squares += strain * strain;
+        ++count;
+    }
+    return {most, std::sqrt(squares / count)};
+}
+
+/// Joules, without what compliant links hold.
+double energy(const System& system, const Method& method) {
+    const std::vector<gphys_vec3> positions = method.positions(), velocities = method.velocities();
+    double sum = 0;
+    for (size_t i = 0; i < positions.size(); ++i) {
+        const gphys_vec3 v = velocities[i];
+        const double speed = std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+        sum += system.masses[i] * (speed * speed / 2 + gravity * positions[i].y);
+    }
+    return sum;
+}
+
+/// Where a rope of `ropes` is after a second, by Newton's second law in double precision: SHAKE
+/// (Ryckaert et al. 1977) in steps of 10 microseconds, each link projected until all are right.
+std::vector<gphys_vec3> reference(const System& system, double seconds) {
+    struct Point {
+        double at[3], before[3];
+    };
+    constexpr double h = 1e-5;
+    std::vector<Point> points;
+    for (size_t i = 0; i < system.positions.size(); ++i) {
+        const gphys_vec3 p = system.positions[i];
+        Point point{{p.x, p.y, p.z}, {p.x, p.y, p.z}};
+        if (system.masses[i] > 0) point.before[1] += gravity * h * h / 2;
+        points.push_back(point);
+    }
+    std::vector<Point> start;
+    for (int64_t step = 0; step < std::llround(seconds / h); ++step) {
+        start = points;
+        for (size_t i = 0; i < points.size(); ++i) {
+            if (system.masses[i] == 0) continue;
+            for (int k = 0; k < 3; ++k) {
+                points[i].at[k] += start[i].at[k] - start[i].before[k] - (k == 1 ? gravity * h * h : 0);
+                points[i].before[k] = start[i].at[k];
+            }
+        }
+        double worst = 1;
+        for (int sweep = 0; sweep < 1000 && worst > 1e-10; ++sweep) {
+            worst = 0;
+            for (size_t turn = 0; turn < system.links.size(); ++turn) {
+                const Link& link = system.links[sweep % 2 ? system.links.size() - 1 - turn : turn];
+                Point &a = points[link.a], &b = points[link.b];
+                double now = 0, along = 0;
+                for (int k = 0; k < 3; ++k) {
+                    const double d = b.at[k] - a.at[k];
+                    now += d * d;
+                    along += d * (start[link.b].at[k] - start[link.a].at[k]);
+                }
+                const double wa = system.masses[link.a] > 0 ? 1.0 / system.masses[link.a] : 0;
+                const double wb = system.masses[link.b] > 0 ? 1.0 / system.masses[link.b] : 0;
+                const double pull = (now - link.rest * link.rest) / (2 * along * (wa + wb));
+                worst = std::max(worst, std::fabs(now / (link.rest * link.rest) - 1));
+                for (int k = 0; k < 3; ++k) {
+                    const double d = start[link.b].at[k] - start[link.a].at[k];
+                    a.at[k] += wa * pull * d;
+                    b.at[k] -= wb * pull * d;
+                }
+            }
+        }
+    }
+    std::vector<gphys_vec3> out;
+    for (const Point& p : points) {
+        out.push_back({static_cast<float>(p.at[0]), static_cast<float>(p.at[1]), static_cast<float>(p.at[2])});
+    }
+    return out;
+}
+
+double seconds_of_thread() {
+    timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+struct Contender {
+    const char* name;
+    std::function<std::unique_ptr<Method>(const System&, uint32_t)> make;
+    std::vector<uint32_t> efforts;
+};
+
+class Table {
+public:
+    /// Of all cases if none is wanted.
+    Table(const std::string& path, std::vector<std::string> wanted)
+        : file_(std::fopen(path.c_str(), "w")), wanted_(std::move(wanted)) {
+        if (!file_) throw std::runtime_error("cannot write " + path);
+        std::fputs("suite,case,method,substeps,ms,strain_max,strain_rms,energy_gain,position_error\n", file_);
+    }
+    ~Table() { std::fclose(file_); }
+
+    void run(const char* name, const System& system, double seconds, const std::vector<Contender>& contenders,
+             const std::vector<gphys_vec3>& truth = {}) {
+        if (!wanted_.empty() && std::find(wanted_.begin(), wanted_.end(), name) == wanted_.end()) return;
+        for (const Contender& contender : contenders) {
+            for (const uint32_t effort : contender.efforts) run(name, system, seconds, contender, effort, truth);
+        }
+    }
+
+private:
+    void run(const char* name, const System& system, double seconds, const Contender& contender, uint32_t effort,
+             const std::vector<gphys_vec3>& truth) {
+        const std::unique_ptr<Method> method = contender.make(system, effort);
+        const double before = energy(system, *method);
+        std::vector<double> times;
+        double most = 0, rms = 0;
+        for (int i = 0; i < std::lround(seconds / frame); ++i) {
+            const double start = seconds_of_thread();
+            method->step();
+            times.push_back(seconds_of_thread() - start);
+            const auto [frame_most, frame_rms] = stretch(system, method->positions());
+            most = std::max(most, frame_most);
+            rms = std::max(rms, frame_rms);
+        }
+        std::nth_element(times.begin(), times.begin() + static_cast<long>(times.size() / 2), times.end());
+        // What there is to gain or lose: all masses falling as far as the system is long.
+        double weight = 0, size = 0;
+        for (size_t i = 0; i < system.positions.size(); ++i) {
+            weight += gravity * system.masses[i];
+            size = std::max(size, distance(system.positions[i], system.positions[0]));
+        }
+        const double gain = (energy(system, *method) - before) / (weight * size);
+        std::string error;
+        if (!truth.empty()) {
+            const std::vector<gphys_vec3> positions = method->positions();
+            double squares = 0;
+            for (size_t i = 0; i < truth.size(); ++i) squares += std::pow(distance(positions[i], truth[i]), 2);
+            char text[32];
+            std::snprintf(text, sizeof text, "%.3g", std::sqrt(squares / static_cast<double>(truth.size())));
+            error = text;
+        }
+        const double ms = times[times.size() / 2] * 1e3;
+        std::printf("%-18s %-10s %5u %9.3f ms   strain %9.3g max %9.3g rms   energy %+9.2g   error %s\n", name,
+                    contender.name, effort, ms, most, rms, gain, error.c_str());
+        std::fflush(stdout);
+        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,%.4g,%s\n", name, contender.name, effort, ms, most, rms,
+                     gain, error.c_str());
+    }
+
+    std::FILE* file_;
+    std::vector<std::string> wanted_;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_gamephys_solver(const System& system, uint32_t substeps) {
+    return std::make_unique<Gamephys>(system, substeps);
+}
+
+int run(int argc, char** argv) {
+    bool quick = false;
+    std::string directory = ".";
+    std::vector<std::string> wanted;
+    for (int i = 1; i < argc; ++i) {
+        if (!std::strcmp(argv[i], "--quick")) quick = true;
+        if (!std::strncmp(argv[i], "--out=", 6)) directory = argv[i] + 6;
+        if (argv[i][0] != '-') wanted.emplace_back(argv[i]);
+    }
+    Table table(directory + "/solver.csv", wanted);
+    const auto everybody = [&](std::vector<uint32_t> substeps, std::vector<uint32_t> xpbd_substeps) {
+        std::vector<Contender> all{{"gamephys", make_gamephys_solver, std::move(substeps)},
+                                   {"jakobsen", make_jakobsen, {50}},
+                                   {"xpbd", make_xpbd, std::move(xpbd_substeps)}};
+#ifdef GAMEPHYS_BENCH_PEERS
+        all.push_back({"bullet", make_bullet_soft, {10, 50}});
+#endif
+        return all;
+    };
+    const double seconds = quick ? 1 : 10;
+    const System chain = ropes(1, 30, 0.1f, 10);
+    table.run("chain_30", chain, 1, everybody({2, 4, 8, 16, 32}, {20, 100}), reference(chain, 1));
+    table.run("rope_1e3", ropes(1, 1000, 0.01f, 1e3f), seconds, everybody({2, 4, 8}, {100, 1000}));
+    table.run("rope_1e6", ropes(1, 1000, 0.01f, 1e6f), seconds, everybody({2, 4, 8}, {100, 1000}));
+    table.run("ropes_1000x30", ropes(1000, 30, 0.1f, 1), quick ? 0.5 : 5, everybody({2, 4}, {20}));
+    table.run("cloth_100", cloth(100, false), quick ? 1.5 : 10, everybody({10, 20, 40}, {20, 100}));
+    table.run("cloth_100_bend", cloth(100, true), quick ? 1.5 : 10, everybody({10, 20, 40}, {20, 100}));
+    return 0;
+}
+
+}  // namespace bench
+
+int main(int argc, char** argv) {
+    try {
+        return bench::run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,197 @@
+// Cloth and other graphs: chains of constraints, each solved as a whole, one family after the
+// other. Within a chain the corrections of all links are found together by elimination on their
+// tridiagonal system (Thomas), so tension crosses the cloth in one sweep where a constraint at a
+// time needs as many sweeps as there are links. One pass per substep and always the same order:
+// going forward and backward by turns was seen to pump energy.
+//
+// During a step the state is float32, relative to the middle of the body when the step began, with
+// displacements and velocities of their own: positions of a sheet of two metres are rounded to
+// 6e-8 m wherever it is.
+#include "solver/collision.h"
+#include "solver/time_scheme.h"
+
+namespace gphys {
+namespace {
+
+// Masses differ by no more than this from the average: beyond, float32 shows no difference.
+constexpr double most_mass_ratio = 1e6;
+// As in cloth_kernels.cpp; accelerations times the rest must stay a float as well.
+constexpr double farthest = 2e15, fastest = 1e9, hardest = 1e12;
+// Softer than this is not there: it yields 1e20 times as far as the heaviest particle.
+constexpr double softest = 1e26;
+
+float to_float(double value, double limit) { return static_cast<float>(std::clamp(value, -limit, limit)); }
+
+void put(float* to, Vec3 value, double limit) {
+    for (int k = 0; k < 3; ++k) to[k] = to_float(value[k], limit);
+}
+Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
+
+ClothMotion motion_of(ClothState& cloth) {
+    return {static_cast<uint32_t>(cloth.at.size()),
+            cloth.at.data(),
+            cloth.start.data(),
+            cloth.moved.data(),
+            cloth.velocity.data(),
+            cloth.velocity_before.data(),
+            cloth.acceleration.data(),
+            cloth.mass.data()};
+}
+
+ClothChains chains_of(const ClothBatches& batches) {
+    return {batches.particles.data(), batches.rest.data(), batches.softness.data(), batches.stiffness.data()};
+}
+
+void soften(ClothBatches& batches, double average_mass, double step) {
+    const double scale = average_mass / (step * step);
+    if (batches.scale == scale) return;
+    batches.scale = scale;
+    batches.elastic = false;
+    for (size_t i = 0; i < batches.compliance.size(); ++i) {
+        const double compliance = batches.compliance[i];
+        batches.softness[i] = to_float(compliance * scale, softest);
+        const bool elastic = compliance > 0 && compliance < infinity;
+        // 1e15: stiffer links, and what they hold, are those of rigid ones.
+        batches.stiffness[i] =
+            elastic && compliance * average_mass > 1e-15 ? static_cast<float>(1 / (compliance * average_mass)) : 0;
+        batches.elastic = batches.elastic || elastic;
+    }
+}
+
+double stored_energy(const ClothKernels& kernels, const Body& body) {
+    const ClothBatches& batches = body.plan.batches;
+    if (!batches.elastic) return 0;
+    double sum = 0;
+    for (const ChainBatch& batch : batches.chains)
+        sum += kernels.stored(body.cloth.at.data(), chains_of(batches), batch);
+    return sum;
+}
+
+void solve_cloth(const ClothKernels& kernels, Body& body) {
+    ClothBatches& batches = body.plan.batches;
+    for (const ChainBatch& batch : batches.chains) {
+        kernels.solve(body.cloth.at.data(), chains_of(batches), batch, batches.rows.data());
+    }
+    kernels.limit(body.cloth.at.data(), {batches.limited.data(), batches.anchors.data(), batches.distances.data()},
+                  static_cast<uint32_t>(batches.limited.size()));
+}
+
+void follow_models(Body& body, double fraction) {
+    for (const Attachment& attachment : body.attachments) {
+        const Vec3 next = attachment.begin + (attachment.end - attachment.begin) * fraction;
+        put(&body.cloth.at[4 * size_t{attachment.particle}], next - body.cloth.origin, farthest);
+    }
+}
+
+/// What sweeps over a graph leave unsolved can do work in long steps. Motion within the body is
+/// slowed so that the substep gains no energy; the motion of a free body as a whole stays.
+void take_back(ClothState& cloth, double gain) {
+    double mass = 0, inner = 0;
+    Vec3 momentum;
+    bool held = false;
+    const size_t end = 4 * (cloth.at.size() / 4 - 2);
+    for (size_t i = 0; i < end; i += 4) {
+        mass += cloth.mass[i];
+        momentum += get(&cloth.velocity[i]) * cloth.mass[i];
+        held = held || cloth.at[i + 3] == 0;
+    }
+    const Vec3 drift = held || mass == 0 ? Vec3{} : momentum / mass;
+    for (size_t i = 0; i < end; i += 4) inner += cloth.mass[i] / 2 * length_squared(get(&cloth.velocity[i]) - drift);
+    const double kept = gain < inner ? std::sqrt(1 - gain / inner) : 0;
+    for (size_t i = 0; i < end; i += 4) {
+        if (cloth.at[i + 3] > 0) put(&cloth.velocity[i], drift + (get(&cloth.velocity[i]) - drift) * kept, fastest);
+    }
+}
+
+void publish(Body& body) {
+    const ClothState& cloth = body.cloth;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        body.position[p] = cloth.origin + get(&cloth.at[4 * size_t{p}]);
+        body.velocity[p] = get(&cloth.velocity[4 * size_t{p}]);
+    }
+}
+
+void collide_cloth(Body& body, const Surroundings& around, double quiet) {
+    body.touched = false;
+    if (!around.scene || body.settings.layers == 0) return;
+    publish(body);
+    ClothState& cloth = body.cloth;
+    for (uint32_t p = 0; p < body.size(); ++p) body.start[p] = cloth.origin + get(&cloth.start[4 * size_t{p}]);
+    collide(body, around, quiet);
+    if (!body.touched) return;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        put(&cloth.at[4 * size_t{p}], body.position[p] - cloth.origin, farthest);
+        put(&cloth.velocity[4 * size_t{p}], body.velocity[p], fastest);
+    }
+}
+
+}  // namespace
+
+void reserve_cloth(Body& body) {
+    ClothState& cloth = body.cloth;
+    const size_t floats = (4 * (size_t{body.size()} + 2) + 7) / 8 * 8;
+    for (Vector<float>* values : {&cloth.at, &cloth.start, &cloth.moved, &cloth.velocity, &cloth.velocity_before,
+                                  &cloth.acceleration, &cloth.mass}) {
+        values->resize(floats);
+    }
+}
+
+void begin_cloth(Body& body, Vec3 gravity) {
+    ClothState& cloth = body.cloth;
+    Aabb box{body.position[0], body.position[0]};
+    double mass = 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        box = {min(box.min, body.position[p]), max(box.max, body.position[p])};
+        mass += body.mass[p];
+    }
+    cloth.origin = (box.min + box.max) / 2;
+    cloth.average_mass = mass / body.size();
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        const size_t i = 4 * size_t{p};
+        put(&cloth.at[i], body.position[p] - cloth.origin, farthest);
+        put(&cloth.velocity[i], body.velocity[p], fastest);
+        const bool free = !body.pinned(p);
+        const double relative = std::clamp(body.mass[p] / cloth.average_mass, 1 / most_mass_ratio, most_mass_ratio);
+        cloth.at[i + 3] = free ? static_cast<float>(1 / relative) : 0;
+        put(&cloth.acceleration[i], free ? gravity + body.force[p] * body.inverse_mass[p] : Vec3{}, hardest);
+        const float weight = free ? static_cast<float>(relative) : 0;
+        std::fill_n(&cloth.mass[i], 3, weight);
+    }
+    cloth.at[4 * size_t{body.size()} + 4] = 1;  // the two that do not move are a metre apart
+}
+
+void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    const ClothKernels& kernels = cloth_kernels(chosen_isa());
+    ClothState& cloth = body.cloth;
+    const TimeScheme scheme(h, body.earlier_step);
+    const auto narrowed = [](double value) { return static_cast<float>(value); };
+    const double h_before = scheme.earlier > 0 ? body.earlier_step : 0, damping = body.settings.damping;
+    const ClothStep step{narrowed(h),
+                         narrowed(h_before),
+                         narrowed(h_before / h),
+                         narrowed(scheme.next),
+                         narrowed(scheme.earlier),
+                         narrowed(damping),
+                         narrowed(scheme.drag(damping))};
+    soften(body.plan.batches, cloth.average_mass, scheme.step(damping));
+    const bool closed = body.attachments.empty();  // moving models do work
+    const double stored = closed ? stored_energy(kernels, body) : 0;
+    kernels.predict(motion_of(cloth), step);
+    follow_models(body, around.end);
+    solve_cloth(kernels, body);
+    double gain = kernels.finish(motion_of(cloth), step);
+    cloth.velocity.swap(cloth.velocity_before);
+    if (closed) {
+        gain += stored_energy(kernels, body) - stored;
+        if (gain > 0) take_back(cloth, gain);
+    }
+    collide_cloth(body, around, quiet_speed(gravity, h));
+    body.earlier_step = body.touched ? 0 : h;
+}
+
+void end_cloth(Body& body) {
+    publish(body);
+    for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
+}
+
+}  // namespace gphys

@@ -1,0 +1,76 @@
+// The inner loops of cloth, eight chains or particles at a time. Positions are float32, relative to
+// a point near the body; a particle is x, y, z and its inverse mass, relative to the body's average.
+#pragma once
+
+#include "foundation/isa.h"
+#include "foundation/memory.h"
+
+namespace gphys {
+
+/// Up to eight chains side by side. Links that a shorter chain lacks are soft beyond all measure.
+struct ChainBatch {
+    uint32_t first_particle, first_link;  // in the arrays below, in units of eight
+    uint32_t link_count;
+};
+
+struct ClothChains {
+    const uint32_t* particles;  // by place in the batch and chain
+    const float* rest;          // metres, by link and chain
+    const float* softness;      // compliance / step^2 * average mass
+    const float* stiffness;     // 1 / (compliance * average mass); 0: holds no energy
+};
+
+/// Eight particles at most this far from eight anchors.
+struct ClothLimits {
+    const uint32_t *particles, *anchors;
+    const float* distances;
+};
+
+/// Of one substep: what TimeScheme consists of.
+struct ClothStep {
+    float h, h_before, ratio;  // h_before / h; both 0 if there was no substep before
+    float next, earlier;
+    float damping, drag;
+};
+
+/// Quantities of all particles, four floats each; the fourth is the inverse mass in positions, else 0.
+struct ClothMotion {
+    uint32_t floats;            // four times the particles, padded to a multiple of eight
+    float* at;                  // metres
+    float* start;               // of the substep
+    float* moved;               // in the substep before
+    float* velocity;            // m/s
+    float* velocity_before;     // a substep before; where `finish` leaves the new velocities
+    const float* acceleration;  // of gravity and forces; 0 of those that do not move freely
+    const float* mass;          // relative to the average, 0 of those
+};
+
+struct ClothKernels {
+    void (*predict)(const ClothMotion& motion, const ClothStep& step);
+    /// Room for 6 vectors a link in `rows`.
+    void (*solve)(float* at, const ClothChains& chains, const ChainBatch& batch, float* rows);
+    /// What elastic links hold, per average mass.
+    double (*stored)(const float* at, const ClothChains& chains, const ChainBatch& batch);
+    void (*limit)(float* at, const ClothLimits& limits, uint32_t count);
+    /// Returns the kinetic energy gained beyond what forces gave, per average mass.
+    double (*finish)(const ClothMotion& motion, const ClothStep& step);
+};
+
+constexpr uint32_t cloth_row_floats = 6 * 8;
+
+#define GPHYS_DECLARE_CLOTH_KERNELS(set)     \
+    namespace set {                          \
+    extern const ClothKernels cloth_kernels; \
+    }
+GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_CLOTH_KERNELS)
+#undef GPHYS_DECLARE_CLOTH_KERNELS
+
+inline const ClothKernels& cloth_kernels(Isa isa) {
+#define GPHYS_CLOTH_KERNELS_OF(set) \
+    if (isa == Isa::set) return set::cloth_kernels;
+    GPHYS_FOR_EACH_ISA(GPHYS_CLOTH_KERNELS_OF)
+#undef GPHYS_CLOTH_KERNELS_OF
+    return scalar::cloth_kernels;
+}
+
+}  // namespace gphys

@@ -1,0 +1,89 @@
+// The chains and reach limits of cloth, packed so that eight are solved side by side.
+#include "solver/body.h"
+
+namespace gphys {
+namespace {
+
+constexpr uint32_t lanes = 8;
+
+/// Chains first .. last - 1, of one family, the longest first.
+void pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhere, ClothBatches& batches) {
+    const uint32_t link_count = plan.chains[first].link_count;
+    batches.chains.push_back({static_cast<uint32_t>(batches.particles.size()) / lanes,
+                              static_cast<uint32_t>(batches.rest.size()) / lanes, link_count});
+    for (uint32_t j = 0; j <= link_count; ++j) {
+        for (uint32_t lane = 0; lane < lanes; ++lane) {
+            const bool there = first + lane < last && j <= plan.chains[first + lane].link_count;
+            batches.particles.push_back(there ? plan.particles[plan.chains[first + lane].first_particle + j]
+                                              : nowhere + j % 2);
+        }
+    }
+    for (uint32_t j = 0; j < link_count; ++j) {
+        for (uint32_t lane = 0; lane < lanes; ++lane) {
+            const bool there = first + lane < last && j < plan.chains[first + lane].link_count;
+            const uint32_t link = there ? plan.chains[first + lane].first_link + j : 0;
+            batches.rest.push_back(there ? static_cast<float>(plan.rest[link]) : 0);
+            batches.compliance.push_back(there ? plan.compliance[link] : infinity);
+        }
+    }
+}
+
+/// Limits on one particle act one after the other, those on different ones side by side: first
+/// the nearest anchor of every particle, then the second nearest, and so on.
+void pack_limits(const Body& body, uint32_t nowhere, ClothBatches& batches) {
+    std::pmr::memory_resource* memory = batches.limited.get_allocator().resource();
+    const Vector<ReachLimit>& limits = body.plan.reach_limits;
+    Vector<uint32_t> rank(limits.size(), memory), count(body.size(), 0, memory), order(limits.size(), memory);
+    for (uint32_t i = 0; i < limits.size(); ++i) {
+        rank[i] = count[limits[i].particle]++;
+        order[i] = i;
+    }
+    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        return rank[a] != rank[b] ? rank[a] < rank[b] : limits[a].particle < limits[b].particle;
+    });
+    const auto fill_up = [&] {
+        while (batches.limited.size() % lanes != 0) {
+            batches.limited.push_back(nowhere);
+            batches.anchors.push_back(nowhere);
+            batches.distances.push_back(0);
+        }
+    };
+    for (uint32_t i = 0; i < limits.size(); ++i) {
+        if (i > 0 && rank[order[i]] != rank[order[i - 1]]) fill_up();
+        const ReachLimit& limit = limits[order[i]];
+        batches.limited.push_back(limit.particle);
+        batches.anchors.push_back(limit.anchor);
+        batches.distances.push_back(static_cast<float>(limit.distance));
+    }
+    fill_up();
+}
+
+}  // namespace
+
+void pack_cloth(Body& body) {
+    const Plan& plan = body.plan;
+    ClothBatches& batches = body.plan.batches;
+    batches.chains.clear();
+    batches.particles.clear();
+    batches.rest.clear();
+    batches.compliance.clear();
+    batches.limited.clear();
+    batches.anchors.clear();
+    batches.distances.clear();
+    const uint32_t nowhere = body.size();
+    uint32_t longest = 0;
+    for (size_t family = 0; family + 1 < plan.families.size(); ++family) {
+        const uint32_t end = plan.families[family + 1];
+        for (uint32_t first = plan.families[family]; first < end; first += lanes) {
+            pack_chains(plan, first, std::min(first + lanes, end), nowhere, batches);
+            longest = std::max(longest, batches.chains.back().link_count);
+        }
+    }
+    batches.softness.resize(batches.rest.size());
+    batches.stiffness.resize(batches.rest.size());
+    batches.scale = 0;
+    batches.rows.resize(size_t{cloth_row_floats} * longest);
+    pack_limits(body, nowhere, batches);
+}
+
+}  // namespace gphys
