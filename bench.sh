@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Times the library: ./bench.sh [scene mesh query update solver] [--peers] [--quick] [--docs]
+# Times the library: ./bench.sh [scene mesh query update accuracy solver] [--peers] [--quick] [--docs]
 # Installs what it needs, builds with the flags that users get, writes build/bench/<suite>.csv with
 # a plot beside each, the machine's description and ratios.md. --peers measures Embree, Bullet and
 # FCL in the same run; --quick is a few seconds of smaller work; --docs puts the results into
-# docs/benchmarks.md.
+# docs/benchmarks.md, those of the accuracy suite into docs/accuracy.md.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -17,10 +17,10 @@ for argument in "$@"; do
         --peers) peers=ON ;;
         --docs) docs=ON ;;
         --quick) arguments+=("$argument") ;;
-        scene | mesh | query | update) suites+=("$argument") ;;
+        scene | mesh | query | update | accuracy) suites+=("$argument") ;;
         solver) solver=ON ;;
         *)
-            echo "usage: ./bench.sh [scene mesh query update solver] [--peers] [--quick] [--docs]" >&2
+            echo "usage: ./bench.sh [scene mesh query update accuracy solver] [--peers] [--quick] [--docs]" >&2
             exit 2
             ;;
     esac
@@ -47,8 +47,28 @@ if [ ${#suites[@]} -gt 0 ] || [ $solver = OFF ]; then
     build/release/bench/gamephys_bench --out=build/bench "${suites[@]}" "${arguments[@]}"
 fi
 
-# One plot a suite: time against n, a line for each implementation and case.
+# One plot a case of the accuracy suite: false answers against time. None is drawn at 1e-7.
+accuracy=build/bench/accuracy.csv
+for case in $([ ! -f $accuracy ] || awk -F, 'NR>1 {print $2}' $accuracy | sort -u); do
+    gnuplot - <<PLOT
+set terminal pngcairo size 560,360
+set output "build/bench/accuracy_$case.png"
+set datafile separator ","
+set logscale xy
+set grid
+set yrange [5e-8:1]
+set xlabel "ns per operation"
+set ylabel "share of false answers"
+set title "$case" noenhanced
+set offsets graph 0.3, graph 0.3, 0, 0
+points = "< awk -F, -v OFS=, '\$2==\"$case\" {print \$5,(\$7>0?\$7:1e-7),\$3}' $accuracy"
+plot points using 1:2 with points pt 7 notitle, points using 1:2:3 with labels offset 0,1 noenhanced notitle
+PLOT
+done
+
+# One plot of each other suite: time against n, a line for each implementation and case.
 for csv in build/bench/*.csv; do
+    [ "$csv" != $accuracy ] || continue
     gnuplot - <<PLOT
 set terminal pngcairo size 1200,800
 set output "${csv%.csv}.png"
@@ -88,7 +108,11 @@ PLOT
 fi
 
 python3 bench/report.py build/bench | tee build/bench/ratios.md
-if [ $docs = ON ]; then
+if [ $docs = ON ] && [ -f $accuracy ]; then
+    python3 bench/accuracy.py build/bench >docs/accuracy.md
+    cp build/bench/accuracy_*.png docs/images/
+fi
+if [ $docs = ON ] && [ -f build/bench/scene.csv ]; then
     python3 bench/report.py build/bench --docs >docs/benchmarks.md
     gnuplot - <<PLOT
 set terminal pngcairo size 800,480

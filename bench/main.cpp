@@ -12,6 +12,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "hard_cases.h"
 #include "implementation.h"
 
 namespace bench {
@@ -404,6 +405,60 @@ void update_suite(Bench& bench) {
         [&](Implementation& i) { return i.remove_and_insert(content, next(), some) ? some : 0; }, unchecked);
 }
 
+/// Which share of the answers is false.
+Check false_answers(const HardRays& work) {
+    return [&work](Implementation& implementation) -> std::pair<double, std::string> {
+        std::vector<Answer> answers;
+        implementation.closest(work.rays, answers);
+        size_t wrong = 0;
+        for (size_t i = 0; i < answers.size(); ++i) wrong += (answers[i].object != no_object) != work.hits[i];
+        return {static_cast<double>(wrong) / static_cast<double>(answers.size()), "FALSE_FRACTION"};
+    };
+}
+
+void accuracy_suite(Bench& bench) {
+    const uint32_t count = bench.ray_count(1000);
+    std::vector<Answer> answers;
+    const auto cast = [&](const std::string& name, uint32_t n, std::vector<Entry>& entries, const HardRays& work) {
+        bench.measure("accuracy", name, n, entries, closest_hits(work.rays, answers), false_answers(work));
+    };
+    const Triangles mesh = bumpy_sphere(5);
+    const struct {
+        const char* name;
+        gphys_vec3 offset, scale;
+    } meshes[] = {{"leaks_near", {0, 0, 0}, {1, 1, 1}},
+                  {"leaks_far", {3e5f, -2e5f, 1e5f}, {1000, 1000, 1000}},
+                  {"leaks_slivers", {0, 0, 0}, {1000, 1, .001f}}};
+    for (const auto& m : meshes) {
+        const Triangles content = placed(mesh, m.offset, m.scale);
+        std::vector<Entry> entries = everybody();
+        load(entries, content);
+        cast(m.name, mesh.count(), entries, rays_out_of(content, m.offset, count));
+    }
+    {
+        const std::vector<gphys_obb> content{grid_box()};
+        std::vector<Entry> entries = everybody();
+        load(entries, content);
+        cast("ray_box_edges", 1, entries, rays_at_grid_box(count));
+        uint64_t touching = 0, total = 0;
+        const std::vector<gphys_sphere> balls = spheres_at_grid_box(count / 10, touching);
+        bench.measure(
+            "accuracy", "sphere_touches_box", 1, entries,
+            [&](Implementation& i) { return i.overlap(balls, total) ? static_cast<double>(balls.size()) : 0; },
+            [&](Implementation& i) -> std::pair<double, std::string> {
+                i.overlap(balls, total);
+                const double difference = static_cast<double>(total) - static_cast<double>(touching);
+                return {std::fabs(difference) / static_cast<double>(balls.size()), "FALSE_FRACTION"};
+            });
+    }
+    {
+        const std::vector<gphys_sphere> content{tangent_sphere()};
+        std::vector<Entry> entries = everybody();
+        load(entries, content);
+        cast("ray_sphere_tangent", 1, entries, rays_at_tangent_sphere(count));
+    }
+}
+
 }  // namespace
 
 int run(int argc, char** argv) {
@@ -418,12 +473,15 @@ int run(int argc, char** argv) {
             suites.emplace_back(argv[i]);
         }
     }
-    const std::map<std::string, void (*)(Bench&)> known = {
-        {"scene", scene_suite}, {"mesh", mesh_suite}, {"query", query_suite}, {"update", update_suite}};
+    const std::map<std::string, void (*)(Bench&)> known = {{"scene", scene_suite},
+                                                           {"mesh", mesh_suite},
+                                                           {"query", query_suite},
+                                                           {"update", update_suite},
+                                                           {"accuracy", accuracy_suite}};
     if (suites.empty()) suites = {"scene", "mesh", "query", "update"};
     for (const std::string& suite : suites) {
         if (!known.count(suite)) {
-            std::fprintf(stderr, "unknown suite %s; there are: scene mesh query update\n", suite.c_str());
+            std::fprintf(stderr, "unknown suite %s; there are: scene mesh query update accuracy\n", suite.c_str());
             return 2;
         }
     }
