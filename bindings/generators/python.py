@@ -180,14 +180,14 @@ def body(api, call, self_handle):
                 arguments.append(name)
             elif name == "count":
                 length = "count"
-                lines.append(f"count = common_length({', '.join(q['name'] + '_' for q in arrays)})")
+                lines.append(("count = common_length", arrays))
                 arguments.append("count")
             else:
                 arguments.append(f"{counted_array(parameters, i)['name']}_.numbers" if name == "index_count" else
                                  f"{counted_array(parameters, i)['name']}_.length")
         elif role == "out_array":
             size = p.get("length", length)
-            lines.append(("", size, p))
+            lines.append(("result", size, p))
             arguments.append("out_.address")
         elif role == "out":
             of = element(p)
@@ -199,12 +199,12 @@ def body(api, call, self_handle):
             continue
         else:
             arguments.append(name)
-    # Arrays of results are made when their length is known.
-    made = [line for line in lines if isinstance(line, str)]
-    for line in lines:
-        if not isinstance(line, str):
-            made.append(f"out_ = result_array(out, {line[1]}, {numpy_type(api, element(line[2]))})")
-    return made, arguments
+    # The length is known when all arrays are, and room for results is made when the length is.
+    arrays = [line for line in lines if isinstance(line, str)]
+    lengths = [f"{what[0]}({', '.join(p['name'] + '_' for p in what[1])})" for what in lines if len(what) == 2]
+    results = [f"out_ = result_array(out, {size}, {numpy_type(api, element(p))})"
+               for kind, size, p in (what for what in lines if what[0] == "result")]
+    return arrays + lengths + results, arguments
 
 
 def result_of(api, p):
@@ -222,8 +222,7 @@ def method(api, call, indent, first):
     f = call.function
     results = [output_hint(api, p) for p in call.outputs]
     returns = "None" if not results else results[0] if len(results) == 1 else f"tuple[{', '.join(results)}]"
-    may_miss = call.outputs and all(p["role"] == "out" for p in call.outputs) and any(
-        word in f["doc"] for word in ("GPHYS_NO_HIT", "GPHYS_UNBOUNDED"))
+    may_miss = f["may_miss"]
     if may_miss:
         returns += " | None"
     inner = indent + "    "
@@ -242,7 +241,7 @@ def method(api, call, indent, first):
         return text + f"{inner}check({invoke})\n"
     result = ", ".join(result_of(api, p) for p in call.outputs)
     if may_miss:
-        return text + f"{inner}return ({result}) if found({invoke}) else None\n"
+        return text + f"{inner}return {result if len(call.outputs) == 1 else f'({result})'} if found({invoke}) else None\n"
     return text + f"{inner}check({invoke})\n{inner}return {result}\n"
 
 

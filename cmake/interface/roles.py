@@ -81,7 +81,16 @@ def assign(function, handles):
             p["role"] = "array"
 
 
+def may_miss(function):
+    """Whether GPHYS_OK may fail to come without an error: outputs are untouched then."""
+    outputs = [p for p in function["parameters"] if p["role"].startswith(("out", "list", "ragged"))]
+    said = "GPHYS_NO_HIT" in function["doc"] or "GPHYS_UNBOUNDED" in function["doc"]
+    found = any(element(p) in ("gphys_hit", "gphys_nearest") for p in outputs)
+    return bool(outputs) and all(p["role"] == "out" for p in outputs) and (said or found)
+
+
 def with_roles(api):
     for function in api["functions"]:
         assign(function, api["handles"])
+        function["may_miss"] = may_miss(function)
     return api

@@ -132,8 +132,8 @@ class Scene(Object):
         needs shape_stride 0). transforms may be NULL. out_models has count elements."""
         type_, shapes_ = shapes_of(shapes)
         transforms_ = array_of(transforms, low.transform_dtype)
-        count = common_length(shapes_, transforms_)
         desc_ = value_of(desc, low.ModelDesc)
+        count = common_length(shapes_, transforms_)
         out_ = result_array(out, count, "<u4")
         check(low.gphys_scene_add_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, count, desc_.address, out_.address))
         return out_.array
@@ -173,12 +173,12 @@ class Scene(Object):
     def get_bounds(self, model: int) -> low.Aabb | None:
         """World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position."""
         out_bounds = low.Aabb()
-        return (out_bounds) if found(low.gphys_scene_get_bounds(self._handle, model, ctypes.byref(out_bounds))) else None
+        return out_bounds if found(low.gphys_scene_get_bounds(self._handle, model, ctypes.byref(out_bounds))) else None
 
     def get_scene_bounds(self) -> low.Aabb | None:
         """World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out."""
         out_bounds = low.Aabb()
-        return (out_bounds) if found(low.gphys_scene_get_scene_bounds(self._handle, ctypes.byref(out_bounds))) else None
+        return out_bounds if found(low.gphys_scene_get_scene_bounds(self._handle, ctypes.byref(out_bounds))) else None
 
     def set_layers(self, model: int, layers: int = low.ALL_LAYERS) -> None:
         """Change which queries see a model, or what its hits report. Children are not affected."""
@@ -231,7 +231,7 @@ class Scene(Object):
         @return GPHYS_OK or GPHYS_NO_HIT"""
         ray_ = value_of(ray, low.Ray)
         out_hit = low.Hit()
-        return (out_hit) if found(low.gphys_scene_raycast(self._handle, ray_.address, layers, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_scene_raycast(self._handle, ray_.address, layers, ctypes.byref(out_hit))) else None
 
     def raycast_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
         """Closest model on a ray; the fields are exact as in gphys_shape_raycast.
@@ -273,12 +273,11 @@ class Scene(Object):
         count = common_length(rays_)
         return ragged_of(low.gphys_scene_raycast_all_batch, (self._handle, rays_.address, rays_.stride, count, layers,), low.hit_dtype, count)
 
-    def segment_test(self, segment: low.Segment | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit:
+    def segment_test(self, segment: low.Segment | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
         """Closest model along a segment from a to b, both included; t in 0..1."""
         segment_ = value_of(segment, low.Segment)
         out_hit = low.Hit()
-        check(low.gphys_scene_segment_test(self._handle, segment_.address, layers, ctypes.byref(out_hit)))
-        return out_hit
+        return out_hit if found(low.gphys_scene_segment_test(self._handle, segment_.address, layers, ctypes.byref(out_hit))) else None
 
     def segment_test_batch(self, segments: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
         """Closest model along a segment from a to b, both included; t in 0..1."""
@@ -315,7 +314,7 @@ class Scene(Object):
         @return GPHYS_OK or GPHYS_NO_HIT"""
         point_ = value_of(point, low.Vec3)
         out_nearest = low.Nearest()
-        return (out_nearest) if found(low.gphys_scene_nearest(self._handle, point_.address, max_distance, layers, ctypes.byref(out_nearest))) else None
+        return out_nearest if found(low.gphys_scene_nearest(self._handle, point_.address, max_distance, layers, ctypes.byref(out_nearest))) else None
 
     def nearest_batch(self, points: ArrayLike, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
         """The model nearest to a point, and its closest point.
@@ -327,14 +326,13 @@ class Scene(Object):
         check(low.gphys_scene_nearest_batch(self._handle, points_.address, points_.stride, count, max_distance, layers, out_.address, out_.stride))
         return out_.array
 
-    def sweep_sphere(self, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit:
+    def sweep_sphere(self, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
         """First model that a sphere touches while it moves by displacement; t in 0..1.
         Fields as in gphys_shape_sweep_sphere."""
         sphere_ = value_of(sphere, low.Sphere)
         displacement_ = value_of(displacement, low.Vec3)
         out_hit = low.Hit()
-        check(low.gphys_scene_sweep_sphere(self._handle, sphere_.address, displacement_.address, layers, ctypes.byref(out_hit)))
-        return out_hit
+        return out_hit if found(low.gphys_scene_sweep_sphere(self._handle, sphere_.address, displacement_.address, layers, ctypes.byref(out_hit))) else None
 
     def sweep_sphere_batch(self, spheres: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
         """First model that a sphere touches while it moves by displacement; t in 0..1.
@@ -507,7 +505,7 @@ class Camera(Object):
         """World positions of its corners, in the order of gphys_frustum_corners.
         @return GPHYS_UNBOUNDED with an infinite far plane"""
         out_corners = np.empty(8, low.vec3_dtype)
-        return (out_corners) if found(low.gphys_camera_get_corners(self._handle, out_corners.ctypes.data)) else None
+        return out_corners if found(low.gphys_camera_get_corners(self._handle, out_corners.ctypes.data)) else None
 
     def project(self, point: low.Vec3 | Sequence) -> low.Vec3 | None:
         """World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
@@ -516,7 +514,7 @@ class Camera(Object):
                 image lies beyond the range of coordinates"""
         point_ = value_of(point, low.Vec3)
         out_pixel = low.Vec3()
-        return (out_pixel) if found(low.gphys_camera_project(self._handle, point_.address, ctypes.byref(out_pixel))) else None
+        return out_pixel if found(low.gphys_camera_project(self._handle, point_.address, ctypes.byref(out_pixel))) else None
 
     def project_batch(self, points: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
         """The same for count points; a point without an image gets x = y = z = INFINITY."""
@@ -532,7 +530,7 @@ class Camera(Object):
                 beyond the range of coordinates"""
         pixel_ = value_of(pixel, low.Vec3)
         out_point = low.Vec3()
-        return (out_point) if found(low.gphys_camera_unproject(self._handle, pixel_.address, ctypes.byref(out_point))) else None
+        return out_point if found(low.gphys_camera_unproject(self._handle, pixel_.address, ctypes.byref(out_point))) else None
 
     def unproject_batch(self, pixels: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
         """The same for count pixels; one at infinity gets x = y = z = INFINITY."""
@@ -551,7 +549,7 @@ class Camera(Object):
         viewport are allowed.
         @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)"""
         out_ray = low.Ray()
-        return (out_ray) if found(low.gphys_camera_pick_ray(self._handle, pixel_x, pixel_y, ctypes.byref(out_ray))) else None
+        return out_ray if found(low.gphys_camera_pick_ray(self._handle, pixel_x, pixel_y, ctypes.byref(out_ray))) else None
 
     def pick_rays(self, x: int, y: int, width: int, height: int, *, out: np.ndarray | None = None) -> np.ndarray:
         """Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32."""
@@ -564,7 +562,7 @@ class Camera(Object):
         float32; t is in metres.
         @return GPHYS_OK or GPHYS_NO_HIT"""
         out_hit = low.Hit()
-        return (out_hit) if found(low.gphys_camera_pick(self._handle, handle_of(scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_camera_pick(self._handle, handle_of(scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))) else None
 
     def pick_batch(self, scene: Scene | None, pixels: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
         """The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches."""
@@ -625,8 +623,8 @@ class Solver(Object):
         @param positions  count elements, count >= 1"""
         desc_ = value_of(desc, low.BodyDesc)
         positions_ = array_of(positions, low.vec3_dtype)
-        count = common_length(positions_)
         out_body = ctypes.c_uint32()
+        count = common_length(positions_)
         check(low.gphys_solver_add_particles(self._handle, desc_.address, positions_.address, positions_.stride, count, ctypes.byref(out_body)))
         return out_body.value
 
@@ -636,8 +634,8 @@ class Solver(Object):
         @param link_length  rest length of each link in metres; 0: as placed"""
         desc_ = value_of(desc, low.BodyDesc)
         positions_ = array_of(positions, low.vec3_dtype)
-        count = common_length(positions_)
         out_body = ctypes.c_uint32()
+        count = common_length(positions_)
         check(low.gphys_solver_add_rope(self._handle, desc_.address, positions_.address, positions_.stride, count, link_length, ctypes.byref(out_body)))
         return out_body.value
 
@@ -691,8 +689,8 @@ class Solver(Object):
 
     def set_positions(self, body: int, first: int, positions: ArrayLike) -> None:
         """Moves particles there at once and without collision on the way; velocities stay as they are."""
-        count = common_length(positions_)
         positions_ = array_of(positions, low.vec3_dtype)
+        count = common_length(positions_)
         check(low.gphys_solver_set_positions(self._handle, body, first, count, positions_.address, positions_.stride))
 
     def get_velocities(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
@@ -703,8 +701,8 @@ class Solver(Object):
 
     def set_velocities(self, body: int, first: int, velocities: ArrayLike) -> None:
         """m/s"""
-        count = common_length(velocities_)
         velocities_ = array_of(velocities, low.vec3_dtype)
+        count = common_length(velocities_)
         check(low.gphys_solver_set_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
 
     def get_masses(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
@@ -715,20 +713,20 @@ class Solver(Object):
 
     def set_masses(self, body: int, first: int, masses: ArrayLike) -> None:
         """kg, > 0. A pinned particle keeps its mass for the time when it is released."""
-        count = common_length(masses_)
         masses_ = array_of(masses, "<f4")
+        count = common_length(masses_)
         check(low.gphys_solver_set_masses(self._handle, body, first, count, masses_.address, masses_.stride))
 
     def set_radii(self, body: int, first: int, radii: ArrayLike) -> None:
         """Collision radius, metres, >= 0."""
-        count = common_length(radii_)
         radii_ = array_of(radii, "<f4")
+        count = common_length(radii_)
         check(low.gphys_solver_set_radii(self._handle, body, first, count, radii_.address, radii_.stride))
 
     def set_forces(self, body: int, first: int, forces: ArrayLike) -> None:
         """Forces in newtons that act beside gravity, from now on until set again."""
-        count = common_length(forces_)
         forces_ = array_of(forces, low.vec3_dtype)
+        count = common_length(forces_)
         check(low.gphys_solver_set_forces(self._handle, body, first, count, forces_.address, forces_.stride))
 
     def set_pinned(self, body: int, first: int, count: int, pinned: int) -> None:
@@ -815,7 +813,7 @@ def bounds(shape: Shape) -> low.Aabb | None:
             and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum"""
     type_, shape_ = shape_of(shape)
     out_bounds = low.Aabb()
-    return (out_bounds) if found(low.gphys_shape_bounds(type_, shape_.address, ctypes.byref(out_bounds))) else None
+    return out_bounds if found(low.gphys_shape_bounds(type_, shape_.address, ctypes.byref(out_bounds))) else None
 
 
 def contains(shape: Shape, point: low.Vec3 | Sequence, tolerance: float = 0) -> bool:
@@ -854,7 +852,7 @@ def closest_point(shape: Shape, point: low.Vec3 | Sequence) -> low.Nearest | Non
     type_, shape_ = shape_of(shape)
     point_ = value_of(point, low.Vec3)
     out_nearest = low.Nearest()
-    return (out_nearest) if found(low.gphys_shape_closest_point(type_, shape_.address, point_.address, ctypes.byref(out_nearest))) else None
+    return out_nearest if found(low.gphys_shape_closest_point(type_, shape_.address, point_.address, ctypes.byref(out_nearest))) else None
 
 
 def closest_point_batch(shape: Shape, points: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
@@ -936,7 +934,7 @@ def raycast(shape: Shape, ray: low.Ray | Sequence) -> low.Hit | None:
     type_, shape_ = shape_of(shape)
     ray_ = value_of(ray, low.Ray)
     out_hit = low.Hit()
-    return (out_hit) if found(low.gphys_shape_raycast(type_, shape_.address, ray_.address, ctypes.byref(out_hit))) else None
+    return out_hit if found(low.gphys_shape_raycast(type_, shape_.address, ray_.address, ctypes.byref(out_hit))) else None
 
 
 def raycast_batch(shape: Shape, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
@@ -958,7 +956,7 @@ def segment_test(shape: Shape, segment: low.Segment | Sequence) -> low.Hit | Non
     type_, shape_ = shape_of(shape)
     segment_ = value_of(segment, low.Segment)
     out_hit = low.Hit()
-    return (out_hit) if found(low.gphys_shape_segment_test(type_, shape_.address, segment_.address, ctypes.byref(out_hit))) else None
+    return out_hit if found(low.gphys_shape_segment_test(type_, shape_.address, segment_.address, ctypes.byref(out_hit))) else None
 
 
 def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence) -> low.Hit | None:
@@ -975,7 +973,7 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.
     sphere_ = value_of(sphere, low.Sphere)
     displacement_ = value_of(displacement, low.Vec3)
     out_hit = low.Hit()
-    return (out_hit) if found(low.gphys_shape_sweep_sphere(type_, shape_.address, sphere_.address, displacement_.address, ctypes.byref(out_hit))) else None
+    return out_hit if found(low.gphys_shape_sweep_sphere(type_, shape_.address, sphere_.address, displacement_.address, ctypes.byref(out_hit))) else None
 
 
 def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
@@ -984,7 +982,7 @@ def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
     @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)"""
     frustum_ = value_of(frustum, low.Frustum)
     out_corners = np.empty(8, low.vec3_dtype)
-    return (out_corners) if found(low.gphys_frustum_corners(frustum_.address, out_corners.ctypes.data)) else None
+    return out_corners if found(low.gphys_frustum_corners(frustum_.address, out_corners.ctypes.data)) else None
 
 
 def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, reverse_z: int) -> low.Frustum:

@@ -1,0 +1,59 @@
+"""Builds the wheel (PEP 517): the package and the shared library, which CMake makes from the tree
+around this folder unless $GAMEPHYS_LIBRARY names one that is built already."""
+import base64
+import csv
+import hashlib
+import io
+import os
+import re
+import subprocess
+import sysconfig
+import tempfile
+import zipfile
+from pathlib import Path
+
+HERE = Path(__file__).parent
+SOURCE = HERE.parent.parent
+
+
+def _version():
+    header = (SOURCE / "include" / "gamephys_c.h").read_text()
+    return ".".join(re.findall(r"#define GPHYS_VERSION_\w+ (\d+)", header))
+
+
+def _library(folder):
+    built = os.environ.get("GAMEPHYS_LIBRARY")
+    if built:
+        return Path(built)
+    options = ["-DCMAKE_BUILD_TYPE=Release", "-DGAMEPHYS_TESTS=OFF", "-DGAMEPHYS_EXAMPLES=OFF", "-DGAMEPHYS_BENCH=OFF"]
+    subprocess.run(["cmake", "-S", SOURCE, "-B", folder, *options], check=True)
+    subprocess.run(["cmake", "--build", folder, "--target", "gamephys", "--parallel", "--config", "Release"], check=True)
+    return next(path for name in ("libgamephys.so.1", "libgamephys.1.dylib", "gamephys.dll", "libgamephys.dll")
+                for path in Path(folder).rglob(name))
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    version = _version()
+    tag = "py3-none-" + re.sub(r"[-.]", "_", sysconfig.get_platform())
+    info = f"gamephys-{version}.dist-info"
+    files = {f"gamephys/{path.name}": path.read_bytes() for path in sorted((HERE / "gamephys").glob("*.py"))}
+    files["gamephys/py.typed"] = b""
+    with tempfile.TemporaryDirectory() as folder:
+        library = _library(folder)
+        name = {".dll": "gamephys.dll", ".dylib": "libgamephys.1.dylib"}.get(library.suffix, "libgamephys.so.1")
+        files[f"gamephys/{name}"] = library.read_bytes()
+    files[f"{info}/METADATA"] = (f"Metadata-Version: 2.1\nName: gamephys\nVersion: {version}\n"
+                                 "Requires-Python: >=3.9\nRequires-Dist: numpy\n").encode()
+    files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: gamephys\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
+    record = io.StringIO()
+    rows = csv.writer(record, lineterminator="\n")
+    for path, content in files.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+        rows.writerow([path, f"sha256={digest}", len(content)])
+    rows.writerow([f"{info}/RECORD", "", ""])
+    files[f"{info}/RECORD"] = record.getvalue().encode()
+    wheel = f"gamephys-{version}-{tag}.whl"
+    with zipfile.ZipFile(Path(wheel_directory) / wheel, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path, content in files.items():
+            archive.writestr(path, content)
+    return wheel

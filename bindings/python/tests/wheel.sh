@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# pip makes a wheel from the tree without a network, and the wheel alone is enough: wheel.sh PYTHON
+set -euo pipefail
+source_dir=$PWD
+work=$BINARY_DIR/python-wheel
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+"$1" -m pip --version >/dev/null 2>&1 || exit 0 # some distributions leave pip out
+"$1" -m pip wheel --quiet --no-index --no-deps --wheel-dir . "$source_dir"
+"$1" -m pip install --quiet --no-index --no-deps --target installed gamephys-*.whl
+unset GAMEPHYS_LIBRARY LD_LIBRARY_PATH
+PYTHONPATH=$work/installed "$1" -c '
+import gamephys, os
+assert os.path.dirname(gamephys.__file__) == os.path.join(os.getcwd(), "installed", "gamephys")
+scene = gamephys.Scene()
+scene.add(gamephys.Sphere((0, 0, 5), 1))
+assert scene.raycast(((0, 0, 0), (0, 0, 1), 100)).t == 4
+'
