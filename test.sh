@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
-# Tests the library: ./test.sh [--long]
+# Tests the library: ./test.sh [--long | --bindings | --platforms]
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
 # under the address and undefined-behaviour sanitizers. --long adds a build with clang, tests of
 # minutes, such as a million queries of each kind against a linear scan, and the workers under the
-# thread sanitizer.
+# thread sanitizer. --bindings instead tests the packages in bindings/, --platforms runs the C tests
+# on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and WebAssembly (Node); both install what they need.
 # The last line is "N passed, N failed"; a build that fails counts as one failed test.
 set -uo pipefail
 cd "$(dirname "$0")"
 source cmake/install_packages.sh
 
 presets=(release asan-ubsan)
+packages=(cmake ninja-build g++ clang pkg-config dpkg-dev catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
+    python3 abigail-tools)
 configuration=()
 case ${1:-} in
     '') ;;
@@ -17,8 +20,16 @@ case ${1:-} in
         presets=(release clang asan-ubsan tsan)
         configuration=(-C Long)
         ;;
+    --bindings)
+        presets=(bindings)
+        packages+=(python3-numpy python3-pip)
+        ;;
+    --platforms)
+        presets=(i686 aarch64 windows wasm32)
+        packages+=(g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user-static g++-mingw-w64-x86-64 wine64 emscripten)
+        ;;
     *)
-        echo "usage: ./test.sh [--long]" >&2
+        echo "usage: ./test.sh [--long | --bindings | --platforms]" >&2
         exit 2
         ;;
 esac
@@ -31,8 +42,7 @@ finish() {
     exit
 }
 
-install_packages cmake ninja-build g++ clang pkg-config dpkg-dev catch2 libcmocka-dev libcgal-dev \
-    libassimp-dev libstb-dev python3 abigail-tools || {
+install_packages "${packages[@]}" || {
     failed=1
     finish
 }
@@ -40,11 +50,11 @@ install_packages cmake ninja-build g++ clang pkg-config dpkg-dev catch2 libcmock
 jobs=$(nproc)
 for preset in "${presets[@]}"; do
     echo "== $preset"
-    if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --parallel "$jobs"; }; then
+    if ! { cmake --preset "${preset/bindings/release}" && cmake --build --preset "$preset" --parallel "$jobs"; }; then
         failed=$((failed + 1))
         continue
     fi
-    log=build/$preset/test.log
+    log=build/$preset.log
     ctest --preset "$preset" --parallel "$jobs" "${configuration[@]}" | tee "$log"
     configuration=() # the first build only
     # ctest: "98% tests passed, 2 tests failed out of 100"

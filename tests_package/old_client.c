@@ -5,15 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
-#define EXPECT(condition) \
-    do { \
+#define EXPECT(condition)                                                          \
+    do {                                                                           \
         if (!(condition)) return printf("line %d: %s\n", __LINE__, #condition), 1; \
     } while (0)
 
 /* A struct with bytes behind it that must stay as they are. */
-#define GUARDED(type) \
-    struct { \
-        type value; \
+#define GUARDED(type)            \
+    struct {                     \
+        type value;              \
         unsigned char guard[64]; \
     }
 #define FILL(guarded) memset(&(guarded), 0xa5, sizeof(guarded))
@@ -32,8 +32,8 @@ int main(void) {
     GUARDED(gphys_camera_desc) camera_desc;
     GUARDED(gphys_solver_desc) solver_desc;
     GUARDED(gphys_body_desc) body_desc;
-#define INIT(desc) \
-    FILL(desc); \
+#define INIT(desc)                                                           \
+    FILL(desc);                                                              \
     EXPECT(gphys_##desc##_init(&desc.value, sizeof desc.value) == GPHYS_OK); \
     EXPECT(desc.value.struct_size == sizeof desc.value && intact(desc.guard))
     INIT(scene_desc);

@@ -29,7 +29,7 @@ def named(api):
 
 def without_comments(entry):
     if isinstance(entry, dict):
-        return {key: without_comments(value) for key, value in entry.items() if key not in ("doc", "role", "width", "length", "may_miss")}
+        return {key: without_comments(value) for key, value in entry.items() if key not in ("doc", "role", "width", "length", "may_miss", "nullable")}
     return [without_comments(item) for item in entry] if isinstance(entry, list) else entry
 
 

@@ -24,6 +24,17 @@ def element(parameter):
     return parameter["type"].replace("const ", "").rstrip("* ").strip()
 
 
+
+def nullable(function, p):
+    """Pointers that may be NULL, apart from outputs."""
+    name = p["name"]
+    if name in ("desc", "local_point"):
+        return p["role"] == "in"
+    if name in ("transform", "transforms"):
+        return "_add" in function["name"]
+    return name == "scene" and function["name"] in ("gphys_solver_step", "gphys_solver_advance")
+
+
 def assign(function, handles):
     parameters = function["parameters"]
     names = [p["name"] for p in parameters]
@@ -75,6 +86,8 @@ def assign(function, handles):
             p["width"] = WIDTHS[name]
         if p["role"] == "out_array" and function["name"] in LENGTHS:
             p["length"] = LENGTHS[function["name"]]
+        if nullable(function, p):
+            p["nullable"] = True
     # A shape with a stride of its own is one of an array of them.
     for i, p in enumerate(parameters[:-1]):
         if p["role"] == "shape" and parameters[i + 1]["role"] == "stride":

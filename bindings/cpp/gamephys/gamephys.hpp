@@ -1,0 +1,1063 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+#ifndef GAMEPHYS_HPP
+#define GAMEPHYS_HPP
+
+#include "gamephys_support.hpp"
+
+namespace gamephys {
+
+using Allocator = gphys_allocator;
+using TaskRunner = gphys_task_runner;
+using Vec3 = gphys_vec3;
+using Quat = gphys_quat;
+using Mat4 = gphys_mat4;
+using Transform = gphys_transform;
+using Ray = gphys_ray;
+using Segment = gphys_segment;
+using Sphere = gphys_sphere;
+using Capsule = gphys_capsule;
+using Aabb = gphys_aabb;
+using Obb = gphys_obb;
+using Plane = gphys_plane;
+using Triangle = gphys_triangle;
+using Frustum = gphys_frustum;
+using Hit = gphys_hit;
+using Nearest = gphys_nearest;
+using MeshReport = gphys_mesh_report;
+using MeshDesc = gphys_mesh_desc;
+using OctreeStats = gphys_octree_stats;
+using OctreeBox = gphys_octree_box;
+using SceneDesc = gphys_scene_desc;
+using ModelDesc = gphys_model_desc;
+using ModelInfo = gphys_model_info;
+using CameraDesc = gphys_camera_desc;
+using Orbit = gphys_orbit;
+using SolverDesc = gphys_solver_desc;
+using BodyDesc = gphys_body_desc;
+using BodyInfo = gphys_body_info;
+using ConstraintInfo = gphys_constraint_info;
+using SolverStats = gphys_solver_stats;
+using Contact = gphys_contact;
+
+inline MeshDesc mesh_desc() {
+    MeshDesc desc;
+    check(gphys_mesh_desc_init(&desc, sizeof desc));
+    return desc;
+}
+inline SceneDesc scene_desc() {
+    SceneDesc desc;
+    check(gphys_scene_desc_init(&desc, sizeof desc));
+    return desc;
+}
+inline ModelDesc model_desc() {
+    ModelDesc desc;
+    check(gphys_model_desc_init(&desc, sizeof desc));
+    return desc;
+}
+inline CameraDesc camera_desc() {
+    CameraDesc desc;
+    check(gphys_camera_desc_init(&desc, sizeof desc));
+    return desc;
+}
+inline SolverDesc solver_desc() {
+    SolverDesc desc;
+    check(gphys_solver_desc_init(&desc, sizeof desc));
+    return desc;
+}
+inline BodyDesc body_desc() {
+    BodyDesc desc;
+    check(gphys_body_desc_init(&desc, sizeof desc));
+    return desc;
+}
+
+struct ShapeRef;
+struct ShapeSpan;
+
+class Mesh;
+class Scene;
+class Camera;
+class Solver;
+
+// A shape of any kind, for the time of a call.
+struct ShapeRef {
+    gphys_shape_type type;
+    const void* pointer;
+    ShapeRef(const gphys_sphere& shape) : type(GPHYS_SHAPE_SPHERE), pointer(&shape) {}
+    ShapeRef(const gphys_capsule& shape) : type(GPHYS_SHAPE_CAPSULE), pointer(&shape) {}
+    ShapeRef(const gphys_aabb& shape) : type(GPHYS_SHAPE_AABB), pointer(&shape) {}
+    ShapeRef(const gphys_obb& shape) : type(GPHYS_SHAPE_OBB), pointer(&shape) {}
+    ShapeRef(const gphys_plane& shape) : type(GPHYS_SHAPE_PLANE), pointer(&shape) {}
+    ShapeRef(const gphys_triangle& shape) : type(GPHYS_SHAPE_TRIANGLE), pointer(&shape) {}
+    ShapeRef(const gphys_frustum& shape) : type(GPHYS_SHAPE_FRUSTUM), pointer(&shape) {}
+    ShapeRef(const gphys_ray& shape) : type(GPHYS_SHAPE_RAY), pointer(&shape) {}
+    ShapeRef(const gphys_segment& shape) : type(GPHYS_SHAPE_SEGMENT), pointer(&shape) {}
+    ShapeRef(const Mesh& mesh);
+};
+
+// An array of shapes of one kind, or one shape that stands for each of them.
+struct ShapeSpan {
+    gphys_shape_type type;
+    const void* data;
+    uint32_t stride = 0;
+    uint32_t size = 1;
+    uint32_t sizes() const { return stride ? size : ANY_SIZE; }
+    ShapeSpan(Span<const gphys_sphere> shapes) : type(GPHYS_SHAPE_SPHERE), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(Span<const gphys_capsule> shapes) : type(GPHYS_SHAPE_CAPSULE), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(Span<const gphys_aabb> shapes) : type(GPHYS_SHAPE_AABB), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(Span<const gphys_obb> shapes) : type(GPHYS_SHAPE_OBB), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(Span<const gphys_plane> shapes) : type(GPHYS_SHAPE_PLANE), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(Span<const gphys_triangle> shapes) : type(GPHYS_SHAPE_TRIANGLE), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(Span<const gphys_frustum> shapes) : type(GPHYS_SHAPE_FRUSTUM), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(Span<const gphys_ray> shapes) : type(GPHYS_SHAPE_RAY), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(Span<const gphys_segment> shapes) : type(GPHYS_SHAPE_SEGMENT), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    template <class C, class T = ElementOf<C>>
+    ShapeSpan(const C& shapes) : ShapeSpan(Span<const T>(shapes)) {}
+    ShapeSpan(ShapeRef shape) : type(shape.type), data(shape.pointer) {}
+    ShapeSpan(const Mesh& mesh) : ShapeSpan(ShapeRef(mesh)) {}
+};
+
+class Mesh : public Object<gphys_mesh, gphys_mesh_destroy> {
+public:
+    // Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
+    // segments or points that they are, and counted in the report. 0 triangles are allowed.
+    // @param desc  may be NULL
+    // @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
+    //         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+    // Cost: O(n log n), about 1 us per triangle.
+    explicit Mesh(Span<const float> vertices, Span<const uint32_t> indices, const MeshDesc* desc = nullptr) {
+        gphys_mesh* made = nullptr;
+        check(gphys_mesh_create(desc, vertices.data, vertices.stride, vertices.size, indices.data, indices.size, &made));
+        own(made);
+    }
+
+    // What the mesh was built from.
+    MeshReport get_report() const {
+        MeshReport out_report{};
+        check(gphys_mesh_get_report(handle(), &out_report));
+        return out_report;
+    }
+
+    // Copy the vertices out; in their original order.
+    std::vector<Vec3> get_vertices() const {
+        return list<Vec3>([&](Vec3* out_vertices, uint32_t capacity, uint32_t* total) { return gphys_mesh_get_vertices(handle(), out_vertices, capacity, total); });
+    }
+
+    // Copy the indices out; in their original order.
+    std::vector<uint32_t> get_indices() const {
+        return list<uint32_t>([&](uint32_t* out_indices, uint32_t capacity, uint32_t* total) { return gphys_mesh_get_indices(handle(), out_indices, capacity, total); });
+    }
+
+    // All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
+    // Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits)
+    std::vector<Hit> raycast_all(const Ray& ray) const {
+        return list<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* total) { return gphys_mesh_raycast_all(handle(), &ray, out_hits, capacity, total); });
+    }
+
+    // Whether a ray hits anything; cheaper than the closest hit.
+    bool raycast_any(const Ray& ray) const {
+        int32_t out_hit{};
+        check(gphys_mesh_raycast_any(handle(), &ray, &out_hit));
+        return out_hit != 0;
+    }
+
+    // Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+    // ascending. Kept when the array is too small: the lowest.
+    std::vector<uint32_t> overlap(ShapeRef shape) const {
+        return list<uint32_t>([&](uint32_t* out_triangles, uint32_t capacity, uint32_t* total) { return gphys_mesh_overlap(handle(), shape.type, shape.pointer, out_triangles, capacity, total); });
+    }
+
+    // Cost: O(nodes).
+    OctreeStats get_octree_stats() const {
+        OctreeStats out_stats{};
+        check(gphys_mesh_get_octree_stats(handle(), &out_stats));
+        return out_stats;
+    }
+
+    // Boxes of the tree, each parent before its children. Kept when too many: the first.
+    std::vector<OctreeBox> get_octree_boxes() const {
+        return list<OctreeBox>([&](OctreeBox* out_boxes, uint32_t capacity, uint32_t* total) { return gphys_mesh_get_octree_boxes(handle(), out_boxes, capacity, total); });
+    }
+
+};
+
+inline ShapeRef::ShapeRef(const Mesh& mesh) : type(GPHYS_SHAPE_MESH), pointer(mesh.handle()) {}
+
+class Scene : public Object<gphys_scene, gphys_scene_destroy> {
+public:
+    // With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
+    // adding and moving many models, share their work among n threads; the results have the same bits
+    // for every n. Without a task_runner n - 1 threads are started here and joined by
+    // gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
+    // work. They take no signals but faults, and the floating-point settings of the thread that
+    // created them. In a child of fork they are gone: calls there run on one thread.
+    // @param desc  may be NULL
+    // @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+    explicit Scene(const SceneDesc* desc = nullptr) {
+        gphys_scene* made = nullptr;
+        check(gphys_scene_create(desc, &made));
+        own(made);
+    }
+
+    // Add a model.
+    // @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
+    // @param shape      in the model's own coordinates
+    // @param transform  local; NULL is the identity
+    // @param desc       NULL: no parent, layer 1, tag 0
+    // @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
+    //         GPHYS_ERROR_CAPACITY
+    // Cost: O(log n) amortised.
+    gphys_model_id add(ShapeRef shape, const Transform* transform = nullptr, const ModelDesc* desc = nullptr) {
+        gphys_model_id out_model{};
+        check(gphys_scene_add(handle(), shape.type, shape.pointer, transform, desc, &out_model));
+        return out_model;
+    }
+
+    // Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
+    // needs shape_stride 0). transforms may be NULL. out_models has count elements.
+    void add_batch(ShapeSpan shapes, Span<const Transform> transforms, const ModelDesc* desc, Span<gphys_model_id> out_models) {
+        const uint32_t count = common_size({shapes.sizes(), transforms.sizes()});
+        require_size(out_models.size, count);
+        check(gphys_scene_add_batch(handle(), shapes.type, shapes.data, shapes.stride, transforms.data, transforms.stride, count, desc, out_models.data));
+    }
+
+    // Remove a model. Its children stay where they are in the world and lose their parent.
+    void remove(gphys_model_id model) {
+        check(gphys_scene_remove(handle(), model));
+    }
+
+    // Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID.
+    void remove_batch(Span<const gphys_model_id> models) {
+        const uint32_t count = common_size({models.sizes()});
+        check(gphys_scene_remove_batch(handle(), models.data, count));
+    }
+
+    // Remove a model and all its descendants.
+    void remove_subtree(gphys_model_id model) {
+        check(gphys_scene_remove_subtree(handle(), model));
+    }
+
+    // Remove all. Ids given out before stay invalid.
+    void clear() {
+        check(gphys_scene_clear(handle()));
+    }
+
+    // GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID.
+    void has(gphys_model_id model) const {
+        check(gphys_scene_has(handle(), model));
+    }
+
+    // Ids of all models, ascending. Kept when too many: the lowest.
+    std::vector<gphys_model_id> get_models() const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_get_models(handle(), out_models, capacity, total); });
+    }
+
+    // Kind, parent, layers, tag and number of children of a model.
+    ModelInfo get_info(gphys_model_id model) const {
+        ModelInfo out_info{};
+        check(gphys_scene_get_info(handle(), model, &out_info));
+        return out_info;
+    }
+
+    // World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+    std::optional<Aabb> get_bounds(gphys_model_id model) const {
+        Aabb out_bounds{};
+        if (!found(gphys_scene_get_bounds(handle(), model, &out_bounds))) return std::nullopt;
+        return out_bounds;
+    }
+
+    // World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out.
+    std::optional<Aabb> get_scene_bounds() const {
+        Aabb out_bounds{};
+        if (!found(gphys_scene_get_scene_bounds(handle(), &out_bounds))) return std::nullopt;
+        return out_bounds;
+    }
+
+    // Change which queries see a model, or what its hits report. Children are not affected.
+    void set_layers(gphys_model_id model, uint32_t layers = GPHYS_ALL_LAYERS) {
+        check(gphys_scene_set_layers(handle(), model, layers));
+    }
+
+    // Change which queries see a model, or what its hits report. Children are not affected.
+    void set_tag(gphys_model_id model, uint32_t tag) {
+        check(gphys_scene_set_tag(handle(), model, tag));
+    }
+
+    // Hang a model below another one, or below none (0).
+    // @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
+    //                    changed so that the world transform stays (within float32 rounding)
+    // @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+    void set_parent(gphys_model_id model, gphys_model_id parent, int32_t keep_world) {
+        check(gphys_scene_set_parent(handle(), model, parent, keep_world));
+    }
+
+    // Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.
+    void set_transform(gphys_model_id model, const Transform& transform) {
+        check(gphys_scene_set_transform(handle(), model, &transform));
+    }
+
+    // Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    // that moves when few move, O(n) when many do.
+    void set_transforms(Span<const gphys_model_id> models, Span<const Transform> transforms) {
+        const uint32_t count = common_size({models.sizes(), transforms.sizes()});
+        check(gphys_scene_set_transforms(handle(), models.data, transforms.data, transforms.stride, count));
+    }
+
+    // Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    // that moves when few move, O(n) when many do.
+    void get_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
+        const uint32_t count = common_size({models.sizes()});
+        require_size(out_transforms.size, count);
+        check(gphys_scene_get_transforms(handle(), models.data, count, out_transforms.data, out_transforms.stride));
+    }
+
+    // Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    // that moves when few move, O(n) when many do.
+    void get_world_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
+        const uint32_t count = common_size({models.sizes()});
+        require_size(out_transforms.size, count);
+        check(gphys_scene_get_world_transforms(handle(), models.data, count, out_transforms.data, out_transforms.stride));
+    }
+
+    // Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+    // @return GPHYS_OK or GPHYS_NO_HIT
+    std::optional<Hit> raycast(const Ray& ray, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        Hit out_hit{};
+        if (!found(gphys_scene_raycast(handle(), &ray, layers, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+    // @return GPHYS_OK or GPHYS_NO_HIT
+    void raycast_batch(Span<const Ray> rays, uint32_t layers, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({rays.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_raycast_batch(handle(), rays.data, rays.stride, count, layers, out_hits.data, out_hits.stride));
+    }
+
+    // Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    bool raycast_any(const Ray& ray, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        int32_t out_hit{};
+        check(gphys_scene_raycast_any(handle(), &ray, layers, &out_hit));
+        return out_hit != 0;
+    }
+
+    // Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    void raycast_any_batch(Span<const Ray> rays, uint32_t layers, Span<int32_t> out_hits) const {
+        const uint32_t count = common_size({rays.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_raycast_any_batch(handle(), rays.data, rays.stride, count, layers, out_hits.data, out_hits.stride));
+    }
+
+    // Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
+    // the first.
+    std::vector<Hit> raycast_all(const Ray& ray, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        return list<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* total) { return gphys_scene_raycast_all(handle(), &ray, layers, out_hits, capacity, total); });
+    }
+
+    // The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+    // @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
+    //                     room. Where a ray's range crosses capacity, its first hits are written.
+    // What stands in out_hits behind the last hit afterwards is unspecified.
+    // @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+    Ragged<Hit> raycast_all_batch(Span<const Ray> rays, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        const uint32_t count = common_size({rays.sizes()});
+        return ragged<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* offsets) { return gphys_scene_raycast_all_batch(handle(), rays.data, rays.stride, count, layers, out_hits, capacity, offsets); }, count);
+    }
+
+    // Closest model along a segment from a to b, both included; t in 0..1.
+    std::optional<Hit> segment_test(const Segment& segment, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        Hit out_hit{};
+        if (!found(gphys_scene_segment_test(handle(), &segment, layers, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // Closest model along a segment from a to b, both included; t in 0..1.
+    void segment_test_batch(Span<const Segment> segments, uint32_t layers, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({segments.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_segment_test_batch(handle(), segments.data, segments.stride, count, layers, out_hits.data, out_hits.stride));
+    }
+
+    // Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+    // ascending. Kept when too many: the lowest.
+    std::vector<gphys_model_id> overlap(ShapeRef shape, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_overlap(handle(), shape.type, shape.pointer, layers, out_models, capacity, total); });
+    }
+
+    // Offsets as in gphys_scene_raycast_all_batch.
+    Ragged<gphys_model_id> overlap_batch(ShapeSpan shapes, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        const uint32_t count = common_size({shapes.sizes()});
+        return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_overlap_batch(handle(), shapes.type, shapes.data, shapes.stride, count, layers, out_models, capacity, offsets); }, count);
+    }
+
+    // Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
+    // own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
+    // per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
+    // too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
+    // as scratch memory to order them.
+    std::vector<gphys_model_id> cull(const Frustum& frustum, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_cull(handle(), &frustum, layers, out_models, capacity, total); });
+    }
+
+    // The model nearest to a point, and its closest point.
+    // @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+    // @return GPHYS_OK or GPHYS_NO_HIT
+    std::optional<Nearest> nearest(const Vec3& point, float max_distance, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        Nearest out_nearest{};
+        if (!found(gphys_scene_nearest(handle(), &point, max_distance, layers, &out_nearest))) return std::nullopt;
+        return out_nearest;
+    }
+
+    // The model nearest to a point, and its closest point.
+    // @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+    // @return GPHYS_OK or GPHYS_NO_HIT
+    void nearest_batch(Span<const Vec3> points, float max_distance, uint32_t layers, Span<Nearest> out_nearest) const {
+        const uint32_t count = common_size({points.sizes()});
+        require_size(out_nearest.size, count);
+        check(gphys_scene_nearest_batch(handle(), points.data, points.stride, count, max_distance, layers, out_nearest.data, out_nearest.stride));
+    }
+
+    // First model that a sphere touches while it moves by displacement; t in 0..1.
+    // Fields as in gphys_shape_sweep_sphere.
+    std::optional<Hit> sweep_sphere(const Sphere& sphere, const Vec3& displacement, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        Hit out_hit{};
+        if (!found(gphys_scene_sweep_sphere(handle(), &sphere, &displacement, layers, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // First model that a sphere touches while it moves by displacement; t in 0..1.
+    // Fields as in gphys_shape_sweep_sphere.
+    void sweep_sphere_batch(Span<const Sphere> spheres, Span<const Vec3> displacements, uint32_t layers, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({spheres.sizes(), displacements.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_sweep_sphere_batch(handle(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, layers, out_hits.data, out_hits.stride));
+    }
+
+    // Cost: O(nodes).
+    OctreeStats get_octree_stats() const {
+        OctreeStats out_stats{};
+        check(gphys_scene_get_octree_stats(handle(), &out_stats));
+        return out_stats;
+    }
+
+    // Boxes of the tree, each parent before its children. Kept when too many: the first.
+    std::vector<OctreeBox> get_octree_boxes() const {
+        return list<OctreeBox>([&](OctreeBox* out_boxes, uint32_t capacity, uint32_t* total) { return gphys_scene_get_octree_boxes(handle(), out_boxes, capacity, total); });
+    }
+
+    // Check the scene's own structure: every model once in the tree, every box around its content,
+    // parents and children in agreement, free slots free. For tests; O(n).
+    // @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+    void validate() const {
+        check(gphys_scene_validate(handle()));
+    }
+
+};
+
+class Camera : public Object<gphys_camera, gphys_camera_destroy> {
+public:
+    // @param desc  may be NULL
+    explicit Camera(const CameraDesc* desc = nullptr) {
+        gphys_camera* made = nullptr;
+        check(gphys_camera_create(desc, &made));
+        own(made);
+    }
+
+    // @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
+    // @param near_distance  > 0
+    // @param far_distance   > near_distance; INFINITY allowed
+    void set_perspective(float fov_y, float near_distance, float far_distance) {
+        check(gphys_camera_set_perspective(handle(), fov_y, near_distance, far_distance));
+    }
+
+    // @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    // @param near_distance, far_distance  far at least 1e-6 above near, which may be negative
+    void set_orthographic(float height, float near_distance, float far_distance) {
+        check(gphys_camera_set_orthographic(handle(), height, near_distance, far_distance));
+    }
+
+    // Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+    // library's). It is not changed by gphys_camera_set_viewport.
+    // @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
+    //         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
+    //         the matrix is for another depth range
+    void set_projection(const Mat4& projection) {
+        check(gphys_camera_set_projection(handle(), &projection));
+    }
+
+    // The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height.
+    void set_viewport(float width, float height) {
+        check(gphys_camera_set_viewport(handle(), width, height));
+    }
+
+    // Place the camera.
+    void set_transform(const Vec3& position, const Quat& rotation) {
+        check(gphys_camera_set_transform(handle(), &position, &rotation));
+    }
+
+    // Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
+    // kept, then up), so that a matrix which drifted is mended.
+    // @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
+    //         they mirror or the last row is not 0 0 0 1
+    void set_world_matrix(const Mat4& world) {
+        check(gphys_camera_set_world_matrix(handle(), &world));
+    }
+
+    // Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
+    // chosen in its place, always the same for the same input.
+    // @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+    void look_at(const Vec3& eye, const Vec3& target, const Vec3& up) {
+        check(gphys_camera_look_at(handle(), &eye, &target, &up));
+    }
+
+    // Where the camera stands and how it is turned.
+    std::tuple<Vec3, Quat> get_transform() const {
+        Vec3 out_position{};
+        Quat out_rotation{};
+        check(gphys_camera_get_transform(handle(), &out_position, &out_rotation));
+        return std::make_tuple(out_position, out_rotation);
+    }
+
+    // Camera to world.
+    Mat4 get_world_matrix() const {
+        Mat4 out_world{};
+        check(gphys_camera_get_world_matrix(handle(), &out_world));
+        return out_world;
+    }
+
+    // World to camera: the transpose of the orthonormal world axes, and the position through them.
+    Mat4 get_view_matrix() const {
+        Mat4 out_view{};
+        check(gphys_camera_get_view_matrix(handle(), &out_view));
+        return out_view;
+    }
+
+    // Camera to clip space.
+    Mat4 get_projection_matrix() const {
+        Mat4 out_projection{};
+        check(gphys_camera_get_projection_matrix(handle(), &out_projection));
+        return out_projection;
+    }
+
+    // Projection * view, multiplied in double precision and rounded once.
+    Mat4 get_view_projection_matrix() const {
+        Mat4 out_view_projection{};
+        check(gphys_camera_get_view_projection_matrix(handle(), &out_view_projection));
+        return out_view_projection;
+    }
+
+    // Start orbiting with these settings; places the camera at once and drops pending input. An angle
+    // or a distance outside its limits is brought inside.
+    void set_orbit(const Orbit& orbit) {
+        check(gphys_camera_set_orbit(handle(), &orbit));
+    }
+
+    // The present settings, angles and distance.
+    // @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    Orbit get_orbit() const {
+        Orbit out_orbit{};
+        check(gphys_camera_get_orbit(handle(), &out_orbit));
+        return out_orbit;
+    }
+
+    // Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size.
+    void orbit_rotate(float units_x, float units_y) {
+        check(gphys_camera_orbit_rotate(handle(), units_x, units_y));
+    }
+
+    // Add input: come closer by units times metres_per_unit (go back if negative).
+    void orbit_zoom(float units) {
+        check(gphys_camera_orbit_zoom(handle(), units));
+    }
+
+    // Add input: move the target to the camera's right and up, as the last update left them, by units
+    // times metres_per_unit.
+    void orbit_pan(float units_right, float units_up) {
+        check(gphys_camera_orbit_pan(handle(), units_right, units_up));
+    }
+
+    // Apply the input since the last update, within the limits, and place the camera. Angles are
+    // wrapped to -pi .. pi in constant time. The orbit's settings must have been set.
+    void orbit_update() {
+        check(gphys_camera_orbit_update(handle()));
+    }
+
+    // The seen volume, with origin at the camera's position and planes from its parameters: each
+    // number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double.
+    Frustum get_frustum() const {
+        Frustum out_frustum{};
+        check(gphys_camera_get_frustum(handle(), &out_frustum));
+        return out_frustum;
+    }
+
+    // World positions of its corners, in the order of gphys_frustum_corners.
+    // @return GPHYS_UNBOUNDED with an infinite far plane
+    std::optional<std::array<Vec3, 8>> get_corners() const {
+        std::array<Vec3, 8> out_corners{};
+        if (!found(gphys_camera_get_corners(handle(), out_corners.data()))) return std::nullopt;
+        return out_corners;
+    }
+
+    // World point to pixel. x, y may lie outside the viewport; z is the depth in the camera's range.
+    // @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
+    //         image lies beyond the range of coordinates
+    std::optional<Vec3> project(const Vec3& point) const {
+        Vec3 out_pixel{};
+        if (!found(gphys_camera_project(handle(), &point, &out_pixel))) return std::nullopt;
+        return out_pixel;
+    }
+
+    // The same for count points; a point without an image gets x = y = z = INFINITY.
+    void project_batch(Span<const Vec3> points, Span<Vec3> out_pixels) const {
+        const uint32_t count = common_size({points.sizes()});
+        require_size(out_pixels.size, count);
+        check(gphys_camera_project_batch(handle(), points.data, points.stride, count, out_pixels.data, out_pixels.stride));
+    }
+
+    // Pixel and depth to world point: the inverse of gphys_camera_project.
+    // @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
+    //         beyond the range of coordinates
+    std::optional<Vec3> unproject(const Vec3& pixel) const {
+        Vec3 out_point{};
+        if (!found(gphys_camera_unproject(handle(), &pixel, &out_point))) return std::nullopt;
+        return out_point;
+    }
+
+    // The same for count pixels; one at infinity gets x = y = z = INFINITY.
+    void unproject_batch(Span<const Vec3> pixels, Span<Vec3> out_points) const {
+        const uint32_t count = common_size({pixels.sizes()});
+        require_size(out_points.size, count);
+        check(gphys_camera_unproject_batch(handle(), pixels.data, pixels.stride, count, out_points.data, out_points.stride));
+    }
+
+    // The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
+    // on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
+    // For perspective the stretch before the near plane is part of the ray. Pixels outside the
+    // viewport are allowed.
+    // @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+    std::optional<Ray> pick_ray(float pixel_x, float pixel_y) const {
+        Ray out_ray{};
+        if (!found(gphys_camera_pick_ray(handle(), pixel_x, pixel_y, &out_ray))) return std::nullopt;
+        return out_ray;
+    }
+
+    // Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32.
+    void pick_rays(uint32_t x, uint32_t y, uint32_t width, uint32_t height, Span<Ray> out_rays) const {
+        require_size(out_rays.size, width * height);
+        check(gphys_camera_pick_rays(handle(), x, y, width, height, out_rays.data, out_rays.stride));
+    }
+
+    // The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
+    // float32; t is in metres.
+    // @return GPHYS_OK or GPHYS_NO_HIT
+    std::optional<Hit> pick(const Scene& scene, float pixel_x, float pixel_y, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        Hit out_hit{};
+        if (!found(gphys_camera_pick(handle(), scene.handle(), pixel_x, pixel_y, layers, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.
+    void pick_batch(const Scene& scene, Span<const float> pixels, uint32_t layers, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({pixels.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_camera_pick_batch(handle(), scene.handle(), pixels.data, pixels.stride, count, layers, out_hits.data, out_hits.stride));
+    }
+
+    // Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
+    // rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+    // @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+    std::vector<gphys_model_id> pick_rectangle(const Scene& scene, float x0, float y0, float x1, float y1, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_camera_pick_rectangle(handle(), scene.handle(), x0, y0, x1, y1, layers, out_models, capacity, total); });
+    }
+
+    // gphys_scene_cull with the camera's frustum.
+    std::vector<gphys_model_id> cull(const Scene& scene, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_camera_cull(handle(), scene.handle(), layers, out_models, capacity, total); });
+    }
+
+};
+
+class Solver : public Object<gphys_solver, gphys_solver_destroy> {
+public:
+    // @param desc  may be NULL
+    explicit Solver(const SolverDesc* desc = nullptr) {
+        gphys_solver* made = nullptr;
+        check(gphys_solver_create(desc, &made));
+        own(made);
+    }
+
+    // m/s^2, from the next step on.
+    void set_gravity(const Vec3& gravity) {
+        check(gphys_solver_set_gravity(handle(), &gravity));
+    }
+
+    // 1 .. 1000. More substeps: smaller errors, proportionally more time.
+    void set_substeps(uint32_t substeps) {
+        check(gphys_solver_set_substeps(handle(), substeps));
+    }
+
+    // Add particles without constraints.
+    // @param desc  may be NULL
+    // @param positions  count elements, count >= 1
+    gphys_body_id add_particles(Span<const Vec3> positions, const BodyDesc* desc = nullptr) {
+        const uint32_t count = common_size({positions.sizes()});
+        gphys_body_id out_body{};
+        check(gphys_solver_add_particles(handle(), desc, positions.data, positions.stride, count, &out_body));
+        return out_body;
+    }
+
+    // Add a rope through the given points, one particle at each.
+    // @param count  >= 2
+    // @param link_length  rest length of each link in metres; 0: as placed
+    gphys_body_id add_rope(Span<const Vec3> positions, float link_length, const BodyDesc* desc = nullptr) {
+        const uint32_t count = common_size({positions.sizes()});
+        gphys_body_id out_body{};
+        check(gphys_solver_add_rope(handle(), desc, positions.data, positions.stride, count, link_length, &out_body));
+        return out_body;
+    }
+
+    // Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
+    // corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    // @param columns, rows  >= 2
+    gphys_body_id add_cloth(const Vec3& corner, const Vec3& edge_u, const Vec3& edge_v, uint32_t columns, uint32_t rows, const BodyDesc* desc = nullptr) {
+        gphys_body_id out_body{};
+        check(gphys_solver_add_cloth(handle(), desc, &corner, &edge_u, &edge_v, columns, rows, &out_body));
+        return out_body;
+    }
+
+    // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+    // with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    // @param transform  places the mesh; may be NULL
+    gphys_body_id add_cloth_mesh(const Mesh& mesh, const Transform* transform = nullptr, const BodyDesc* desc = nullptr) {
+        gphys_body_id out_body{};
+        check(gphys_solver_add_cloth_mesh(handle(), desc, mesh.handle(), transform, &out_body));
+        return out_body;
+    }
+
+    // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+    // with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    // @param transform  places the mesh; may be NULL
+    void remove_body(gphys_body_id body) {
+        check(gphys_solver_remove_body(handle(), body));
+    }
+
+    // Ids of all bodies, ascending. Kept when too many: the lowest.
+    std::vector<gphys_body_id> get_bodies() const {
+        return list<gphys_body_id>([&](gphys_body_id* out_bodies, uint32_t capacity, uint32_t* total) { return gphys_solver_get_bodies(handle(), out_bodies, capacity, total); });
+    }
+
+    // What a body is made of and how it is solved.
+    BodyInfo get_body_info(gphys_body_id body) const {
+        BodyInfo out_info{};
+        check(gphys_solver_get_body_info(handle(), body, &out_info));
+        return out_info;
+    }
+
+    // Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.
+    std::vector<uint32_t> get_triangles(gphys_body_id body) const {
+        return list<uint32_t>([&](uint32_t* out_indices, uint32_t capacity, uint32_t* total) { return gphys_solver_get_triangles(handle(), body, out_indices, capacity, total); });
+    }
+
+    // Metres.
+    void get_positions(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_positions) const {
+        require_size(out_positions.size, count);
+        check(gphys_solver_get_positions(handle(), body, first, count, out_positions.data, out_positions.stride));
+    }
+
+    // Moves particles there at once and without collision on the way; velocities stay as they are.
+    void set_positions(gphys_body_id body, uint32_t first, Span<const Vec3> positions) {
+        const uint32_t count = common_size({positions.sizes()});
+        check(gphys_solver_set_positions(handle(), body, first, count, positions.data, positions.stride));
+    }
+
+    // m/s
+    void get_velocities(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_velocities) const {
+        require_size(out_velocities.size, count);
+        check(gphys_solver_get_velocities(handle(), body, first, count, out_velocities.data, out_velocities.stride));
+    }
+
+    // m/s
+    void set_velocities(gphys_body_id body, uint32_t first, Span<const Vec3> velocities) {
+        const uint32_t count = common_size({velocities.sizes()});
+        check(gphys_solver_set_velocities(handle(), body, first, count, velocities.data, velocities.stride));
+    }
+
+    // kg, > 0. A pinned particle keeps its mass for the time when it is released.
+    void get_masses(gphys_body_id body, uint32_t first, uint32_t count, Span<float> out_masses) const {
+        require_size(out_masses.size, count);
+        check(gphys_solver_get_masses(handle(), body, first, count, out_masses.data, out_masses.stride));
+    }
+
+    // kg, > 0. A pinned particle keeps its mass for the time when it is released.
+    void set_masses(gphys_body_id body, uint32_t first, Span<const float> masses) {
+        const uint32_t count = common_size({masses.sizes()});
+        check(gphys_solver_set_masses(handle(), body, first, count, masses.data, masses.stride));
+    }
+
+    // Collision radius, metres, >= 0.
+    void set_radii(gphys_body_id body, uint32_t first, Span<const float> radii) {
+        const uint32_t count = common_size({radii.sizes()});
+        check(gphys_solver_set_radii(handle(), body, first, count, radii.data, radii.stride));
+    }
+
+    // Forces in newtons that act beside gravity, from now on until set again.
+    void set_forces(gphys_body_id body, uint32_t first, Span<const Vec3> forces) {
+        const uint32_t count = common_size({forces.sizes()});
+        check(gphys_solver_set_forces(handle(), body, first, count, forces.data, forces.stride));
+    }
+
+    // Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+    // gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+    void set_pinned(gphys_body_id body, uint32_t first, uint32_t count, int32_t pinned) {
+        check(gphys_solver_set_pinned(handle(), body, first, count, pinned));
+    }
+
+    // Fix a particle to a model: it follows the model's transform in each step, and is released when
+    // the model is gone. Steps must then be given this scene.
+    // @param local_point  in the model's coordinates; NULL: where the particle is now
+    void attach(const Scene& scene, gphys_body_id body, uint32_t particle, gphys_model_id model, const Vec3* local_point = nullptr) {
+        check(gphys_solver_attach(handle(), scene.handle(), body, particle, model, local_point));
+    }
+
+    // Release an attached particle.
+    // @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached
+    void detach(gphys_body_id body, uint32_t particle) {
+        check(gphys_solver_detach(handle(), body, particle));
+    }
+
+    // Hold two different particles of a body at a distance.
+    // @param rest_length  metres, >= 0; negative: the present distance
+    // @param compliance   metres per newton, >= 0; 0 is rigid
+    // @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    gphys_constraint_id add_distance(gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float rest_length, float compliance) {
+        gphys_constraint_id out_constraint{};
+        check(gphys_solver_add_distance(handle(), body, particle_a, particle_b, rest_length, compliance, &out_constraint));
+        return out_constraint;
+    }
+
+    // Hold two different particles of a body at a distance.
+    // @param rest_length  metres, >= 0; negative: the present distance
+    // @param compliance   metres per newton, >= 0; 0 is rigid
+    // @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    void remove_constraint(gphys_body_id body, gphys_constraint_id constraint) {
+        check(gphys_solver_remove_constraint(handle(), body, constraint));
+    }
+
+    // All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    std::vector<ConstraintInfo> get_constraints(gphys_body_id body) const {
+        return list<ConstraintInfo>([&](ConstraintInfo* out_constraints, uint32_t capacity, uint32_t* total) { return gphys_solver_get_constraints(handle(), body, out_constraints, capacity, total); });
+    }
+
+    // Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
+    // than 25 ms.
+    // @param scene  to collide with and to follow attachments; NULL: none. Not modified.
+    // @param dt     1e-6 .. 0.5
+    // Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+    // substeps, and a scene query for particles near models.
+    void step(const Scene* scene, float dt) {
+        check(gphys_solver_step(handle(), scene ? scene->handle() : nullptr, dt));
+    }
+
+    // Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
+    // frame, so the motion does not depend on the frame rate.
+    // @param frame_time    seconds, >= 0
+    // @param out_steps     steps made; may be NULL
+    // @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    std::tuple<uint32_t, float> advance(const Scene* scene, float frame_time) {
+        uint32_t out_steps{};
+        float out_leftover{};
+        check(gphys_solver_advance(handle(), scene ? scene->handle() : nullptr, frame_time, &out_steps, &out_leftover));
+        return std::make_tuple(out_steps, out_leftover);
+    }
+
+    // @param body  0: all bodies together.  Cost: O(particles + constraints).
+    SolverStats get_stats(gphys_body_id body) const {
+        SolverStats out_stats{};
+        check(gphys_solver_get_stats(handle(), body, &out_stats));
+        return out_stats;
+    }
+
+    // Contacts of the last step by body, particle, model. Kept when too many: the first.
+    std::vector<Contact> get_contacts() const {
+        return list<Contact>([&](Contact* out_contacts, uint32_t capacity, uint32_t* total) { return gphys_solver_get_contacts(handle(), out_contacts, capacity, total); });
+    }
+
+};
+
+// Whether the shape fulfils the ranges beside its struct.
+// @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+inline void validate(ShapeRef shape) {
+    check(gphys_shape_validate(shape.type, shape.pointer));
+}
+
+// The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
+// @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
+//         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+inline std::optional<Aabb> bounds(ShapeRef shape) {
+    Aabb out_bounds{};
+    if (!found(gphys_shape_bounds(shape.type, shape.pointer, &out_bounds))) return std::nullopt;
+    return out_bounds;
+}
+
+// Whether the point is within tolerance metres of the shape (solid or surface).
+// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+// axes are those of its rotation in double precision).
+// @param tolerance  >= 0
+// @param out_contains  0 or 1
+inline bool contains(ShapeRef shape, const Vec3& point, float tolerance) {
+    int32_t out_contains{};
+    check(gphys_shape_contains(shape.type, shape.pointer, &point, tolerance, &out_contains));
+    return out_contains != 0;
+}
+
+// Whether the point is within tolerance metres of the shape (solid or surface).
+// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+// axes are those of its rotation in double precision).
+// @param tolerance  >= 0
+// @param out_contains  0 or 1
+inline void contains_batch(ShapeRef shape, Span<const Vec3> points, float tolerance, Span<int32_t> out_contains) {
+    const uint32_t count = common_size({points.sizes()});
+    require_size(out_contains.size, count);
+    check(gphys_shape_contains_batch(shape.type, shape.pointer, points.data, points.stride, count, tolerance, out_contains.data, out_contains.stride));
+}
+
+// The point of the shape that is closest to the given point: the point itself inside a solid.
+// Error: 1 ulp of the largest coordinate per axis. If several are equally close, one of them,
+// always the same. For a ray, t is limited by t_max.
+// @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+inline std::optional<Nearest> closest_point(ShapeRef shape, const Vec3& point) {
+    Nearest out_nearest{};
+    if (!found(gphys_shape_closest_point(shape.type, shape.pointer, &point, &out_nearest))) return std::nullopt;
+    return out_nearest;
+}
+
+// The same for count points. An element for which there is none gets distance INFINITY.
+inline void closest_point_batch(ShapeRef shape, Span<const Vec3> points, Span<Nearest> out_nearest) {
+    const uint32_t count = common_size({points.sizes()});
+    require_size(out_nearest.size, count);
+    check(gphys_shape_closest_point_batch(shape.type, shape.pointer, points.data, points.stride, count, out_nearest.data, out_nearest.stride));
+}
+
+// The closest points of two segments and their distance. Parallel segments have many: the first
+// along a, always the same. out_a, out_b, out_distance may each be NULL.
+inline std::tuple<Vec3, Vec3, float> segment_closest_points(const Segment& a, const Segment& b) {
+    Vec3 out_a{};
+    Vec3 out_b{};
+    float out_distance{};
+    check(gphys_segment_closest_points(&a, &b, &out_a, &out_b, &out_distance));
+    return std::make_tuple(out_a, out_b, out_distance);
+}
+
+// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
+// triangle, frustum and mesh, in either order.
+// A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+// Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
+// precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
+// @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+inline bool overlaps(ShapeRef a, ShapeRef b) {
+    int32_t out_overlaps{};
+    check(gphys_shape_overlaps(a.type, a.pointer, b.type, b.pointer, &out_overlaps));
+    return out_overlaps != 0;
+}
+
+// Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0.
+inline void overlaps_batch(ShapeSpan a, ShapeSpan b, Span<int32_t> out_overlaps) {
+    const uint32_t count = common_size({a.sizes(), b.sizes()});
+    require_size(out_overlaps.size, count);
+    check(gphys_shape_overlaps_batch(a.type, a.data, a.stride, b.type, b.data, b.stride, count, out_overlaps.data, out_overlaps.stride));
+}
+
+// Classify a sphere, capsule, AABB, OBB or triangle against a plane.
+// @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
+//                             behind, 0 when crossing; may be NULL
+inline std::tuple<gphys_side, float> classify_plane(ShapeRef shape, const Plane& plane) {
+    gphys_side out_side{};
+    float out_signed_distance{};
+    check(gphys_shape_classify_plane(shape.type, shape.pointer, &plane, &out_side, &out_signed_distance));
+    return std::make_tuple(out_side, out_signed_distance);
+}
+
+// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
+// that no point is shared, inside that the frustum holds the whole shape.
+inline gphys_side classify_frustum(ShapeRef shape, const Frustum& frustum) {
+    gphys_side out_side{};
+    check(gphys_shape_classify_frustum(shape.type, shape.pointer, &frustum, &out_side));
+    return out_side;
+}
+
+// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
+// Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
+// shared edge or vertex always meets one of the triangles there.
+// Error: t within 1 ulp; no false miss and no false hit beyond 2^-48 of the distance for curved
+// shapes, none at all for triangles, meshes and AABBs.
+// @return GPHYS_OK or GPHYS_NO_HIT
+inline std::optional<Hit> raycast(ShapeRef shape, const Ray& ray) {
+    Hit out_hit{};
+    if (!found(gphys_shape_raycast(shape.type, shape.pointer, &ray, &out_hit))) return std::nullopt;
+    return out_hit;
+}
+
+// The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
+// element.  @return GPHYS_OK
+inline void raycast_batch(ShapeRef shape, Span<const Ray> rays, Span<Hit> out_hits) {
+    const uint32_t count = common_size({rays.sizes()});
+    require_size(out_hits.size, count);
+    check(gphys_shape_raycast_batch(shape.type, shape.pointer, rays.data, rays.stride, count, out_hits.data, out_hits.stride));
+}
+
+// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
+// A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+// then is met from no direction, the normal is zero.
+// @return GPHYS_OK or GPHYS_NO_HIT
+inline std::optional<Hit> segment_test(ShapeRef shape, const Segment& segment) {
+    Hit out_hit{};
+    if (!found(gphys_shape_segment_test(shape.type, shape.pointer, &segment, &out_hit))) return std::nullopt;
+    return out_hit;
+}
+
+// First contact of a sphere that moves by displacement (which may be zero) with a sphere,
+// capsule, AABB, OBB, plane, triangle, frustum or mesh.
+// @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
+//                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
+//                 and where the centre itself is in a solid, the normal is opposite to the
+//                 displacement (zero if that is zero).
+// Cost: a frustum, approached step by step, takes about 10 us.
+// @return GPHYS_OK or GPHYS_NO_HIT
+inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, const Vec3& displacement) {
+    Hit out_hit{};
+    if (!found(gphys_shape_sweep_sphere(shape.type, shape.pointer, &sphere, &displacement, &out_hit))) return std::nullopt;
+    return out_hit;
+}
+
+// The eight corners, each the intersection of three planes: near then far, each in the order
+// left-bottom, right-bottom, right-top, left-top.
+// @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+inline std::optional<std::array<Vec3, 8>> frustum_corners(const Frustum& frustum) {
+    std::array<Vec3, 8> out_corners{};
+    if (!found(gphys_frustum_corners(&frustum, out_corners.data()))) return std::nullopt;
+    return out_corners;
+}
+
+// The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
+// origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
+// @param reverse_z  0: near has the low depth; 1: near has the high depth
+// @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+inline Frustum frustum_from_matrix(const Mat4& view_projection, gphys_depth_range depth_range, int32_t reverse_z) {
+    Frustum out_frustum{};
+    check(gphys_frustum_from_matrix(&view_projection, depth_range, reverse_z, &out_frustum));
+    return out_frustum;
+}
+
+// Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
+// @param vertices       vertex_count elements of 3 floats
+// @param vertex_stride  bytes between vertices, at least 12
+// @param indices        index_count numbers, three for each triangle
+inline MeshReport mesh_check(Span<const float> vertices, Span<const uint32_t> indices) {
+    MeshReport out_report{};
+    check(gphys_mesh_check(vertices.data, vertices.stride, vertices.size, indices.data, indices.size, &out_report));
+    return out_report;
+}
+
+} // namespace gamephys
+
+#endif

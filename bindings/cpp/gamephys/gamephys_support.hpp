@@ -1,0 +1,133 @@
+// What gamephys.hpp stands on: errors, ownership, spans.
+#ifndef GAMEPHYS_SUPPORT_HPP
+#define GAMEPHYS_SUPPORT_HPP
+
+#include <gamephys_c.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace gamephys {
+
+// A call failed: what() is the library's message.
+class Error : public std::runtime_error {
+public:
+    explicit Error(gphys_status status) : std::runtime_error(gphys_last_error()), status(status) {}
+    const gphys_status status;
+};
+
+inline void check(gphys_status status) {
+    if (status == GPHYS_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (status < 0) throw Error(status);
+}
+
+inline bool found(gphys_status status) {
+    check(status);
+    return status == GPHYS_OK;
+}
+
+// Owns one object of the library. It can be moved, and freed early with reset().
+template <class T, void (*Destroy)(T*)>
+class Object {
+public:
+    // Using an object without a handle (moved from, reset) is an error of the library: null argument.
+    T* handle() const { return pointer.get(); }
+    void reset() { pointer.reset(); }
+
+protected:
+    void own(T* made) { pointer.reset(made); }
+
+private:
+    struct Destroyer {
+        void operator()(T* object) const { Destroy(object); }
+    };
+    std::unique_ptr<T, Destroyer> pointer;
+};
+
+constexpr uint32_t ANY_SIZE = 0xffffffffu;  // of what stands for each element of a batch
+
+// What a container with contiguous elements holds, and whether that is T.
+template <class C>
+using ElementOf = std::remove_const_t<std::remove_pointer_t<decltype(std::declval<C&>().data())>>;
+template <class C, class T>
+using ElementsOf = std::enable_if_t<std::is_same_v<ElementOf<C>, std::remove_const_t<T>>>;
+
+// Elements with any step between them; not the owner.
+template <class T>
+struct Span {
+    T* data = nullptr;
+    uint32_t size = 0;
+    uint32_t stride = sizeof(T);  // bytes
+    Span() = default;
+    Span(T* data, size_t size, uint32_t stride = sizeof(T)) : data(data), size(narrow(size)), stride(stride) {}
+    template <class C, class = ElementsOf<std::remove_reference_t<C>, T>>
+    Span(C&& container) : Span(container.data(), container.size()) {}
+    template <size_t N>
+    Span(T (&array)[N]) : Span(array, N) {}
+    uint32_t sizes() const { return data ? size : ANY_SIZE; }
+
+private:
+    static uint32_t narrow(size_t size) {
+        if (size >= ANY_SIZE) throw std::length_error("more elements than a call takes");
+        return static_cast<uint32_t>(size);
+    }
+};
+
+inline uint32_t common_size(std::initializer_list<uint32_t> sizes) {
+    uint32_t common = ANY_SIZE;
+    for (uint32_t size : sizes) {
+        if (size == ANY_SIZE) continue;
+        if (common != ANY_SIZE && common != size) throw std::invalid_argument("arrays of different lengths");
+        common = size;
+    }
+    if (common == ANY_SIZE) throw std::invalid_argument("no array says how many there are");
+    return common;
+}
+
+inline void require_size(uint32_t size, uint32_t wanted) {
+    if (size != wanted) throw std::invalid_argument("the array for results has another length");
+}
+
+// A list for each element of a batch: those of element i are values[offsets[i]] to values[offsets[i + 1]].
+template <class T>
+struct Ragged {
+    std::vector<T> values;
+    std::vector<uint32_t> offsets;
+};
+
+template <class T, class Call>
+std::vector<T> list(Call call) {
+    std::vector<T> values(64);  // most lists are shorter; the others take a second call
+    uint32_t total = 0;
+    for (;;) {
+        const gphys_status status = call(values.data(), static_cast<uint32_t>(values.size()), &total);
+        check(status);
+        values.resize(total);
+        if (status != GPHYS_INCOMPLETE) return values;
+    }
+}
+
+template <class T, class Call>
+Ragged<T> ragged(Call call, uint32_t count) {
+    Ragged<T> lists{std::vector<T>(std::max(count, 64u)), std::vector<uint32_t>(size_t(count) + 1)};
+    for (;;) {
+        const gphys_status status =
+            call(lists.values.data(), static_cast<uint32_t>(lists.values.size()), lists.offsets.data());
+        check(status);
+        lists.values.resize(lists.offsets.back());
+        if (status != GPHYS_INCOMPLETE) return lists;
+    }
+}
+
+}  // namespace gamephys
+
+#endif
