@@ -38,8 +38,8 @@ def arguments(call, templates, type_name):
             else:
                 before = [q for q in parameters[:i] if q["role"] == "array"][-1]
                 values["array"], key = before["name"], "own_count"
-        elif role == "out" and p.get("count"):
-            key = "out_fixed"
+        elif role in ("in", "out") and p.get("count"):
+            key = role + "_fixed"
         elif role == "scalar":
             values["type"] = type_name(p["type"])
         result.append(templates[key].format(**values))

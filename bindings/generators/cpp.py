@@ -9,13 +9,13 @@ TEMPLATES = {
     "shape_type": "{shape}.type", "shape": "{n}.pointer", "in": "&{n}", "in?": "{n}",
     "array": "{n}.data", "shape_array": "{n}.data", "stride": "{array}.stride", "out_array": "{n}.data",
     "batch_count": "count", "own_count": "{array}.size", "plain_count": "count", "scalar": "{n}",
-    "out": "&{n}", "out_fixed": "{n}.data()", "list": "{n}", "capacity": "capacity", "total": "total",
+    "out": "&{n}", "in_fixed": "{n}.data()", "out_fixed": "{n}.data()", "list": "{n}", "capacity": "capacity", "total": "total",
     "ragged": "{n}", "offsets": "offsets", "new": "&made",
 }
 
 
 def cpp_type(api, of):
-    return {"float": "float"}.get(of) or (of if base_type(api, of).endswith("_t") else camel(of))
+    return of if of in ("float", "double") or base_type(api, of).endswith("_t") else camel(of)
 
 
 def parameter(api, p, last):
@@ -26,6 +26,8 @@ def parameter(api, p, last):
         return f"ShapeSpan {n}" if element(p) == "void" else f"Span<const {of}> {n}" + (" = {}" if last and p.get("nullable") else "")
     if p["role"] == "handle":
         return f"const {of}* {n}" if p.get("nullable") else f"const {of}& {n}"
+    if p.get("count"):
+        return f"const std::array<{of}, {p['count']}>& {n}"
     if p["role"] == "in":
         return f"const {of}* {n}" + (" = nullptr" if last else "") if p.get("nullable") else f"const {of}& {n}"
     text = f"{cpp_type(api, p['type'])} {n}"

@@ -198,6 +198,26 @@ public:
         own(made);
     }
 
+    // Move the point of the world that all coordinates of the scene count from, those that it is given
+    // and those that it returns. Models stay where they are in the world: the positions of those without
+    // a parent become what they are from there, kept in double precision and rounded to float32 once,
+    // however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
+    // and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
+    // @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
+    // @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
+    // Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
+    // on. Queries cost nothing more.
+    void set_origin(const std::array<double, 3>& origin) {
+        check(gphys_scene_set_origin(handle(), origin.data()));
+    }
+
+    // Where in the world the scene's coordinates count from.
+    std::array<double, 3> get_origin() const {
+        std::array<double, 3> out_origin{};
+        check(gphys_scene_get_origin(handle(), out_origin.data()));
+        return out_origin;
+    }
+
     // Add a model.
     // @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
     // @param shape      in the model's own coordinates
@@ -463,6 +483,20 @@ public:
         own(made);
     }
 
+    // Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
+    // The camera and the target of its orbit stay where they are in the world. Picking and culling need a
+    // scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
+    void set_origin(const std::array<double, 3>& origin) {
+        check(gphys_camera_set_origin(handle(), origin.data()));
+    }
+
+    // Where in the world the camera's coordinates count from.
+    std::array<double, 3> get_origin() const {
+        std::array<double, 3> out_origin{};
+        check(gphys_camera_get_origin(handle(), out_origin.data()));
+        return out_origin;
+    }
+
     // @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
     // @param near_distance  > 0
     // @param far_distance   > near_distance; INFINITY allowed
@@ -684,6 +718,21 @@ public:
         gphys_solver* made = nullptr;
         check(gphys_solver_create(desc, &made));
         own(made);
+    }
+
+    // Move the point of the world that the coordinates of all particles count from; see
+    // gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
+    // step and an attachment need a scene of the same origin, else they return
+    // GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles).
+    void set_origin(const std::array<double, 3>& origin) {
+        check(gphys_solver_set_origin(handle(), origin.data()));
+    }
+
+    // Where in the world the particles' coordinates count from.
+    std::array<double, 3> get_origin() const {
+        std::array<double, 3> out_origin{};
+        check(gphys_solver_get_origin(handle(), out_origin.data()));
+        return out_origin;
     }
 
     // m/s^2, from the next step on.
