@@ -22,7 +22,8 @@ case ${1:-} in
         ;;
     --bindings)
         presets=(bindings)
-        packages+=(python3-numpy python3-pip)
+        packages+=(python3-numpy python3-pip nodejs)
+        command -v npm >/dev/null || packages+=(npm)
         ;;
     --platforms)
         presets=(i686 aarch64 windows wasm32)
@@ -46,6 +47,10 @@ install_packages "${packages[@]}" || {
     failed=1
     finish
 }
+
+if [ "${1:-}" = --bindings ] && ! (cd bindings/javascript && npm install --no-package-lock --no-audit --no-fund); then
+    failed=$((failed + 1))
+fi
 
 jobs=$(nproc)
 for preset in "${presets[@]}"; do
