@@ -68,6 +68,7 @@ done
 
 # One plot of each other suite: time against n, a line for each implementation and case.
 for csv in build/bench/*.csv; do
+    [ -e "$csv" ] || continue # of the solver alone
     [ "$csv" != $accuracy ] || continue
     gnuplot - <<PLOT
 set terminal pngcairo size 1200,800

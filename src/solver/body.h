@@ -90,6 +90,7 @@ struct Body {
           earlier(memory),
           earlier_velocity(memory),
           touches(memory),
+          held(memory),
           cloth(memory),
           plan(memory) {}
 
@@ -120,7 +121,8 @@ struct Body {
     double earlier_step = 0;  // seconds between the two; 0 when motion was interrupted
 
     Vector<Touch> touches;  // touches_per_particle each; empty until the body meets a scene
-    bool touched = false;   // in the substep under way
+    Vector<uint8_t> held;   // by particle: whether it touched something in the substep under way
+    bool touched = false;   // whether any did
 
     ClothState cloth;
     Plan plan;

@@ -2,8 +2,10 @@
 // a point near the body; a particle is x, y, z and its inverse mass, relative to the body's average.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "foundation/isa.h"
-#include "foundation/memory.h"
 
 namespace gphys {
 

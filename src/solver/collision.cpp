@@ -124,6 +124,7 @@ double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3
 
 void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
     body.touched = true;
+    body.held[particle] = 1;
     Touch* const first = &body.touches[size_t{particle} * touches_per_particle];
     for (Touch* touch = first; touch != first + touches_per_particle; ++touch) {
         if (touch->model != 0 && touch->model != impact.model) continue;
@@ -188,13 +189,74 @@ Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to
     return bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}});
 }
 
+void Collider::shift(Body& body, uint32_t particle, Vec3 way) const {
+    const Touch* touch = &body.touches[size_t{particle} * touches_per_particle];
+    for (uint32_t i = 0; i < touches_per_particle && touch[i].model != 0; ++i) {
+        const Vec3 normal = widen(touch[i].normal);
+        way += normal * std::max(0.0, -dot(way, normal));
+    }
+    Vec3& at = body.position[particle];
+    Impact impact;
+    const bool free = !sweep(particle, at, way, impact);
+    if (!impact.inside) at += free ? way : way * stop_short(body, particle, at, way, impact);
+}
+
+namespace {
+
+double longest_link(const Body& body) {
+    double longest = 0;
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        if (!body.constraint_ids.live(slot)) continue;
+        const DistanceConstraint& link = body.constraints[slot];
+        longest = std::max({longest, link.rest, distance(body.position[link.a], body.position[link.b])});
+    }
+    return longest;
+}
+
+/// Friction never holds a link stretched: what two contacts did to it is undone along the surfaces.
+void ease_links_between_contacts(const Collider& collider, Body& body) {
+    // Below this strain, which nobody sees, things that lie are left alone.
+    constexpr double slack = 1e-4;
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        const DistanceConstraint& link = body.constraints[slot];
+        if (!body.held[link.a] || !body.held[link.b] || !body.constraint_ids.live(slot)) continue;
+        const Vec3 along = body.position[link.b] - body.position[link.a];
+        const double length = gphys::length(along), error = length - link.rest;
+        const double wa = body.inverse_mass[link.a], wb = body.inverse_mass[link.b];
+        if (link.compliance > 0 || std::fabs(error) <= slack * link.rest || length == 0 || wa + wb == 0) continue;
+        const Vec3 correction = along * (error / (length * (wa + wb)));
+        collider.shift(body, link.a, correction * wa);
+        collider.shift(body, link.b, correction * -wb);
+    }
+}
+
+}  // namespace
+
 void collide(Body& body, const Surroundings& around, double quiet) {
     body.touched = false;
     if (!around.scene || body.settings.layers == 0) return;
     const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
     if (collider.idle()) return;
+    std::fill(body.held.begin(), body.held.end(), uint8_t{0});
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (!body.pinned(p)) collider.slide(body, p, body.start[p], body.position[p] - body.start[p], quiet);
+    }
+}
+
+void collide_again(Body& body, const Surroundings& around, double quiet, const SolveAgain& again) {
+    {
+        // Two links at most meet at a particle of a rope, and each moves it by less than the longest is long.
+        const Collider collider(around, body, swept_box(body, body.position, body.position, 2 * longest_link(body)));
+        ease_links_between_contacts(collider, body);
+    }
+    body.start = body.position;
+    again.solve(body, again.step);
+    const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p) || body.held[p]) continue;
+        const Vec3 way = body.position[p] - body.start[p];
+        body.velocity[p] += way * again.rate;
+        collider.slide(body, p, body.start[p], way, quiet);
     }
 }
 

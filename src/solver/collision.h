@@ -60,6 +60,8 @@ public:
     /// As far along the path as leaves the skin to what it ends at.
     double stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, const Impact& impact) const;
     void record(Body& body, uint32_t particle, const Impact& impact) const;
+    /// As far along the surfaces that it touches as it can go, whatever its velocity.
+    void shift(Body& body, uint32_t particle, Vec3 way) const;
 
 private:
     static constexpr uint32_t most_listed = 32;
@@ -90,6 +92,17 @@ Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to
 
 /// Of a body whose particles have just been moved from start to position.
 void collide(Body& body, const Surroundings& around, double quiet);
+
+/// How constraints are solved while particles that touch something stay where they are.
+struct SolveAgain {
+    void (*solve)(Body& body, double step);
+    double step;
+    double rate;  // by which a correction of the position changes the velocity, 1/s
+};
+
+/// After collide, if something was touched: the links follow what the contacts have done, and what
+/// they move is swept once more.
+void collide_again(Body& body, const Surroundings& around, double quiet, const SolveAgain& again);
 
 /// What gravity adds in two substeps is no speed to bounce with.
 inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravity); }

@@ -1,7 +1,8 @@
 // The step. Bodies do not influence each other, so each is taken through all substeps in turn:
 //
 //   free         exact flight and impacts                                    free_flight.cpp
-//   direct       predict, solve chains as a whole, new velocities, collide   rope_direct.cpp
+//   direct       predict, solve chains as a whole, new velocities, collide,
+//                solve again beside contacts                                 rope_direct.cpp
 //   graph        predict, chain families, reach limits, velocities, collide  cloth.cpp
 //
 // Time scheme of constrained bodies: the backward differentiation formula of second order for
@@ -55,13 +56,26 @@ void follow_models(Body& body, double fraction, double h) {
     }
 }
 
+void solve_beside_contacts(Body& body, double step) {
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.held[p]) body.inverse_mass[p] = 0;
+    }
+    solve_directly(body, step);
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.held[p]) body.inverse_mass[p] = 1 / body.mass[p];
+    }
+}
+
 void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const TimeScheme scheme(h, body.earlier_step);
     predict(body, scheme, gravity);
     follow_models(body, around.end, h);
-    solve_directly(body, scheme.step(body.settings.damping));
+    const double step = scheme.step(body.settings.damping);
+    solve_directly(body, step);
     finish(body, scheme);
-    collide(body, around, quiet_speed(gravity, h));
+    const double quiet = quiet_speed(gravity, h);
+    collide(body, around, quiet);
+    if (body.touched) collide_again(body, around, quiet, {solve_beside_contacts, step, scheme.next / h});
     body.earlier_step = body.touched ? 0 : h;
 }
 
@@ -129,7 +143,10 @@ void Solver::prepare(const Scene* scene, double dt) {
         aim_attachments(body, scene);
         update_plan(body);
         reserve_history(body);
-        if (scene && body.settings.layers != 0) body.touches.resize(size_t{body.size()} * touches_per_particle);
+        if (scene && body.settings.layers != 0) {
+            body.touches.resize(size_t{body.size()} * touches_per_particle);
+            body.held.resize(body.size());
+        }
     }
     next_seen_.clear();
     moved_.clear();
