@@ -448,7 +448,7 @@ TEST_CASE("updating many items of an octree at once is like updating each") {
                 moved.push_back(random_box(random, kind));
                 boxes[items.back()] = moved.back();
             }
-            tree.update_many(count, [&](const auto& put) {
+            tree.update_many(count, [&](const auto& put, bool) {
                 for (uint32_t k = 0; k < count; ++k) put(items[k], moved[k]);
             });
             require_sound(tree, boxes);
@@ -515,7 +515,7 @@ TEST_CASE("an octree rebuilds itself when all its items change places at once") 
         items.push_back(item);
         moved.push_back(box);
     }
-    tree.update_many(4000, [&](const auto& put) {
+    tree.update_many(4000, [&](const auto& put, bool) {
         for (uint32_t k = 0; k < 4000; ++k) put(items[k], moved[k]);
     });
     REQUIRE(tree.stats().rebuilds == 1);

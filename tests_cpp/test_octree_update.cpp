@@ -32,7 +32,7 @@ struct Items {
     uint32_t count() const { return static_cast<uint32_t>(numbers.size()); }
     void build(Octree& tree) const { tree.build(boxes.data(), numbers.data(), count()); }
     void update(Octree& tree) const {
-        tree.update_many(count(), [&](const auto& put) {
+        tree.update_many(count(), [&](const auto& put, bool) {
             for (uint32_t i = 0; i < count(); ++i) put(numbers[i], boxes[i]);
         });
     }

@@ -64,15 +64,15 @@ bool in_child(Body&& body) {
     return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// A scene of many balls with four workers, through the public header.
+/// A scene of many balls with workers, through the public header.
 struct Busy {
     static constexpr uint32_t count = 20000;
 
-    explicit Busy(const gphys_allocator* hooks) {
+    explicit Busy(const gphys_allocator* hooks, uint32_t worker_count = 4) {
         gphys_scene_desc desc;
         gphys_scene_desc_init(&desc, sizeof desc);
         desc.allocator = hooks;
-        desc.worker_count = 4;
+        desc.worker_count = worker_count;
         REQUIRE(gphys_scene_create(&desc, &scene) == GPHYS_OK);
         for (gphys_vec3& point : points) point = random.point(100);
         const gphys_sphere ball{{0, 0, 0}, 1};
@@ -244,6 +244,23 @@ TEST_CASE("workers never call a scene's hooks") {
     }
     CHECK(heap.elsewhere == 0);
     CHECK(heap.calls > 0);
+}
+
+TEST_CASE("workers move models to where one thread moves them, also one that stands twice") {
+    Busy alone(nullptr, 1), shared(nullptr, 4);
+    for (const bool twice : {false, true}) {
+        for (Busy* busy : {&alone, &shared}) {
+            if (twice) busy->models.back() = busy->models.front();
+            busy->move_all();
+            REQUIRE(gphys_scene_validate(busy->scene) == GPHYS_OK);
+        }
+        for (uint32_t i = 0; i < Busy::count; ++i) {
+            gphys_aabb box, other;
+            REQUIRE(gphys_scene_get_bounds(alone.scene, alone.models[i], &box) == GPHYS_OK);
+            REQUIRE(gphys_scene_get_bounds(shared.scene, shared.models[i], &other) == GPHYS_OK);
+            REQUIRE(std::memcmp(&box, &other, sizeof box) == 0);
+        }
+    }
 }
 
 TEST_CASE("workers answer callers who query one scene at the same time as they answer one") {

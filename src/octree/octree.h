@@ -43,7 +43,8 @@ public:
     void remove(uint32_t item) noexcept;
     void update(uint32_t item, const Box& box) noexcept;
     /// Many at once, with one refit of the whole tree if `count`, which may be rough, is large for
-    /// it: moves(put) calls put(item, box) for each.
+    /// it: moves(put, on_any_thread) calls put(item, box) for each, which tasks may do side by side
+    /// for different items if on_any_thread is true.
     template <class Moves>
     void update_many(uint32_t count, Moves&& moves) noexcept;
     void clear() noexcept;
@@ -205,13 +206,14 @@ namespace gphys {
 template <class Moves>
 void Octree::update_many(uint32_t count, Moves&& moves) noexcept {
     if (count < size_ / many) {
-        moves([this](uint32_t item, const Box& box) { update(item, box); });
+        moves([this](uint32_t item, const Box& box) { update(item, box); }, false);
         return;
     }
-    moves([this](uint32_t item, const Box& box) {
+    const auto put = [this](uint32_t item, const Box& box) {
         const uint32_t place = place_of_[item];
         nodes_[place / 8].boxes.set_lane(static_cast<int>(place % 8), box);
-    });
+    };
+    moves(put, true);
     refit_all(count);
 }
 

@@ -324,7 +324,7 @@ gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool
         carry_back(slot);
         return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
     }
-    octree_.update_many(moved, [&](const auto& put) { put_below(slot, put); });
+    octree_.update_many(moved, [&](const auto& put, bool) { put_below(slot, put); });
     return GPHYS_OK;
 }
 

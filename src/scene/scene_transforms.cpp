@@ -6,6 +6,13 @@
 
 namespace gphys {
 
+namespace {
+
+/// Some fifty microseconds of work, much more than it takes to wake a thread.
+constexpr uint32_t models_per_task = 1024;
+
+}  // namespace
+
 const gphys_transform& Scene::local_of(uint32_t slot) const {
     return models_[slot].has_family() ? family(slot).local : models_[slot].world;
 }
@@ -120,11 +127,19 @@ gphys_status Scene::set_transforms(const gphys_model_id* models, const gphys_tra
         model.moving = 0;
     }
     if (!wrong) {
-        octree_.update_many(moved, [&](const auto& put) {
-            for (uint32_t i = 0; i < count; ++i) {
-                const uint32_t slot = IdTable::slot_of(models[i]);
-                if (!models_[slot].carried) put_below(slot, put);
-            }
+        octree_.update_many(moved, [&](const auto& put, bool on_any_thread) {
+            const auto put_all = [&](uint32_t begin, uint32_t end) {
+                for (uint32_t i = begin; i < end; ++i) {
+                    const uint32_t slot = IdTable::slot_of(models[i]);
+                    if (!models_[slot].carried) put_below(slot, put);
+                }
+            };
+            // If each stands once and takes none along, they are different items.
+            if (!on_any_thread || with_relatives || moved != count) return put_all(0, count);
+            workers_.run(count / models_per_task + 1, [&](uint32_t task) {
+                const uint32_t begin = task * models_per_task;
+                put_all(begin, std::min(begin + models_per_task, count));
+            });
         });
     }
     if (with_relatives) unmark_carried(models, count);
