@@ -36,27 +36,38 @@ void answer_each(const Workers& workers, uint32_t count, Answer&& answer) {
     });
 }
 
-/// The first hits of many rays: ray_of(i, ray) is false where there is no ray.
+/// Rays in groups of Scene::rays_at_once: cast(rays, items, size) for each group, with the items that
+/// the rays are of. ray_of(i, ray) is false where there is no ray.
+template <class RayOf, class Cast>
+void cast_in_groups(const Scene& scene, uint32_t count, RayOf&& ray_of, Cast&& cast) {
+    for_each_chunk(scene.workers(), count, [&](uint32_t begin, uint32_t end) {
+        Ray rays[Scene::rays_at_once];
+        uint32_t items[Scene::rays_at_once];
+        for (uint32_t first = begin; first < end; first += Scene::rays_at_once) {
+            uint32_t size = 0;
+            for (uint32_t i = first; i < std::min(first + Scene::rays_at_once, end); ++i) {
+                items[size] = i;
+                if (ray_of(i, rays[size])) ++size;
+            }
+            cast(rays, items, size);
+        }
+    });
+}
+
+/// The first hits of many rays. Where there is no ray, there is no hit.
 template <class RayOf>
 void raycast_each(const Scene& scene, uint32_t count, uint32_t layers, const StridedOut<gphys_hit>& out,
                   RayOf&& ray_of) {
-    for_each_chunk(scene.workers(), count, [&](uint32_t begin, uint32_t end) {
-        Ray rays[Scene::rays_at_once];
+    const auto ray_or_no_hit = [&](uint32_t i, Ray& ray) {
+        if (ray_of(i, ray)) return true;
+        out[i] = no_hit();
+        return false;
+    };
+    cast_in_groups(scene, count, ray_or_no_hit, [&](const Ray* rays, const uint32_t* items, uint32_t size) {
         gphys_hit hits[Scene::rays_at_once];
-        uint32_t item[Scene::rays_at_once];
-        for (uint32_t first = begin; first < end; first += Scene::rays_at_once) {
-            uint32_t there = 0;
-            for (uint32_t i = first; i < std::min(first + Scene::rays_at_once, end); ++i) {
-                if (ray_of(i, rays[there])) {
-                    item[there++] = i;
-                } else {
-                    out[i] = no_hit();
-                }
-            }
-            std::fill_n(hits, there, no_hit());
-            scene.raycast_many(rays, there, layers, hits);
-            for (uint32_t k = 0; k < there; ++k) out[item[k]] = hits[k];
-        }
+        std::fill_n(hits, size, no_hit());
+        scene.raycast_many(rays, size, layers, hits);
+        for (uint32_t k = 0; k < size; ++k) out[items[k]] = hits[k];
     });
 }
 

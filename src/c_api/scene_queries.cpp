@@ -88,7 +88,14 @@ gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_ray> ray(rays, ray_stride);
         const StridedOut<int32_t> out(out_hits, out_stride);
-        answer_each(workers, count, [&](uint32_t i) { out[i] = unwrap(scene)->raycast_any(widen(ray[i]), layers); });
+        const auto ray_of = [&](uint32_t i, Ray& r) {
+            r = widen(ray[i]);
+            return true;
+        };
+        cast_in_groups(*unwrap(scene), count, ray_of, [&](const Ray* group, const uint32_t* items, uint32_t size) {
+            const uint64_t met = unwrap(scene)->raycast_any_many(group, size, layers);
+            for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(met >> k & 1);
+        });
         return GPHYS_OK;
     });
 }

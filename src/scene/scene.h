@@ -98,6 +98,8 @@ public:
     static constexpr uint32_t rays_at_once = Octree::rays_at_once;
     void raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* out) const;
     bool raycast_any(const Ray& ray, uint32_t layers) const;
+    /// The same for many rays: bit i of the result for ray i.
+    uint64_t raycast_any_many(const Ray* rays, uint32_t count, uint32_t layers) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
@@ -152,6 +154,7 @@ private:
     static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
     class FirstOfRay;
+    class AnyOfRay;
 
     ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
     ItemMemory id_memory() const { return {ids_.ids(), sizeof(uint32_t)}; }

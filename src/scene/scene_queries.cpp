@@ -126,15 +126,50 @@ void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys
     for (uint32_t i = 0; i < count; ++i) first[i]->result(out[i]);
 }
 
-bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
-    const QuickRay quick_ray(ray);
-    const auto quick = [&](const auto& shape) { return quick_ray(shape, ray.t_max); };
-    const auto exact = [&](const auto& shape) { return is_met(shape, ray); };
-    const auto met = [&](uint32_t slot) { return (models_[slot].layers & layers) && decide(slot, quick, exact); };
-    for (const uint32_t slot : unbounded_) {
-        if (met(slot)) return true;
+/// Whether one ray meets any of the candidates.
+class Scene::AnyOfRay {
+public:
+    AnyOfRay(const Scene& scene, const Ray& ray, uint32_t layers)
+        : scene_(&scene), quick_ray_(ray), ray_(ray), layers_(layers) {
+        for (const uint32_t slot : scene.unbounded_) met_ = met_ || ask(slot);
     }
-    return octree_.raycast_any(ray, met, model_memory());
+
+    bool ask(uint32_t slot) {
+        const auto quick = [&](const auto& shape) { return quick_ray_(shape, ray_.t_max); };
+        const auto exact = [&](const auto& shape) { return is_met(shape, ray_); };
+        return met_ = (scene_->models_[slot].layers & layers_) && scene_->decide(slot, quick, exact);
+    }
+
+    bool met() const { return met_; }
+    const Ray& ray() const { return ray_; }
+
+private:
+    const Scene* scene_;
+    QuickRay quick_ray_;
+    Ray ray_;
+    uint32_t layers_;
+    bool met_ = false;
+};
+
+bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
+    AnyOfRay any(*this, ray, layers);
+    return any.met() || octree_.raycast_any(
+                            ray, [&](uint32_t slot) { return any.ask(slot); }, model_memory());
+}
+
+uint64_t Scene::raycast_any_many(const Ray* rays, uint32_t count, uint32_t layers) const {
+    std::optional<AnyOfRay> any[rays_at_once];
+    // Those that are done already have no way to go.
+    const Ray done{{}, {}, -1};
+    for (uint32_t i = 0; i < count; ++i) any[i].emplace(*this, rays[i], layers);
+    const auto ray_of = [&](uint32_t i) -> const Ray& { return any[i]->met() ? done : any[i]->ray(); };
+    const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
+        if (t_max >= 0 && any[ray]->ask(slot)) t_max = -1;
+    };
+    octree_.raycast_many(ray_of, count, visit, model_memory());
+    uint64_t met = 0;
+    for (uint32_t i = 0; i < count; ++i) met |= uint64_t{any[i]->met()} << i;
+    return met;
 }
 
 void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const {
