@@ -42,9 +42,11 @@ private:
         if (also_yes && c < -c_error) return Verdict::yes;
         const double discriminant = b * b - dd * c, error = dd * c_error;
         const double to_go = b - dd * clipped(t_max);
-        const bool missed = (c > c_error) & ((b < -b_error) | (discriminant < -error) |
-                                             ((to_go > b_error) & (c - clipped(t_max) * (b + to_go) > c_error)));
-        if (missed) return Verdict::no;
+        if (c > c_error) {
+            if ((b < -b_error) | (discriminant < -error)) return Verdict::no;
+            // Only before the closest point is t_max small enough for a product with it.
+            if (to_go > b_error && c - clipped(t_max) * (b + to_go) > c_error) return Verdict::no;
+        }
         return also_yes && b > b_error && discriminant > error && to_go < -b_error ? Verdict::yes : Verdict::open;
     }
 
