@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# pip makes a wheel from the tree without a network, and the wheel alone is enough: wheel.sh PYTHON
+# pip makes a wheel from the tree without a network, and the wheel alone is enough: wheel.sh PYTHON LIBRARY
 set -euo pipefail
+export GAMEPHYS_LIBRARY=$2
+unset LD_PRELOAD LD_LIBRARY_PATH
 source_dir=$PWD
 work=$BINARY_DIR/python-wheel
 rm -rf "$work"
@@ -9,7 +11,7 @@ cd "$work"
 "$1" -m pip --version >/dev/null 2>&1 || exit 0 # some distributions leave pip out
 "$1" -m pip wheel --quiet --no-index --no-deps --wheel-dir . "$source_dir"
 "$1" -m pip install --quiet --no-index --no-deps --target installed gamephys-*.whl
-unset GAMEPHYS_LIBRARY LD_LIBRARY_PATH
+unset GAMEPHYS_LIBRARY
 PYTHONPATH=$work/installed "$1" -c '
 import gamephys, os
 assert os.path.dirname(gamephys.__file__) == os.path.join(os.getcwd(), "installed", "gamephys")
