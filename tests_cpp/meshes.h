@@ -37,9 +37,9 @@ struct Arrays {
 /// The instruction sets that this processor has.
 inline std::vector<gphys::Isa> isas() {
     std::vector<gphys::Isa> all;
-#define GPHYS_TEST_ISA(set) \
+#define GPHYS_TEST_ISA(set, ...) \
     if (gphys::has(gphys::Isa::set)) all.push_back(gphys::Isa::set);
-    GPHYS_FOR_EACH_ISA(GPHYS_TEST_ISA)
+    GPHYS_FOR_EACH_ISA(GPHYS_TEST_ISA, )
 #undef GPHYS_TEST_ISA
     return all;
 }

@@ -8,8 +8,8 @@ namespace gphys {
 namespace {
 
 constexpr Isa all_sets[] = {
-#define GPHYS_ISA_VALUE(set) Isa::set,
-    GPHYS_FOR_EACH_ISA(GPHYS_ISA_VALUE)
+#define GPHYS_ISA_VALUE(set, ...) Isa::set,
+    GPHYS_FOR_EACH_ISA(GPHYS_ISA_VALUE, )
 #undef GPHYS_ISA_VALUE
 };
 
@@ -41,10 +41,10 @@ Isa chosen_isa() {
 
 const char* name_of(Isa isa) {
     switch (isa) {
-#define GPHYS_ISA_CASE(set) \
+#define GPHYS_ISA_CASE(set, ...) \
     case Isa::set:          \
         return #set;
-        GPHYS_FOR_EACH_ISA(GPHYS_ISA_CASE)
+        GPHYS_FOR_EACH_ISA(GPHYS_ISA_CASE, )
 #undef GPHYS_ISA_CASE
     }
     return "";

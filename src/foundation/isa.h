@@ -8,20 +8,20 @@
 #pragma once
 
 #if defined(__x86_64__) || defined(__i386__)
-#define GPHYS_FOR_EACH_ISA(X) X(scalar) X(sse2) X(avx2)
+#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(sse2, __VA_ARGS__) X(avx2, __VA_ARGS__)
 #elif defined(__aarch64__)
-#define GPHYS_FOR_EACH_ISA(X) X(scalar) X(neon)
+#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(neon, __VA_ARGS__)
 #elif defined(__wasm_simd128__)
-#define GPHYS_FOR_EACH_ISA(X) X(scalar) X(wasm)
+#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(wasm, __VA_ARGS__)
 #else
-#define GPHYS_FOR_EACH_ISA(X) X(scalar)
+#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__)
 #endif
 
 namespace gphys {
 
 enum class Isa {
-#define GPHYS_ISA_NAME(set) set,
-    GPHYS_FOR_EACH_ISA(GPHYS_ISA_NAME)
+#define GPHYS_ISA_NAME(set, ...) set,
+    GPHYS_FOR_EACH_ISA(GPHYS_ISA_NAME, )
 #undef GPHYS_ISA_NAME
 };
 
@@ -31,5 +31,19 @@ bool has(Isa isa);
 /// Looked up once, so that no object changes sides.
 Isa chosen_isa();
 const char* name_of(Isa isa);
+
+/// Declares the tables of a kind, one for each set, and table(isa), which gives the one of a set.
+#define GPHYS_DECLARE_KERNELS(Table, table)                     \
+    GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_TABLE, Table, table)       \
+    inline const Table& table(Isa isa) {                        \
+        GPHYS_FOR_EACH_ISA(GPHYS_RETURN_TABLE_IF, Table, table) \
+        return scalar::table;                                   \
+    }
+#define GPHYS_DECLARE_TABLE(set, Table, table) \
+    namespace set {                            \
+    extern const Table table;                  \
+    }
+#define GPHYS_RETURN_TABLE_IF(set, Table, table) \
+    if (isa == Isa::set) return set::table;
 
 }  // namespace gphys

@@ -35,19 +35,6 @@ struct MeshKernels {
     uint32_t (*lanes_near)(const TrianglePacket& packet, const PointProbe& probe, float limit);
 };
 
-#define GPHYS_DECLARE_MESH_KERNELS(set)    \
-    namespace set {                        \
-    extern const MeshKernels mesh_kernels; \
-    }
-GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_MESH_KERNELS)
-#undef GPHYS_DECLARE_MESH_KERNELS
-
-inline const MeshKernels& mesh_kernels(Isa isa) {
-#define GPHYS_MESH_KERNELS_OF(set) \
-    if (isa == Isa::set) return set::mesh_kernels;
-    GPHYS_FOR_EACH_ISA(GPHYS_MESH_KERNELS_OF)
-#undef GPHYS_MESH_KERNELS_OF
-    return scalar::mesh_kernels;
-}
+GPHYS_DECLARE_KERNELS(MeshKernels, mesh_kernels)
 
 }  // namespace gphys

@@ -61,19 +61,6 @@ struct OctreeKernels {
                   const OctreePairVisitor& to);
 };
 
-#define GPHYS_DECLARE_OCTREE_KERNELS(set)      \
-    namespace set {                            \
-    extern const OctreeKernels octree_kernels; \
-    }
-GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_OCTREE_KERNELS)
-#undef GPHYS_DECLARE_OCTREE_KERNELS
-
-inline const OctreeKernels& octree_kernels(Isa isa) {
-#define GPHYS_OCTREE_KERNELS_OF(set) \
-    if (isa == Isa::set) return set::octree_kernels;
-    GPHYS_FOR_EACH_ISA(GPHYS_OCTREE_KERNELS_OF)
-#undef GPHYS_OCTREE_KERNELS_OF
-    return scalar::octree_kernels;
-}
+GPHYS_DECLARE_KERNELS(OctreeKernels, octree_kernels)
 
 }  // namespace gphys

@@ -60,19 +60,6 @@ struct ClothKernels {
 
 constexpr uint32_t cloth_row_floats = 6 * 8;
 
-#define GPHYS_DECLARE_CLOTH_KERNELS(set)     \
-    namespace set {                          \
-    extern const ClothKernels cloth_kernels; \
-    }
-GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_CLOTH_KERNELS)
-#undef GPHYS_DECLARE_CLOTH_KERNELS
-
-inline const ClothKernels& cloth_kernels(Isa isa) {
-#define GPHYS_CLOTH_KERNELS_OF(set) \
-    if (isa == Isa::set) return set::cloth_kernels;
-    GPHYS_FOR_EACH_ISA(GPHYS_CLOTH_KERNELS_OF)
-#undef GPHYS_CLOTH_KERNELS_OF
-    return scalar::cloth_kernels;
-}
+GPHYS_DECLARE_KERNELS(ClothKernels, cloth_kernels)
 
 }  // namespace gphys
