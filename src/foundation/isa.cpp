@@ -42,7 +42,7 @@ Isa chosen_isa() {
 const char* name_of(Isa isa) {
     switch (isa) {
 #define GPHYS_ISA_CASE(set, ...) \
-    case Isa::set:          \
+    case Isa::set:               \
         return #set;
         GPHYS_FOR_EACH_ISA(GPHYS_ISA_CASE, )
 #undef GPHYS_ISA_CASE
