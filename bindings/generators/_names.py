@@ -30,6 +30,10 @@ def base_type(api, name):
     return next((t["type"] for t in api["types"] if t["name"] == name), name)
 
 
+# Functions whose status is the answer: OK is yes, the status here is no.
+ANSWERS = {"gphys_scene_has": "GPHYS_ERROR_INVALID_ID"}
+
+
 @dataclass
 class Call:
     """A C function as a method of an object, or as a free function when owner is None."""
@@ -85,6 +89,35 @@ def as_call(api, function):
             call.inputs.append(p)
     call.inputs.sort(key=lambda p: p["name"] == "desc")
     return call
+
+
+def declarations(api, prefix=""):
+    """The header as plain C for a parser without a preprocessor, each line after the prefix."""
+    lines = [f"typedef {t['type']} {t['name']};" for t in api["types"]]
+    lines += [f"typedef struct {h} {h};" for h in api["handles"]]
+    lines += [f"typedef {declared(c['type'], c['name'])};" for c in api["callbacks"]]
+    for struct in api["structs"]:
+        fields = "".join(f" {declared(f['type'], f['name'])}{'[%d]' % f['count'] if f['count'] > 1 else ''};"
+                         for f in struct["fields"])
+        lines.append(f"typedef struct {struct['name']} {{{fields} }} {struct['name']};")
+    for f in api["functions"]:
+        parameters = ", ".join(declared(p["type"], p["name"]) for p in f["parameters"]) or "void"
+        lines.append(f"{declared(f['returns'], f['name'])}({parameters});")
+    return "\n".join(prefix + line for line in lines)
+
+
+def declared(of, name):
+    """A type and a name as C writes them: 'void (*)(int)' has it in the middle."""
+    return of.replace("(*)", f"(*{name})") if "(*)" in of else f"{of} {name}".replace("* ", "*")
+
+
+def constants(api):
+    """Name without prefix -> number, of all enumerators and macros."""
+    values = {plain(v["name"]): v["value"] for e in api["enums"] for v in e["values"]}
+    for name, text in api["constants"].items():
+        number = float(text.rstrip("f")) if "e" in text and not text.startswith("0x") else int(text.rstrip("u"), 0)
+        values[plain(name)] = number
+    return values
 
 
 def shape_of(parameters, i):

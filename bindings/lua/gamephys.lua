@@ -1,0 +1,285 @@
+--- 3D scenes for LuaJIT: shapes and meshes, rays and overlaps, a camera, particles, ropes and cloth.
+-- Values are the library's own structs, batches are FFI arrays of them, which are read and written in
+-- place. A query that finds nothing returns nil; what goes wrong is raised with the library's message.
+local ffi = require 'ffi'
+local declared = require 'gamephys.declarations'
+local declared_methods = require 'gamephys.methods'
+
+ffi.cdef(declared.declarations)
+local names = { OSX = 'libgamephys.1.dylib', Windows = 'gamephys.dll' }
+local C = ffi.load(os.getenv 'GAMEPHYS_LIBRARY' or names[ffi.os] or 'libgamephys.so.1')
+
+local gp, runtime = {}, { C = C, classes = {} }
+for name, number in pairs(declared.constants) do gp[name] = number end
+local OK, INCOMPLETE = gp.OK, gp.INCOMPLETE
+
+-- Errors -----------------------------------------------------------------------------------------
+
+--- What is raised: tostring gives the library's message, status its number.
+local Error = { __tostring = function(self) return self.message end }
+
+local function raise(status)
+    error(setmetatable({ status = status, message = ffi.string(C.gphys_last_error()) }, Error))
+end
+
+function runtime.check(status)
+    if status < 0 then raise(status) end
+    return status
+end
+
+function runtime.found(status)
+    if status < 0 then raise(status) end
+    return status == OK
+end
+
+--- A status that is an answer: OK is yes, `no` is no.
+function runtime.answered(status, no)
+    return status ~= no and runtime.found(status)
+end
+
+--- Whether something caught by pcall came from the library.
+function gp.is_error(caught) return getmetatable(caught) == Error end
+
+-- Values -----------------------------------------------------------------------------------------
+
+--- What is known of a C type: how to make one and many, its size.
+local elements = {}
+function runtime.element(name)
+    local known = elements[name]
+    if not known then
+        known = {
+            name = name,
+            new = ffi.typeof(name),
+            array = ffi.typeof(name .. '[?]'),
+            pointer = ffi.typeof(name .. '*'),
+            size = ffi.sizeof(name),
+            init = name:match '_desc$' and C[name .. '_init'],
+            numbers = name == 'gphys_mat4' and 16 or nil,
+        }
+        elements[name] = known
+    end
+    return known
+end
+
+--- A struct as it is, or made from a table; a matrix from 16 numbers.
+function runtime.to_value(of, given)
+    if type(given) ~= 'table' then return given end
+    if #given == of.numbers then return of.new({ given }) end
+    return of.new(given)
+end
+
+--- A given number of elements.
+function runtime.to_numbers(of, given, count)
+    if type(given) ~= 'table' then return given end
+    if #given ~= count then error(('expected %d numbers, got %d'):format(count, #given), 3) end
+    return of.array(count, given)
+end
+
+--- Settings: the library's defaults, changed by a table.
+function runtime.to_desc(of, given)
+    if type(given) ~= 'table' then return given end
+    local made = of.new()
+    runtime.check(of.init(made, of.size))
+    for name, field in pairs(given) do made[name] = field end
+    return made
+end
+
+function runtime.to_flag(given)
+    if type(given) == 'boolean' then return given and 1 or 0 end
+    return given
+end
+
+-- Shapes -----------------------------------------------------------------------------------------
+
+local function opened(object)
+    local pointer = object.pointer
+    if pointer == nil then error(object.name .. ' is closed', 3) end
+    return pointer
+end
+runtime.opened = opened
+
+function runtime.kind(shape)
+    local kind = type(shape) == 'cdata' and shape.kind
+    if not kind then error('not a shape: ' .. tostring(shape), 3) end
+    return kind
+end
+
+function runtime.address(shape)
+    if shape.kind == gp.SHAPE_MESH then return opened(shape) end
+    return shape
+end
+
+-- Arrays -----------------------------------------------------------------------------------------
+
+--- An array of zeros, or of the elements of a table: array('ray', 100), array('float', {1, 2, 3}).
+function gp.array(name, given)
+    local of = runtime.element(elements['gphys_' .. name] and 'gphys_' .. name or name)
+    if type(given) == 'table' then return of.array(#given, given) end
+    return of.array(given)
+end
+
+--- How many elements an array has.
+function gp.length(array)
+    for _, name in ipairs { 'uint32_t', 'int32_t', 'float', 'double' } do
+        if ffi.istype(runtime.element(name).array, array) then return ffi.sizeof(array) / elements[name].size end
+    end
+    return ffi.sizeof(array) / ffi.sizeof(array[0])
+end
+
+--- Memory of the caller, the number of elements in it and the bytes between them. One struct stands
+--- for all: it has no number, and a step of 0.
+function runtime.to_array(of, given, width)
+    if given == nil then return nil, nil, 0 end
+    if type(given) == 'table' then given = of.array(#given, given) end
+    if ffi.istype(of.pointer, given) then error('a pointer does not say how many elements it has', 3) end
+    if ffi.istype(of.new, given) then return given, nil, 0 end
+    local bytes, size = ffi.sizeof(given), of.size * (width or 1)
+    if bytes % size ~= 0 then error('not a whole number of elements of ' .. size .. ' bytes', 3) end
+    return given, bytes / size, size
+end
+
+--- The same for shapes, with their kind before the number.
+function runtime.to_shapes(given)
+    if type(given) == 'table' then
+        if not given[1] then error('a batch of no shapes', 3) end
+        local of = runtime.element(runtime.kind(given[1]) and given[1].struct)
+        given = of.array(#given, given)
+    end
+    if type(given) == 'cdata' and ffi.istype(elements.gphys_mesh.new, given) then
+        return opened(given), gp.SHAPE_MESH, nil, 0
+    end
+    for _, of in ipairs(elements.shapes) do
+        if ffi.istype(of.new, given) then return given, of.kind, nil, 0 end
+        if ffi.istype(of.array, given) then return given, of.kind, ffi.sizeof(given) / of.size, of.size end
+    end
+    error('not shapes: ' .. tostring(given), 3)
+end
+
+--- The length that arrays share; nil stands for any.
+function runtime.common(first, second)
+    if first and second and first ~= second then
+        error(('arrays of different lengths: %d and %d'):format(first, second), 3)
+    end
+    return first or second or error('no array says how many there are', 3)
+end
+
+--- Room for results: the caller's, if it gave some.
+function runtime.results(of, out, count)
+    if not out then return of.array(count) end
+    if ffi.sizeof(out) ~= count * of.size then error('room for results has another length', 3) end
+    return out
+end
+
+local function trimmed(of, out, capacity, total)
+    if capacity == total then return out end
+    local exact = of.array(total)
+    ffi.copy(exact, out, total * of.size)
+    return exact
+end
+
+--- All elements of a list, whose call is repeated with enough room if it has to be; and their number.
+function runtime.list(of, call)
+    local capacity, total = 64, ffi.new 'uint32_t[1]'
+    while true do
+        local out = of.array(capacity)
+        if runtime.check(call(out, capacity, total)) ~= INCOMPLETE then
+            return trimmed(of, out, capacity, total[0]), total[0]
+        end
+        capacity = total[0]
+    end
+end
+
+--- A list for each element: those of element i are values[offsets[i]] up to values[offsets[i + 1]].
+function runtime.ragged(of, call, count)
+    local capacity, offsets = math.max(64, count), ffi.new('uint32_t[?]', count + 1)
+    while true do
+        local out = of.array(capacity)
+        if runtime.check(call(out, capacity, offsets)) ~= INCOMPLETE then
+            return trimmed(of, out, capacity, offsets[count]), offsets
+        end
+        capacity = offsets[count]
+    end
+end
+
+-- Objects ----------------------------------------------------------------------------------------
+
+--- A class whose instances own an object of the library: freed by close, or by the collector.
+function runtime.class(name)
+    local struct = ('gphys_lua_%s'):format(name)
+    ffi.cdef(('typedef struct { gphys_%s* pointer; } %s;'):format(name, struct))
+    local destroy, box = C[('gphys_%s_destroy'):format(name)], ffi.typeof(('gphys_%s*[1]'):format(name))
+    local class = { name = name, kind = name == 'mesh' and gp.SHAPE_MESH or nil }
+    --- Free the object now. Using it afterwards is an error; closing again does nothing.
+    function class:close()
+        destroy(self.pointer)
+        self.pointer = nil
+    end
+    local new = ffi.metatype(struct, { __index = class, __gc = class.close })
+    elements['gphys_' .. name] = { new = new }
+    runtime.classes[name] = class
+    function class.create(call)
+        local made = box()
+        runtime.check(call(made))
+        return new(made[0])
+    end
+    return class
+end
+
+--- A value as its field by field text, for printing and for messages.
+local function described(fields)
+    return function(self)
+        local words = {}
+        for i, name in ipairs(fields) do words[i] = name .. ' = ' .. tostring(self[name]) end
+        return '{' .. table.concat(words, ', ') .. '}'
+    end
+end
+
+elements.shapes = {}
+local kinds = {}
+for _, name in ipairs(declared.shapes) do kinds[name] = gp['SHAPE_' .. name:upper()] end
+for _, struct in ipairs(declared.structs) do
+    local name, of = struct.name, runtime.element('gphys_' .. struct.name)
+    of.kind = kinds[name]
+    if of.kind then elements.shapes[#elements.shapes + 1] = of end
+    ffi.metatype(of.new, { __tostring = described(struct.fields), __index = { kind = of.kind, struct = of.name } })
+    -- gphys_model_info is gp.ModelInfo
+    gp[(name:gsub('^%l', string.upper):gsub('_(%l)', string.upper))] = of.new
+end
+
+declared_methods(gp, runtime)
+
+-- What needs more than its declaration -----------------------------------------------------------
+
+local version = C.gphys_version()
+gp.VERSION = ('%d.%d.%d'):format(bit.rshift(version, 16), bit.band(bit.rshift(version, 8), 255), bit.band(version, 255))
+
+--- Name of a status, such as "GPHYS_NO_HIT".
+function gp.status_name(status) return ffi.string(C.gphys_status_name(status)) end
+
+--- The orbit settings that the library starts from.
+function gp.default_orbit()
+    local orbit = gp.Orbit()
+    runtime.check(C.gphys_orbit_init(orbit))
+    return orbit
+end
+
+--- The shape moved by a transform; an Aabb becomes an Obb.
+function gp.transform(shape, by)
+    local kind = runtime.kind(shape)
+    local moved = (kind == gp.SHAPE_AABB or kind == gp.SHAPE_MESH) and gp.Obb() or ffi.typeof(shape)()
+    runtime.check(C.gphys_shape_transform(kind, runtime.address(shape), runtime.to_value(elements.gphys_transform, by), moved))
+    return moved
+end
+
+--- The shape of a model in its own coordinates; those of meshes are an error.
+function runtime.classes.scene:get_shape(model)
+    local kind, of = self:get_info(model).type, elements.gphys_frustum
+    for _, shape in ipairs(elements.shapes) do
+        if shape.kind == kind then of = shape end
+    end
+    local shape = of.new()
+    runtime.check(C.gphys_scene_get_shape(opened(self), model, shape, of.size))
+    return shape
+end
+
+return gp

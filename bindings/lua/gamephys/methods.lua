@@ -1,0 +1,1125 @@
+-- Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+return function(gp, runtime)
+local C, ALL_LAYERS = runtime.C, gp.ALL_LAYERS
+local opened, kind, address, to_value = runtime.opened, runtime.kind, runtime.address, runtime.to_value
+local to_numbers, to_desc, to_flag = runtime.to_numbers, runtime.to_desc, runtime.to_flag
+local to_array, to_shapes, common, results = runtime.to_array, runtime.to_shapes, runtime.common, runtime.results
+local list, ragged, check, found, answered = runtime.list, runtime.ragged, runtime.check, runtime.found, runtime.answered
+local float = runtime.element 'float'
+local double = runtime.element 'double'
+local int32_t = runtime.element 'int32_t'
+local uint32_t = runtime.element 'uint32_t'
+local Vec3 = runtime.element 'gphys_vec3'
+local Quat = runtime.element 'gphys_quat'
+local Mat4 = runtime.element 'gphys_mat4'
+local Transform = runtime.element 'gphys_transform'
+local Ray = runtime.element 'gphys_ray'
+local Segment = runtime.element 'gphys_segment'
+local Sphere = runtime.element 'gphys_sphere'
+local Capsule = runtime.element 'gphys_capsule'
+local Aabb = runtime.element 'gphys_aabb'
+local Obb = runtime.element 'gphys_obb'
+local Plane = runtime.element 'gphys_plane'
+local Triangle = runtime.element 'gphys_triangle'
+local Frustum = runtime.element 'gphys_frustum'
+local Hit = runtime.element 'gphys_hit'
+local Nearest = runtime.element 'gphys_nearest'
+local MeshReport = runtime.element 'gphys_mesh_report'
+local MeshDesc = runtime.element 'gphys_mesh_desc'
+local OctreeStats = runtime.element 'gphys_octree_stats'
+local OctreeBox = runtime.element 'gphys_octree_box'
+local SceneDesc = runtime.element 'gphys_scene_desc'
+local ModelDesc = runtime.element 'gphys_model_desc'
+local ModelInfo = runtime.element 'gphys_model_info'
+local CameraDesc = runtime.element 'gphys_camera_desc'
+local Orbit = runtime.element 'gphys_orbit'
+local SolverDesc = runtime.element 'gphys_solver_desc'
+local BodyDesc = runtime.element 'gphys_body_desc'
+local BodyInfo = runtime.element 'gphys_body_info'
+local ConstraintInfo = runtime.element 'gphys_constraint_info'
+local SolverStats = runtime.element 'gphys_solver_stats'
+local Contact = runtime.element 'gphys_contact'
+
+local Mesh = runtime.class 'mesh'
+--- Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
+--- segments or points that they are, and counted in the report. 0 triangles are allowed.
+--- @param desc  may be NULL
+--- @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
+---         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+--- Cost: O(n log n), about 1 us per triangle.
+function gp.Mesh(vertices, indices, desc)
+    local vertices, vertices_count, vertices_stride = to_array(float, vertices, 3)
+    local indices, indices_count, indices_stride = to_array(uint32_t, indices)
+    return Mesh.create(function(made)
+        return C.gphys_mesh_create(desc and to_desc(MeshDesc, desc), vertices, vertices_stride, vertices_count, indices, indices_count, made)
+    end)
+end
+
+--- What the mesh was built from.
+function Mesh:get_report(out_report)
+    out_report = out_report or MeshReport.new()
+    check(C.gphys_mesh_get_report(opened(self), out_report))
+    return out_report
+end
+
+--- Copy the vertices out; in their original order.
+function Mesh:get_vertices()
+    return list(Vec3, function(out, capacity, total)
+        return C.gphys_mesh_get_vertices(opened(self), out, capacity, total)
+    end)
+end
+
+--- Copy the indices out; in their original order.
+function Mesh:get_indices()
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_mesh_get_indices(opened(self), out, capacity, total)
+    end)
+end
+
+--- All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
+--- Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits)
+function Mesh:raycast_all(ray)
+    return list(Hit, function(out, capacity, total)
+        return C.gphys_mesh_raycast_all(opened(self), to_value(Ray, ray), out, capacity, total)
+    end)
+end
+
+do
+    local out_hit = int32_t.array(1)
+    --- Whether a ray hits anything; cheaper than the closest hit.
+    function Mesh:raycast_any(ray)
+        check(C.gphys_mesh_raycast_any(opened(self), to_value(Ray, ray), out_hit))
+        return out_hit[0] ~= 0
+    end
+end
+
+--- Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+--- ascending. Kept when the array is too small: the lowest.
+function Mesh:overlap(shape)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_mesh_overlap(opened(self), kind(shape), address(shape), out, capacity, total)
+    end)
+end
+
+--- Cost: O(nodes).
+function Mesh:get_octree_stats(out_stats)
+    out_stats = out_stats or OctreeStats.new()
+    check(C.gphys_mesh_get_octree_stats(opened(self), out_stats))
+    return out_stats
+end
+
+--- Boxes of the tree, each parent before its children. Kept when too many: the first.
+function Mesh:get_octree_boxes()
+    return list(OctreeBox, function(out, capacity, total)
+        return C.gphys_mesh_get_octree_boxes(opened(self), out, capacity, total)
+    end)
+end
+
+local Scene = runtime.class 'scene'
+--- With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
+--- adding and moving many models, share their work among n threads; the results have the same bits
+--- for every n. Without a task_runner n - 1 threads are started here and joined by
+--- gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
+--- work. They take no signals but faults, and the floating-point settings of the thread that
+--- created them. In a child of fork they are gone: calls there run on one thread.
+--- @param desc  may be NULL
+--- @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+function gp.Scene(desc)
+    return Scene.create(function(made)
+        return C.gphys_scene_create(desc and to_desc(SceneDesc, desc), made)
+    end)
+end
+
+--- Move the point of the world that all coordinates of the scene count from, those that it is given
+--- and those that it returns. Models stay where they are in the world: the positions of those without
+--- a parent become what they are from there, kept in double precision and rounded to float32 once,
+--- however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
+--- and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
+--- @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
+--- @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
+--- Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
+--- on. Queries cost nothing more.
+function Scene:set_origin(origin)
+    check(C.gphys_scene_set_origin(opened(self), to_numbers(double, origin, 3)))
+end
+
+--- Where in the world the scene's coordinates count from.
+function Scene:get_origin()
+    local out_origin = double.array(3)
+    check(C.gphys_scene_get_origin(opened(self), out_origin))
+    return out_origin
+end
+
+do
+    local out_model = uint32_t.array(1)
+    --- Add a model.
+    --- @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
+    --- @param shape      in the model's own coordinates
+    --- @param transform  local; NULL is the identity
+    --- @param desc       NULL: no parent, layer 1, tag 0
+    --- @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
+    ---         GPHYS_ERROR_CAPACITY
+    --- Cost: O(log n) amortised.
+    function Scene:add(shape, transform, desc)
+        check(C.gphys_scene_add(opened(self), kind(shape), address(shape), transform and to_value(Transform, transform), desc and to_desc(ModelDesc, desc), out_model))
+        return out_model[0]
+    end
+end
+
+--- Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
+--- needs shape_stride 0). transforms may be NULL. out_models has count elements.
+function Scene:add_batch(shapes, transforms, desc, out)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local transforms, transforms_count, transforms_stride = to_array(Transform, transforms)
+    local count = common(shapes_count, transforms_count)
+    out = results(uint32_t, out, count)
+    check(C.gphys_scene_add_batch(opened(self), shapes_kind, shapes, shapes_stride, transforms, transforms_stride, count, desc and to_desc(ModelDesc, desc), out))
+    return out
+end
+
+--- Remove a model. Its children stay where they are in the world and lose their parent.
+function Scene:remove(model)
+    check(C.gphys_scene_remove(opened(self), model))
+end
+
+--- Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID.
+function Scene:remove_batch(models)
+    local models, models_count, models_stride = to_array(uint32_t, models)
+    local count = common(models_count)
+    check(C.gphys_scene_remove_batch(opened(self), models, count))
+end
+
+--- Remove a model and all its descendants.
+function Scene:remove_subtree(model)
+    check(C.gphys_scene_remove_subtree(opened(self), model))
+end
+
+--- Remove all. Ids given out before stay invalid.
+function Scene:clear()
+    check(C.gphys_scene_clear(opened(self)))
+end
+
+--- GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID.
+function Scene:has(model)
+    return answered(C.gphys_scene_has(opened(self), model), -2)
+end
+
+--- Ids of all models, ascending. Kept when too many: the lowest.
+function Scene:get_models()
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_scene_get_models(opened(self), out, capacity, total)
+    end)
+end
+
+--- Kind, parent, layers, tag and number of children of a model.
+function Scene:get_info(model, out_info)
+    out_info = out_info or ModelInfo.new()
+    check(C.gphys_scene_get_info(opened(self), model, out_info))
+    return out_info
+end
+
+--- World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+function Scene:get_bounds(model, out_bounds)
+    out_bounds = out_bounds or Aabb.new()
+    if found(C.gphys_scene_get_bounds(opened(self), model, out_bounds)) then return out_bounds end
+end
+
+--- World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out.
+function Scene:get_scene_bounds(out_bounds)
+    out_bounds = out_bounds or Aabb.new()
+    if found(C.gphys_scene_get_scene_bounds(opened(self), out_bounds)) then return out_bounds end
+end
+
+--- Change which queries see a model, or what its hits report. Children are not affected.
+function Scene:set_layers(model, layers)
+    check(C.gphys_scene_set_layers(opened(self), model, layers))
+end
+
+--- Change which queries see a model, or what its hits report. Children are not affected.
+function Scene:set_tag(model, tag)
+    check(C.gphys_scene_set_tag(opened(self), model, tag))
+end
+
+--- Hang a model below another one, or below none (0).
+--- @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
+---                    changed so that the world transform stays (within float32 rounding)
+--- @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+function Scene:set_parent(model, parent, keep_world)
+    check(C.gphys_scene_set_parent(opened(self), model, parent, to_flag(keep_world)))
+end
+
+--- Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.
+function Scene:set_transform(model, transform)
+    check(C.gphys_scene_set_transform(opened(self), model, to_value(Transform, transform)))
+end
+
+--- Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+--- that moves when few move, O(n) when many do.
+function Scene:set_transforms(models, transforms)
+    local models, models_count, models_stride = to_array(uint32_t, models)
+    local transforms, transforms_count, transforms_stride = to_array(Transform, transforms)
+    local count = common(models_count, transforms_count)
+    check(C.gphys_scene_set_transforms(opened(self), models, transforms, transforms_stride, count))
+end
+
+--- Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+--- that moves when few move, O(n) when many do.
+function Scene:get_transforms(models, out)
+    local models, models_count, models_stride = to_array(uint32_t, models)
+    local count = common(models_count)
+    out = results(Transform, out, count)
+    check(C.gphys_scene_get_transforms(opened(self), models, count, out, Transform.size))
+    return out
+end
+
+--- Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+--- that moves when few move, O(n) when many do.
+function Scene:get_world_transforms(models, out)
+    local models, models_count, models_stride = to_array(uint32_t, models)
+    local count = common(models_count)
+    out = results(Transform, out, count)
+    check(C.gphys_scene_get_world_transforms(opened(self), models, count, out, Transform.size))
+    return out
+end
+
+--- Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+--- @return GPHYS_OK or GPHYS_NO_HIT
+function Scene:raycast(ray, layers, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_scene_raycast(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out_hit)) then return out_hit end
+end
+
+--- Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+--- @return GPHYS_OK or GPHYS_NO_HIT
+function Scene:raycast_batch(rays, layers, out)
+    local rays, rays_count, rays_stride = to_array(Ray, rays)
+    local count = common(rays_count)
+    out = results(Hit, out, count)
+    check(C.gphys_scene_raycast_batch(opened(self), rays, rays_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    return out
+end
+
+do
+    local out_hit = int32_t.array(1)
+    --- Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    function Scene:raycast_any(ray, layers)
+        check(C.gphys_scene_raycast_any(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out_hit))
+        return out_hit[0] ~= 0
+    end
+end
+
+--- Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+function Scene:raycast_any_batch(rays, layers, out)
+    local rays, rays_count, rays_stride = to_array(Ray, rays)
+    local count = common(rays_count)
+    out = results(int32_t, out, count)
+    check(C.gphys_scene_raycast_any_batch(opened(self), rays, rays_stride, count, layers or ALL_LAYERS, out, int32_t.size))
+    return out
+end
+
+--- Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
+--- the first.
+function Scene:raycast_all(ray, layers)
+    return list(Hit, function(out, capacity, total)
+        return C.gphys_scene_raycast_all(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out, capacity, total)
+    end)
+end
+
+--- The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+--- @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
+---                     room. Where a ray's range crosses capacity, its first hits are written.
+--- What stands in out_hits behind the last hit afterwards is unspecified.
+--- @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+function Scene:raycast_all_batch(rays, layers)
+    local rays, rays_count, rays_stride = to_array(Ray, rays)
+    local count = common(rays_count)
+    return ragged(Hit, function(out, capacity, offsets)
+        return C.gphys_scene_raycast_all_batch(opened(self), rays, rays_stride, count, layers or ALL_LAYERS, out, capacity, offsets)
+    end, count)
+end
+
+--- Closest model along a segment from a to b, both included; t in 0..1.
+function Scene:segment_test(segment, layers, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_scene_segment_test(opened(self), to_value(Segment, segment), layers or ALL_LAYERS, out_hit)) then return out_hit end
+end
+
+--- Closest model along a segment from a to b, both included; t in 0..1.
+function Scene:segment_test_batch(segments, layers, out)
+    local segments, segments_count, segments_stride = to_array(Segment, segments)
+    local count = common(segments_count)
+    out = results(Hit, out, count)
+    check(C.gphys_scene_segment_test_batch(opened(self), segments, segments_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    return out
+end
+
+--- Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+--- ascending. Kept when too many: the lowest.
+function Scene:overlap(shape, layers)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_scene_overlap(opened(self), kind(shape), address(shape), layers or ALL_LAYERS, out, capacity, total)
+    end)
+end
+
+--- Offsets as in gphys_scene_raycast_all_batch.
+function Scene:overlap_batch(shapes, layers)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local count = common(shapes_count)
+    return ragged(uint32_t, function(out, capacity, offsets)
+        return C.gphys_scene_overlap_batch(opened(self), shapes_kind, shapes, shapes_stride, count, layers or ALL_LAYERS, out, capacity, offsets)
+    end, count)
+end
+
+--- Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
+--- own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
+--- per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
+--- too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
+--- as scratch memory to order them.
+function Scene:cull(frustum, layers)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_scene_cull(opened(self), to_value(Frustum, frustum), layers or ALL_LAYERS, out, capacity, total)
+    end)
+end
+
+--- The model nearest to a point, and its closest point.
+--- @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+--- @return GPHYS_OK or GPHYS_NO_HIT
+function Scene:nearest(point, max_distance, layers, out_nearest)
+    out_nearest = out_nearest or Nearest.new()
+    if found(C.gphys_scene_nearest(opened(self), to_value(Vec3, point), max_distance or math.huge, layers or ALL_LAYERS, out_nearest)) then return out_nearest end
+end
+
+--- The model nearest to a point, and its closest point.
+--- @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+--- @return GPHYS_OK or GPHYS_NO_HIT
+function Scene:nearest_batch(points, max_distance, layers, out)
+    local points, points_count, points_stride = to_array(Vec3, points)
+    local count = common(points_count)
+    out = results(Nearest, out, count)
+    check(C.gphys_scene_nearest_batch(opened(self), points, points_stride, count, max_distance or math.huge, layers or ALL_LAYERS, out, Nearest.size))
+    return out
+end
+
+--- First model that a sphere touches while it moves by displacement; t in 0..1.
+--- Fields as in gphys_shape_sweep_sphere.
+function Scene:sweep_sphere(sphere, displacement, layers, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_scene_sweep_sphere(opened(self), to_value(Sphere, sphere), to_value(Vec3, displacement), layers or ALL_LAYERS, out_hit)) then return out_hit end
+end
+
+--- First model that a sphere touches while it moves by displacement; t in 0..1.
+--- Fields as in gphys_shape_sweep_sphere.
+function Scene:sweep_sphere_batch(spheres, displacements, layers, out)
+    local spheres, spheres_count, spheres_stride = to_array(Sphere, spheres)
+    local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
+    local count = common(spheres_count, displacements_count)
+    out = results(Hit, out, count)
+    check(C.gphys_scene_sweep_sphere_batch(opened(self), spheres, spheres_stride, displacements, displacements_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    return out
+end
+
+--- Cost: O(nodes).
+function Scene:get_octree_stats(out_stats)
+    out_stats = out_stats or OctreeStats.new()
+    check(C.gphys_scene_get_octree_stats(opened(self), out_stats))
+    return out_stats
+end
+
+--- Boxes of the tree, each parent before its children. Kept when too many: the first.
+function Scene:get_octree_boxes()
+    return list(OctreeBox, function(out, capacity, total)
+        return C.gphys_scene_get_octree_boxes(opened(self), out, capacity, total)
+    end)
+end
+
+--- Check the scene's own structure: every model once in the tree, every box around its content,
+--- parents and children in agreement, free slots free. For tests; O(n).
+--- @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+function Scene:validate()
+    check(C.gphys_scene_validate(opened(self)))
+end
+
+local Camera = runtime.class 'camera'
+--- @param desc  may be NULL
+function gp.Camera(desc)
+    return Camera.create(function(made)
+        return C.gphys_camera_create(desc and to_desc(CameraDesc, desc), made)
+    end)
+end
+
+--- Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
+--- The camera and the target of its orbit stay where they are in the world. Picking and culling need a
+--- scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
+function Camera:set_origin(origin)
+    check(C.gphys_camera_set_origin(opened(self), to_numbers(double, origin, 3)))
+end
+
+--- Where in the world the camera's coordinates count from.
+function Camera:get_origin()
+    local out_origin = double.array(3)
+    check(C.gphys_camera_get_origin(opened(self), out_origin))
+    return out_origin
+end
+
+--- @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
+--- @param near_distance  > 0
+--- @param far_distance   > near_distance; INFINITY allowed
+function Camera:set_perspective(fov_y, near_distance, far_distance)
+    check(C.gphys_camera_set_perspective(opened(self), fov_y, near_distance, far_distance))
+end
+
+--- @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+--- @param near_distance, far_distance  far at least 1e-6 above near, which may be negative
+function Camera:set_orthographic(height, near_distance, far_distance)
+    check(C.gphys_camera_set_orthographic(opened(self), height, near_distance, far_distance))
+end
+
+--- Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+--- library's). It is not changed by gphys_camera_set_viewport.
+--- @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
+---         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
+---         the matrix is for another depth range
+function Camera:set_projection(projection)
+    check(C.gphys_camera_set_projection(opened(self), to_value(Mat4, projection)))
+end
+
+--- The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height.
+function Camera:set_viewport(width, height)
+    check(C.gphys_camera_set_viewport(opened(self), width, height))
+end
+
+--- Place the camera.
+function Camera:set_transform(position, rotation)
+    check(C.gphys_camera_set_transform(opened(self), to_value(Vec3, position), to_value(Quat, rotation)))
+end
+
+--- Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
+--- kept, then up), so that a matrix which drifted is mended.
+--- @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
+---         they mirror or the last row is not 0 0 0 1
+function Camera:set_world_matrix(world)
+    check(C.gphys_camera_set_world_matrix(opened(self), to_value(Mat4, world)))
+end
+
+--- Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
+--- chosen in its place, always the same for the same input.
+--- @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+function Camera:look_at(eye, target, up)
+    check(C.gphys_camera_look_at(opened(self), to_value(Vec3, eye), to_value(Vec3, target), to_value(Vec3, up)))
+end
+
+--- Where the camera stands and how it is turned.
+function Camera:get_transform()
+    local out_position = Vec3.new()
+    local out_rotation = Quat.new()
+    check(C.gphys_camera_get_transform(opened(self), out_position, out_rotation))
+    return out_position, out_rotation
+end
+
+--- Camera to world.
+function Camera:get_world_matrix(out_world)
+    out_world = out_world or Mat4.new()
+    check(C.gphys_camera_get_world_matrix(opened(self), out_world))
+    return out_world
+end
+
+--- World to camera: the transpose of the orthonormal world axes, and the position through them.
+function Camera:get_view_matrix(out_view)
+    out_view = out_view or Mat4.new()
+    check(C.gphys_camera_get_view_matrix(opened(self), out_view))
+    return out_view
+end
+
+--- Camera to clip space.
+function Camera:get_projection_matrix(out_projection)
+    out_projection = out_projection or Mat4.new()
+    check(C.gphys_camera_get_projection_matrix(opened(self), out_projection))
+    return out_projection
+end
+
+--- Projection * view, multiplied in double precision and rounded once.
+function Camera:get_view_projection_matrix(out_view_projection)
+    out_view_projection = out_view_projection or Mat4.new()
+    check(C.gphys_camera_get_view_projection_matrix(opened(self), out_view_projection))
+    return out_view_projection
+end
+
+--- Start orbiting with these settings; places the camera at once and drops pending input. An angle
+--- or a distance outside its limits is brought inside.
+function Camera:set_orbit(orbit)
+    check(C.gphys_camera_set_orbit(opened(self), to_value(Orbit, orbit)))
+end
+
+--- The present settings, angles and distance.
+--- @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+function Camera:get_orbit(out_orbit)
+    out_orbit = out_orbit or Orbit.new()
+    check(C.gphys_camera_get_orbit(opened(self), out_orbit))
+    return out_orbit
+end
+
+--- Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size.
+function Camera:orbit_rotate(units_x, units_y)
+    check(C.gphys_camera_orbit_rotate(opened(self), units_x, units_y))
+end
+
+--- Add input: come closer by units times metres_per_unit (go back if negative).
+function Camera:orbit_zoom(units)
+    check(C.gphys_camera_orbit_zoom(opened(self), units))
+end
+
+--- Add input: move the target to the camera's right and up, as the last update left them, by units
+--- times metres_per_unit.
+function Camera:orbit_pan(units_right, units_up)
+    check(C.gphys_camera_orbit_pan(opened(self), units_right, units_up))
+end
+
+--- Apply the input since the last update, within the limits, and place the camera. Angles are
+--- wrapped to -pi .. pi in constant time. The orbit's settings must have been set.
+function Camera:orbit_update()
+    check(C.gphys_camera_orbit_update(opened(self)))
+end
+
+--- The seen volume, with origin at the camera's position and planes from its parameters: each
+--- number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double.
+function Camera:get_frustum(out_frustum)
+    out_frustum = out_frustum or Frustum.new()
+    check(C.gphys_camera_get_frustum(opened(self), out_frustum))
+    return out_frustum
+end
+
+--- World positions of its corners, in the order of gphys_frustum_corners.
+--- @return GPHYS_UNBOUNDED with an infinite far plane
+function Camera:get_corners()
+    local out_corners = Vec3.array(8)
+    if found(C.gphys_camera_get_corners(opened(self), out_corners)) then return out_corners end
+end
+
+--- World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
+--- depth in the camera's range.
+--- @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
+---         image lies beyond the range of coordinates
+function Camera:project(point, out_pixel)
+    out_pixel = out_pixel or Vec3.new()
+    if found(C.gphys_camera_project(opened(self), to_value(Vec3, point), out_pixel)) then return out_pixel end
+end
+
+--- The same for count points; a point without an image gets x = y = z = INFINITY.
+function Camera:project_batch(points, out)
+    local points, points_count, points_stride = to_array(Vec3, points)
+    local count = common(points_count)
+    out = results(Vec3, out, count)
+    check(C.gphys_camera_project_batch(opened(self), points, points_stride, count, out, Vec3.size))
+    return out
+end
+
+--- Pixel and depth to world point: the inverse of gphys_camera_project.
+--- @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
+---         beyond the range of coordinates
+function Camera:unproject(pixel, out_point)
+    out_point = out_point or Vec3.new()
+    if found(C.gphys_camera_unproject(opened(self), to_value(Vec3, pixel), out_point)) then return out_point end
+end
+
+--- The same for count pixels; one at infinity gets x = y = z = INFINITY.
+function Camera:unproject_batch(pixels, out)
+    local pixels, pixels_count, pixels_stride = to_array(Vec3, pixels)
+    local count = common(pixels_count)
+    out = results(Vec3, out, count)
+    check(C.gphys_camera_unproject_batch(opened(self), pixels, pixels_stride, count, out, Vec3.size))
+    return out
+end
+
+--- The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
+--- on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
+--- Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+--- near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
+--- For perspective the stretch before the near plane is part of the ray. Pixels outside the
+--- viewport are allowed.
+--- @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+function Camera:pick_ray(pixel_x, pixel_y, out_ray)
+    out_ray = out_ray or Ray.new()
+    if found(C.gphys_camera_pick_ray(opened(self), pixel_x, pixel_y, out_ray)) then return out_ray end
+end
+
+--- Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32.
+function Camera:pick_rays(x, y, width, height, out)
+    out = results(Ray, out, width * height)
+    check(C.gphys_camera_pick_rays(opened(self), x, y, width, height, out, Ray.size))
+    return out
+end
+
+--- The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
+--- float32; t is in metres.
+--- @return GPHYS_OK or GPHYS_NO_HIT
+function Camera:pick(scene, pixel_x, pixel_y, layers, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_camera_pick(opened(self), opened(scene), pixel_x, pixel_y, layers or ALL_LAYERS, out_hit)) then return out_hit end
+end
+
+--- The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.
+function Camera:pick_batch(scene, pixels, layers, out)
+    local pixels, pixels_count, pixels_stride = to_array(float, pixels, 2)
+    local count = common(pixels_count)
+    out = results(Hit, out, count)
+    check(C.gphys_camera_pick_batch(opened(self), opened(scene), pixels, pixels_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    return out
+end
+
+--- Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
+--- rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+--- @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+function Camera:pick_rectangle(scene, x0, y0, x1, y1, layers)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_camera_pick_rectangle(opened(self), opened(scene), x0, y0, x1, y1, layers or ALL_LAYERS, out, capacity, total)
+    end)
+end
+
+--- gphys_scene_cull with the camera's frustum.
+function Camera:cull(scene, layers)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_camera_cull(opened(self), opened(scene), layers or ALL_LAYERS, out, capacity, total)
+    end)
+end
+
+local Solver = runtime.class 'solver'
+--- @param desc  may be NULL
+function gp.Solver(desc)
+    return Solver.create(function(made)
+        return C.gphys_solver_create(desc and to_desc(SolverDesc, desc), made)
+    end)
+end
+
+--- Move the point of the world that the coordinates of all particles count from; see
+--- gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
+--- step and an attachment need a scene of the same origin, else they return
+--- GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles).
+function Solver:set_origin(origin)
+    check(C.gphys_solver_set_origin(opened(self), to_numbers(double, origin, 3)))
+end
+
+--- Where in the world the particles' coordinates count from.
+function Solver:get_origin()
+    local out_origin = double.array(3)
+    check(C.gphys_solver_get_origin(opened(self), out_origin))
+    return out_origin
+end
+
+--- m/s^2, from the next step on.
+function Solver:set_gravity(gravity)
+    check(C.gphys_solver_set_gravity(opened(self), to_value(Vec3, gravity)))
+end
+
+--- 1 .. 1000. More substeps: smaller errors, proportionally more time.
+function Solver:set_substeps(substeps)
+    check(C.gphys_solver_set_substeps(opened(self), substeps))
+end
+
+do
+    local out_body = uint32_t.array(1)
+    --- Add particles without constraints.
+    --- @param desc  may be NULL
+    --- @param positions  count elements, count >= 1
+    function Solver:add_particles(positions, desc)
+        local positions, positions_count, positions_stride = to_array(Vec3, positions)
+        local count = common(positions_count)
+        check(C.gphys_solver_add_particles(opened(self), desc and to_desc(BodyDesc, desc), positions, positions_stride, count, out_body))
+        return out_body[0]
+    end
+end
+
+do
+    local out_body = uint32_t.array(1)
+    --- Add a rope through the given points, one particle at each.
+    --- @param count  >= 2
+    --- @param link_length  rest length of each link in metres; 0: as placed
+    function Solver:add_rope(positions, link_length, desc)
+        local positions, positions_count, positions_stride = to_array(Vec3, positions)
+        local count = common(positions_count)
+        check(C.gphys_solver_add_rope(opened(self), desc and to_desc(BodyDesc, desc), positions, positions_stride, count, link_length, out_body))
+        return out_body[0]
+    end
+end
+
+do
+    local out_body = uint32_t.array(1)
+    --- Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
+    --- corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    --- @param columns, rows  >= 2
+    function Solver:add_cloth(corner, edge_u, edge_v, columns, rows, desc)
+        check(C.gphys_solver_add_cloth(opened(self), desc and to_desc(BodyDesc, desc), to_value(Vec3, corner), to_value(Vec3, edge_u), to_value(Vec3, edge_v), columns, rows, out_body))
+        return out_body[0]
+    end
+end
+
+do
+    local out_body = uint32_t.array(1)
+    --- Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+    --- with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    --- @param transform  places the mesh; may be NULL
+    function Solver:add_cloth_mesh(mesh, transform, desc)
+        check(C.gphys_solver_add_cloth_mesh(opened(self), desc and to_desc(BodyDesc, desc), opened(mesh), transform and to_value(Transform, transform), out_body))
+        return out_body[0]
+    end
+end
+
+--- Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+--- with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+--- @param transform  places the mesh; may be NULL
+function Solver:remove_body(body)
+    check(C.gphys_solver_remove_body(opened(self), body))
+end
+
+--- Ids of all bodies, ascending. Kept when too many: the lowest.
+function Solver:get_bodies()
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_solver_get_bodies(opened(self), out, capacity, total)
+    end)
+end
+
+--- What a body is made of and how it is solved.
+function Solver:get_body_info(body, out_info)
+    out_info = out_info or BodyInfo.new()
+    check(C.gphys_solver_get_body_info(opened(self), body, out_info))
+    return out_info
+end
+
+--- Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.
+function Solver:get_triangles(body)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_solver_get_triangles(opened(self), body, out, capacity, total)
+    end)
+end
+
+--- Metres.
+function Solver:get_positions(body, first, count, out)
+    out = results(Vec3, out, count)
+    check(C.gphys_solver_get_positions(opened(self), body, first, count, out, Vec3.size))
+    return out
+end
+
+--- Moves particles there at once and without collision on the way; velocities stay as they are.
+function Solver:set_positions(body, first, positions)
+    local positions, positions_count, positions_stride = to_array(Vec3, positions)
+    local count = common(positions_count)
+    check(C.gphys_solver_set_positions(opened(self), body, first, count, positions, positions_stride))
+end
+
+--- m/s
+function Solver:get_velocities(body, first, count, out)
+    out = results(Vec3, out, count)
+    check(C.gphys_solver_get_velocities(opened(self), body, first, count, out, Vec3.size))
+    return out
+end
+
+--- m/s
+function Solver:set_velocities(body, first, velocities)
+    local velocities, velocities_count, velocities_stride = to_array(Vec3, velocities)
+    local count = common(velocities_count)
+    check(C.gphys_solver_set_velocities(opened(self), body, first, count, velocities, velocities_stride))
+end
+
+--- kg, > 0. A pinned particle keeps its mass for the time when it is released.
+function Solver:get_masses(body, first, count, out)
+    out = results(float, out, count)
+    check(C.gphys_solver_get_masses(opened(self), body, first, count, out, float.size))
+    return out
+end
+
+--- kg, > 0. A pinned particle keeps its mass for the time when it is released.
+function Solver:set_masses(body, first, masses)
+    local masses, masses_count, masses_stride = to_array(float, masses)
+    local count = common(masses_count)
+    check(C.gphys_solver_set_masses(opened(self), body, first, count, masses, masses_stride))
+end
+
+--- Collision radius, metres, >= 0.
+function Solver:set_radii(body, first, radii)
+    local radii, radii_count, radii_stride = to_array(float, radii)
+    local count = common(radii_count)
+    check(C.gphys_solver_set_radii(opened(self), body, first, count, radii, radii_stride))
+end
+
+--- Forces in newtons that act beside gravity, from now on until set again.
+function Solver:set_forces(body, first, forces)
+    local forces, forces_count, forces_stride = to_array(Vec3, forces)
+    local count = common(forces_count)
+    check(C.gphys_solver_set_forces(opened(self), body, first, count, forces, forces_stride))
+end
+
+--- Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+--- gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+function Solver:set_pinned(body, first, count, pinned)
+    check(C.gphys_solver_set_pinned(opened(self), body, first, count, to_flag(pinned)))
+end
+
+--- Fix a particle to a model: it follows the model's transform in each step, and is released when
+--- the model is gone. Steps must then be given this scene.
+--- @param local_point  in the model's coordinates; NULL: where the particle is now
+function Solver:attach(scene, body, particle, model, local_point)
+    check(C.gphys_solver_attach(opened(self), opened(scene), body, particle, model, local_point and to_value(Vec3, local_point)))
+end
+
+--- Release an attached particle.
+--- @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached
+function Solver:detach(body, particle)
+    check(C.gphys_solver_detach(opened(self), body, particle))
+end
+
+do
+    local out_constraint = uint32_t.array(1)
+    --- Hold two different particles of a body at a distance.
+    --- @param rest_length  metres, >= 0; negative: the present distance
+    --- @param compliance   metres per newton, >= 0; 0 is rigid
+    --- @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    function Solver:add_distance(body, particle_a, particle_b, rest_length, compliance)
+        check(C.gphys_solver_add_distance(opened(self), body, particle_a, particle_b, rest_length, compliance, out_constraint))
+        return out_constraint[0]
+    end
+end
+
+--- Hold two different particles of a body at a distance.
+--- @param rest_length  metres, >= 0; negative: the present distance
+--- @param compliance   metres per newton, >= 0; 0 is rigid
+--- @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+function Solver:remove_constraint(body, constraint)
+    check(C.gphys_solver_remove_constraint(opened(self), body, constraint))
+end
+
+--- All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+function Solver:get_constraints(body)
+    return list(ConstraintInfo, function(out, capacity, total)
+        return C.gphys_solver_get_constraints(opened(self), body, out, capacity, total)
+    end)
+end
+
+--- Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
+--- than 25 ms.
+--- @param scene  to collide with and to follow attachments; NULL: none. Not modified.
+--- @param dt     1e-6 .. 0.5
+--- Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+--- substeps, and a scene query for particles near models.
+function Solver:step(scene, dt)
+    check(C.gphys_solver_step(opened(self), scene and opened(scene), dt))
+end
+
+do
+    local out_steps = uint32_t.array(1)
+    local out_leftover = float.array(1)
+    --- Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
+    --- frame, so the motion does not depend on the frame rate.
+    --- @param frame_time    seconds, >= 0
+    --- @param out_steps     steps made; may be NULL
+    --- @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    function Solver:advance(scene, frame_time)
+        check(C.gphys_solver_advance(opened(self), scene and opened(scene), frame_time, out_steps, out_leftover))
+        return out_steps[0], out_leftover[0]
+    end
+end
+
+--- @param body  0: all bodies together.  Cost: O(particles + constraints).
+function Solver:get_stats(body, out_stats)
+    out_stats = out_stats or SolverStats.new()
+    check(C.gphys_solver_get_stats(opened(self), body, out_stats))
+    return out_stats
+end
+
+--- Contacts of the last step by body, particle, model. Kept when too many: the first.
+function Solver:get_contacts()
+    return list(Contact, function(out, capacity, total)
+        return C.gphys_solver_get_contacts(opened(self), out, capacity, total)
+    end)
+end
+
+--- Whether the shape fulfils the ranges beside its struct.
+--- @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+function gp.validate(shape)
+    check(C.gphys_shape_validate(kind(shape), address(shape)))
+end
+
+--- The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
+--- @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
+---         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+function gp.bounds(shape, out_bounds)
+    out_bounds = out_bounds or Aabb.new()
+    if found(C.gphys_shape_bounds(kind(shape), address(shape), out_bounds)) then return out_bounds end
+end
+
+do
+    local out_contains = int32_t.array(1)
+    --- Whether the point is within tolerance metres of the shape (solid or surface).
+    --- With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+    --- axes are those of its rotation in double precision).
+    --- @param tolerance  >= 0
+    --- @param out_contains  0 or 1
+    function gp.contains(shape, point, tolerance)
+        check(C.gphys_shape_contains(kind(shape), address(shape), to_value(Vec3, point), tolerance, out_contains))
+        return out_contains[0] ~= 0
+    end
+end
+
+--- Whether the point is within tolerance metres of the shape (solid or surface).
+--- With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+--- axes are those of its rotation in double precision).
+--- @param tolerance  >= 0
+--- @param out_contains  0 or 1
+function gp.contains_batch(shape, points, tolerance, out)
+    local points, points_count, points_stride = to_array(Vec3, points)
+    local count = common(points_count)
+    out = results(int32_t, out, count)
+    check(C.gphys_shape_contains_batch(kind(shape), address(shape), points, points_stride, count, tolerance, out, int32_t.size))
+    return out
+end
+
+--- The point of the shape that is closest to the given point: the point itself inside a solid.
+--- Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
+--- coordinate difference. If several are equally close, one of them,
+--- always the same. For a ray, t is limited by t_max.
+--- @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+function gp.closest_point(shape, point, out_nearest)
+    out_nearest = out_nearest or Nearest.new()
+    if found(C.gphys_shape_closest_point(kind(shape), address(shape), to_value(Vec3, point), out_nearest)) then return out_nearest end
+end
+
+--- The same for count points. An element for which there is none gets distance INFINITY.
+function gp.closest_point_batch(shape, points, out)
+    local points, points_count, points_stride = to_array(Vec3, points)
+    local count = common(points_count)
+    out = results(Nearest, out, count)
+    check(C.gphys_shape_closest_point_batch(kind(shape), address(shape), points, points_stride, count, out, Nearest.size))
+    return out
+end
+
+do
+    local out_distance = float.array(1)
+    --- The closest points of two segments and their distance. Parallel segments have many: the first
+    --- along a, always the same. out_a, out_b, out_distance may each be NULL.
+    function gp.segment_closest_points(a, b)
+        local out_a = Vec3.new()
+        local out_b = Vec3.new()
+        check(C.gphys_segment_closest_points(to_value(Segment, a), to_value(Segment, b), out_a, out_b, out_distance))
+        return out_a, out_b, out_distance[0]
+    end
+end
+
+do
+    local out_overlaps = int32_t.array(1)
+    --- Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
+    --- triangle, frustum and mesh, in either order.
+    --- A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+    --- Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
+    --- precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
+    --- @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+    function gp.overlaps(a, b)
+        check(C.gphys_shape_overlaps(kind(a), address(a), kind(b), address(b), out_overlaps))
+        return out_overlaps[0] ~= 0
+    end
+end
+
+--- Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0.
+function gp.overlaps_batch(a, b, out)
+    local a, a_kind, a_count, a_stride = to_shapes(a)
+    local b, b_kind, b_count, b_stride = to_shapes(b)
+    local count = common(a_count, b_count)
+    out = results(int32_t, out, count)
+    check(C.gphys_shape_overlaps_batch(a_kind, a, a_stride, b_kind, b, b_stride, count, out, int32_t.size))
+    return out
+end
+
+do
+    local out_side = int32_t.array(1)
+    local out_signed_distance = float.array(1)
+    --- Classify a sphere, capsule, AABB, OBB or triangle against a plane.
+    --- @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
+    ---                             behind, 0 when crossing; may be NULL
+    function gp.classify_plane(shape, plane)
+        check(C.gphys_shape_classify_plane(kind(shape), address(shape), to_value(Plane, plane), out_side, out_signed_distance))
+        return out_side[0], out_signed_distance[0]
+    end
+end
+
+do
+    local out_side = int32_t.array(1)
+    --- Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
+    --- that no point is shared, inside that the frustum holds the whole shape.
+    function gp.classify_frustum(shape, frustum)
+        check(C.gphys_shape_classify_frustum(kind(shape), address(shape), to_value(Frustum, frustum), out_side))
+        return out_side[0]
+    end
+end
+
+--- First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
+--- Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
+--- shared edge or vertex always meets one of the triangles there.
+--- Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
+--- and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
+--- smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
+--- @return GPHYS_OK or GPHYS_NO_HIT
+function gp.raycast(shape, ray, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_shape_raycast(kind(shape), address(shape), to_value(Ray, ray), out_hit)) then return out_hit end
+end
+
+--- The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
+--- element.  @return GPHYS_OK
+function gp.raycast_batch(shape, rays, out)
+    local rays, rays_count, rays_stride = to_array(Ray, rays)
+    local count = common(rays_count)
+    out = results(Hit, out, count)
+    check(C.gphys_shape_raycast_batch(kind(shape), address(shape), rays, rays_stride, count, out, Hit.size))
+    return out
+end
+
+--- First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
+--- A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+--- then is met from no direction, the normal is zero.
+--- @return GPHYS_OK or GPHYS_NO_HIT
+function gp.segment_test(shape, segment, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_shape_segment_test(kind(shape), address(shape), to_value(Segment, segment), out_hit)) then return out_hit end
+end
+
+--- First contact of a sphere that moves by displacement (which may be zero) with a sphere,
+--- capsule, AABB, OBB, plane, triangle, frustum or mesh.
+--- @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
+---                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
+---                 and where the centre itself is in a solid, the normal is opposite to the
+---                 displacement (zero if that is zero).
+--- Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
+--- Cost: a frustum, approached step by step, takes about 10 us.
+--- @return GPHYS_OK or GPHYS_NO_HIT
+function gp.sweep_sphere(shape, sphere, displacement, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_shape_sweep_sphere(kind(shape), address(shape), to_value(Sphere, sphere), to_value(Vec3, displacement), out_hit)) then return out_hit end
+end
+
+--- The eight corners, each the intersection of three planes: near then far, each in the order
+--- left-bottom, right-bottom, right-top, left-top.
+--- @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+function gp.frustum_corners(frustum)
+    local out_corners = Vec3.array(8)
+    if found(C.gphys_frustum_corners(to_value(Frustum, frustum), out_corners)) then return out_corners end
+end
+
+--- The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
+--- origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
+--- @param reverse_z  0: near has the low depth; 1: near has the high depth
+--- @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+function gp.frustum_from_matrix(view_projection, depth_range, reverse_z, out_frustum)
+    out_frustum = out_frustum or Frustum.new()
+    check(C.gphys_frustum_from_matrix(to_value(Mat4, view_projection), depth_range, to_flag(reverse_z), out_frustum))
+    return out_frustum
+end
+
+--- Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
+--- @param vertices       vertex_count elements of 3 floats
+--- @param vertex_stride  bytes between vertices, at least 12
+--- @param indices        index_count numbers, three for each triangle
+function gp.mesh_check(vertices, indices, out_report)
+    local vertices, vertices_count, vertices_stride = to_array(float, vertices, 3)
+    local indices, indices_count, indices_stride = to_array(uint32_t, indices)
+    out_report = out_report or MeshReport.new()
+    check(C.gphys_mesh_check(vertices, vertices_stride, vertices_count, indices, indices_count, out_report))
+    return out_report
+end
+end

@@ -1,0 +1,327 @@
+-- The package: every function with an answer that is known, batches against single calls, errors, ownership.
+local ffi = require 'ffi'
+local gp = require 'gamephys'
+
+local UP, IDENTITY = { 0, 1, 0 }, { { 0, 0, 0 }, { 0, 0, 0, 1 }, 1 }
+local ball = gp.Sphere({ 0, 0, 5 }, 1)
+local ahead = gp.Ray({ 0, 0, 0 }, { 0, 0, 1 }, 100)
+
+local function near(a, b, tolerance) return math.abs(a - b) <= (tolerance or 1e-5) end
+local function same(a, b) return ffi.string(a, ffi.sizeof(a)) == ffi.string(b, ffi.sizeof(b)) end
+local function is(v, x, y, z, tolerance) return near(v.x, x, tolerance) and near(v.y, y, tolerance) and near(v.z, z, tolerance) end
+local function pyramid()
+    return gp.Mesh({ -1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1, 0, 2, 0 }, { 0, 1, 2, 0, 2, 3, 1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4 })
+end
+local function fails(status, call, ...)
+    local fine, caught = pcall(call, ...)
+    assert(not fine, 'an error was expected')
+    assert(gp.is_error(caught) and caught.status == status, tostring(caught))
+    return tostring(caught)
+end
+local function raises(text, call, ...)
+    local fine, caught = pcall(call, ...)
+    assert(not fine and tostring(caught):find(text, 1, true), tostring(caught))
+end
+
+local tests = {}
+
+function tests.shapes()
+    gp.validate(ball)
+    local box = gp.bounds(ball)
+    assert(is(box.min, -1, -1, 4) and is(box.max, 1, 1, 6))
+    assert(gp.bounds(gp.Plane(UP, 0)) == nil)
+    assert(is(gp.transform(gp.Aabb({ 0, 0, 0 }, { 2, 2, 2 }), { { 1, 0, 0 }, { 0, 0, 0, 1 }, 1 }).center, 2, 1, 1))
+    assert(gp.contains(ball, { 0, 0, 4 }, 0) and not gp.contains(ball, { 0, 0, 3.5 }, 0))
+    local inside = gp.contains_batch(ball, { { 0, 0, 5 }, { 0, 0, 3 } }, 0)
+    assert(inside[0] == 1 and inside[1] == 0)
+    assert(gp.closest_point(ball, { 0, 0, 0 }).distance == 4)
+    assert(gp.closest_point_batch(ball, { { 0, 0, 0 }, { 0, 0, 9 } })[1].distance == 3)
+    local a, b, distance = gp.segment_closest_points({ { 0, 0, 0 }, { 2, 0, 0 } }, { { 1, 3, -1 }, { 1, 3, 1 } })
+    assert(is(a, 1, 0, 0) and is(b, 1, 3, 0) and distance == 3)
+    assert(gp.overlaps(ball, gp.Aabb({ 0, 0, 0 }, { 1, 1, 4 })) and not gp.overlaps(ball, gp.Aabb({ 0, 0, 0 }, { 1, 1, 3 })))
+    local touching = gp.overlaps_batch({ gp.Sphere({ 0, 0, 0 }, 1), gp.Sphere({ 0, 9, 0 }, 1) }, gp.Plane(UP, 0))
+    assert(touching[0] == 1 and touching[1] == 0)
+    local side, away = gp.classify_plane(ball, { { 0, 0, 1 }, 0 })
+    assert(side == gp.SIDE_INSIDE and away == 4)
+    assert(gp.raycast(ball, ahead).t == 4 and gp.raycast(ball, { { 0, 3, 0 }, { 0, 0, 1 }, 9 }) == nil)
+    local rays = gp.array('ray', { ahead, { { 0, 3, 0 }, { 0, 0, 1 }, 9 } })
+    local hits = gp.raycast_batch(ball, rays)
+    assert(hits[0].t == 4 and hits[1].t == math.huge)
+    assert(gp.segment_test(ball, { { 0, 0, 0 }, { 0, 0, 8 } }).t == 0.5)
+    assert(near(gp.sweep_sphere(ball, { { 0, 0, 0 }, 1 }, { 0, 0, 10 }).t, 0.3))
+end
+
+function tests.frusta()
+    local camera = gp.Camera()
+    local frustum = camera:get_frustum()
+    assert(gp.classify_frustum(ball, frustum) == gp.SIDE_INSIDE)
+    local corners = gp.frustum_corners(frustum)
+    local near_edge = camera:get_corners()[3]
+    assert(near(corners[0].z, 0.1) and near(corners[7].z, 1000, 0.01) and is(corners[3], near_edge.x, near_edge.y, near_edge.z))
+    local again = gp.frustum_from_matrix(camera:get_view_projection_matrix(), gp.DEPTH_ZERO_TO_ONE, false)
+    assert(gp.classify_frustum(gp.Sphere({ 0, 0, -5 }, 1), again) == gp.SIDE_OUTSIDE)
+end
+
+function tests.meshes()
+    local report = gp.mesh_check({ 0, 0, 0, 1, 0, 0, 0, 1, 0 }, { 0, 1, 7 })
+    assert(report.triangle_count == 1 and report.out_of_range_count == 1)
+    local mesh = pyramid()
+    assert(mesh:get_report().open_edge_count == 0)
+    local vertices, count = mesh:get_vertices()
+    assert(count == 5 and is(vertices[4], 0, 2, 0))
+    local indices, numbers = mesh:get_indices()
+    assert(numbers == 18 and indices[17] == 4)
+    local down = gp.Ray({ 0.3, 5, 0.2 }, { 0, -1, 0 }, 10)
+    local hits, met = mesh:raycast_all(down)
+    assert(met == 2 and hits[0].t < hits[1].t and hits[1].t == 5 and mesh:raycast_any(down))
+    assert(select(2, mesh:overlap(gp.Sphere({ 0, 2, 0 }, 0.1))) == 4)
+    assert(mesh:get_octree_stats().item_count == 6)
+    local boxes = mesh:get_octree_boxes()
+    assert(boxes[0].depth == 0)
+    assert(gp.raycast(mesh, down).triangle == hits[0].triangle)
+end
+
+function tests.models()
+    local scene = gp.Scene { reserve_models = 4, worker_count = 2 }
+    local model = scene:add(ball, nil, { tag = 7 })
+    local two = scene:add_batch(gp.array('sphere', { { { 9, 0, 0 }, 1 }, { { 9, 5, 0 }, 2 } }), gp.Transform(unpack(IDENTITY)))
+    assert(scene:has(model) and scene:has(two[1]) and not scene:has(12345))
+    assert(select(2, scene:get_models()) == 3)
+    assert(scene:get_info(model).tag == 7 and scene:get_shape(two[1]).radius == 2)
+    assert(scene:get_bounds(two[0]).max.x == 10 and scene:get_scene_bounds().max.y == 7)
+    scene:set_layers(model, 4)
+    scene:set_tag(model, 8)
+    assert(scene:raycast(ahead, 3) == nil and scene:raycast(ahead, 4).tag == 8)
+    scene:set_parent(two[0], model, true)
+    scene:set_transform(model, { { 0, 1, 0 }, { 0, 0, 0, 1 }, 1 })
+    assert(scene:get_info(two[0]).parent == model)
+    local ids = gp.array('uint32_t', { model, two[0] })
+    assert(scene:get_transforms(ids)[1].position.y == 0 and scene:get_world_transforms(ids)[1].position.y == 1)
+    scene:set_transforms(ids, { IDENTITY, IDENTITY })
+    assert(scene:get_world_transforms(ids)[1].position.y == 0)
+    scene:validate()
+    scene:remove_subtree(model)
+    assert(not scene:has(two[0]))
+    scene:remove(two[1])
+    local more = scene:add_batch { ball, ball, ball }
+    scene:remove_batch(more)
+    assert(scene:get_scene_bounds() == nil)
+    scene:add(ball)
+    scene:clear()
+    assert(select(2, scene:get_models()) == 0)
+    scene:set_origin { 1e9 + 0.5, 0, 0 }
+    assert(scene:get_origin()[0] == 1e9 + 0.5)
+end
+
+local function some_scene()
+    local scene = gp.Scene()
+    for i = 0, 29 do scene:add(gp.Sphere({ 3 * math.sin(i), 3 * math.cos(2 * i), i / 3 }, 0.7)) end
+    return scene
+end
+
+function tests.batches_answer_as_single_calls_do()
+    local scene, count = some_scene(), 200
+    local rays, segments, points = gp.array('ray', count), gp.array('segment', count), gp.array('vec3', count)
+    local spheres = gp.array('sphere', count)
+    for i = 0, count - 1 do
+        local direction = { math.sin(i) / 2, math.cos(3 * i) / 2, 1 }
+        rays[i] = gp.Ray({ 0, 0, -5 }, direction, math.huge)
+        segments[i] = gp.Segment({ 0, 0, -5 }, { 10 * direction[1], 10 * direction[2], 5 })
+        points[i] = gp.Vec3(unpack(direction))
+        spheres[i] = gp.Sphere({ 0, 0, -5 }, 0.2)
+    end
+    local hits, any, tested = scene:raycast_batch(rays), scene:raycast_any_batch(rays), scene:segment_test_batch(segments)
+    local nearest, swept = scene:nearest_batch(points), scene:sweep_sphere_batch(spheres, points)
+    local all, offsets = scene:raycast_all_batch(rays)
+    local met = 0
+    local function agree(item, single) return single and same(item, single) or not single and item.model == 0 end
+    for i = 0, count - 1 do
+        assert(agree(hits[i], scene:raycast(rays[i])) and agree(tested[i], scene:segment_test(segments[i])))
+        assert(agree(nearest[i], scene:nearest(points[i])) and agree(swept[i], scene:sweep_sphere(spheres[i], points[i])))
+        assert((any[i] ~= 0) == scene:raycast_any(rays[i]) and (any[i] ~= 0) == (hits[i].model ~= 0))
+        local each, number = scene:raycast_all(rays[i])
+        assert(offsets[i + 1] - offsets[i] == number and (number == 0 or same(each[0], all[offsets[i]])))
+        met = met + any[i]
+    end
+    assert(met > 0 and met < count)
+    local room = gp.array('hit', count)
+    assert(scene:raycast_batch(rays, nil, room) == room and same(room, hits))
+end
+
+function tests.lists_of_any_length()
+    local scene = gp.Scene()
+    local models = scene:add_batch(gp.array('sphere', 500)) -- more than the first guess has room for
+    local listed, count = scene:get_models()
+    assert(count == 500 and gp.length(listed) == 500 and listed[499] == models[499])
+    local found, offsets = scene:overlap_batch { gp.Aabb({ -1, -1, -1 }, { 1, 1, 1 }), gp.Aabb({ 5, 5, 5 }, { 6, 6, 6 }) }
+    assert(gp.length(found) == 500 and offsets[1] == 500 and offsets[2] == 500)
+    assert(select(2, scene:overlap(ball)) == 0)
+    assert(select(2, scene:raycast_all(ahead)) == 500)
+    assert(scene:get_octree_stats().item_count == 500 and select(2, scene:get_octree_boxes()) > 1)
+    scene:remove_batch(listed)
+end
+
+function tests.cameras()
+    local camera = gp.Camera()
+    camera:look_at({ 0, 0, -10 }, { 0, 0, 0 }, UP)
+    camera:set_perspective(1, 0.1, 100)
+    assert(is(camera:project { 0, 0, 0 }, 400, 300, camera:project({ 0, 0, 0 }).z, 1e-2))
+    assert(camera:project { 0, 0, -20 } == nil)
+    local pixels = camera:project_batch { { 0, 0, 0 }, { 1, 1, 1 } }
+    local points = camera:unproject_batch(pixels)
+    assert(is(points[1], 1, 1, 1, 1e-2) and is(camera:unproject(pixels[1]), 1, 1, 1, 1e-2))
+    assert(is(camera:pick_ray(400, 300).direction, 0, 0, 1))
+    assert(gp.length(camera:pick_rays(0, 0, 4, 3)) == 12)
+
+    local scene = gp.Scene()
+    local model = scene:add(ball)
+    assert(camera:pick(scene, 400, 300).model == model and camera:pick(scene, 1, 1) == nil)
+    assert(camera:pick_batch(scene, { 400, 300, 1, 1 })[1].model == 0)
+    assert(select(2, camera:pick_rectangle(scene, 0, 0, 800, 600)) == 1)
+    assert(select(2, camera:cull(scene)) == 1 and select(2, scene:cull(camera:get_frustum())) == 1)
+
+    camera:set_viewport(200, 100)
+    camera:set_orthographic(10, 0.1, 100)
+    local projection = camera:get_projection_matrix()
+    assert(near(projection.m[5], 0.2) and near(projection.m[0], 0.1))
+    camera:set_projection(projection)
+    local world = camera:get_world_matrix()
+    assert(world.m[14] == -10 and near(camera:get_view_matrix().m[14], 10))
+    camera:set_world_matrix { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1 }
+    assert(is(camera:get_transform(), 4, 5, 6))
+    camera:set_transform({ 1, 2, 3 }, { 0, 1, 0, 0 })
+    local position, rotation = camera:get_transform()
+    assert(is(position, 1, 2, 3) and math.abs(rotation.y) == 1)
+    camera:set_origin { 1, 0, 0 }
+    assert(camera:get_origin()[0] == 1)
+
+    camera = gp.Camera()
+    fails(gp.ERROR_UNSUPPORTED, camera.get_orbit, camera)
+    camera:set_orbit(gp.default_orbit())
+    camera:orbit_rotate(0.5, 0.25)
+    camera:orbit_zoom(1)
+    camera:orbit_pan(2, 0)
+    camera:orbit_update()
+    local orbit = camera:get_orbit()
+    assert(near(orbit.yaw, 0.5) and near(orbit.pitch, 0.25) and near(orbit.distance, 9) and near(math.abs(orbit.target.x), 2, 1e-3))
+end
+
+function tests.solver()
+    local scene, solver = gp.Scene(), gp.Solver { substeps = 4 }
+    solver:set_gravity { 0, -10, 0 }
+    solver:set_substeps(5)
+    local free = solver:add_particles({ { 0, 5, 0 }, { 1, 5, 0 } })
+    solver:set_velocities(free, 1, { { 3, 0, 0 } })
+    solver:step(scene, 0.1)
+    assert(is(solver:get_velocities(free, 0, 1)[0], 0, -1, 0) and is(solver:get_positions(free, 1, 1)[0], 1.3, 4.95, 0))
+    solver:set_masses(free, 0, { 2, 4 })
+    assert(solver:get_masses(free, 0, 2)[1] == 4)
+    solver:set_forces(free, 0, { { 0, 20, 0 }, { 0, 40, 0 } }) -- weightless
+    solver:step(nil, 0.1)
+    assert(is(solver:get_velocities(free, 0, 1)[0], 0, -1, 0))
+
+    local plane = scene:add(gp.Plane(UP, 0))
+    solver:set_radii(free, 0, { 0.5, 0.5 })
+    solver:set_positions(free, 0, { { 0, 0.6, 0 }, { 9, 0.6, 0 } })
+    solver:set_forces(free, 0, { { 0, 0, 0 }, { 0, 0, 0 } })
+    for _ = 1, 30 do solver:step(scene, 0.02) end
+    assert(near(solver:get_positions(free, 0, 1)[0].y, 0.5, 1e-3))
+    local contacts, count = solver:get_contacts()
+    assert(count == 2 and contacts[0].model == plane and contacts[0].normal.y == 1)
+
+    local rope = solver:add_rope({ { 0, 8, 0 }, { 1, 8, 0 }, { 2, 8, 0 } }, 0, { mass = 3 })
+    assert(solver:get_body_info(rope).kind == gp.BODY_ROPE)
+    solver:set_pinned(rope, 0, 1, true)
+    local tie = solver:add_distance(rope, 0, 2, -1, 0)
+    local constraints, number = solver:get_constraints(rope)
+    assert(number == 3 and constraints[2].id == tie and constraints[2].rest_length == 2)
+    solver:remove_constraint(rope, tie)
+    assert(select(2, solver:get_constraints(rope)) == 2)
+    local hook = scene:add(gp.Sphere({ 0, 0, 0 }, 0.1), { { 0, 8, 0 }, { 0, 0, 0, 1 }, 1 }, { layers = 2 })
+    solver:attach(scene, rope, 0, hook, { 0, 0, 0 })
+    scene:set_transform(hook, { { 0, 9, 0 }, { 0, 0, 0, 1 }, 1 })
+    local steps, leftover = solver:advance(scene, 0.025)
+    assert(steps == 1 and near(leftover, 0.5) and near(solver:get_positions(rope, 0, 1)[0].y, 9))
+    assert(solver:get_stats(rope).pinned_count == 1 and solver:get_stats(0).particle_count == 5)
+    solver:detach(rope, 0)
+    fails(gp.ERROR_INVALID_ARGUMENT, solver.detach, solver, rope, 0)
+
+    local cloth = solver:add_cloth({ 0, 3, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, 3, 3)
+    assert(select(2, solver:get_triangles(cloth)) == 24)
+    local shirt = solver:add_cloth_mesh(pyramid(), IDENTITY)
+    assert(solver:get_body_info(shirt).particle_count == 5)
+    solver:remove_body(cloth)
+    local bodies, left = solver:get_bodies()
+    assert(left == 3 and bodies[0] == free)
+    solver:set_origin { 0, 1, 0 }
+    assert(solver:get_origin()[1] == 1 and near(solver:get_positions(free, 0, 1)[0].y, -0.5, 1e-3))
+end
+
+function tests.errors_have_the_librarys_message()
+    local scene = gp.Scene()
+    assert(fails(gp.ERROR_INVALID_ARGUMENT, scene.add, scene, gp.Sphere({ 0, 0, 0 }, -1)):find 'radius')
+    fails(gp.ERROR_INVALID_ID, scene.remove, scene, 12345)
+    fails(gp.ERROR_UNSUPPORTED, gp.transform, pyramid(), IDENTITY)
+    fails(gp.ERROR_UNSUPPORTED, scene.get_shape, scene, scene:add(pyramid()))
+    raises('not a shape', scene.add, scene, 'ball')
+    raises('vieport', gp.Camera, { vieport_width = 3 })
+    raises('convert', scene.raycast_batch, scene, gp.array('segment', 7))
+    raises('lengths', scene.sweep_sphere_batch, scene, gp.array('sphere', 2), gp.array('vec3', 3))
+    raises('pointer', scene.raycast_batch, scene, ffi.cast('gphys_ray*', gp.array('ray', 2)))
+    raises('whole', scene.raycast_batch, scene, gp.array('vec3', 2))
+    raises('length', scene.raycast_batch, scene, gp.array('ray', 2), nil, gp.array('hit', 3))
+    assert(gp.status_name(gp.NO_HIT) == 'GPHYS_NO_HIT' and gp.VERSION:match '^%d+%.%d+%.%d+$')
+end
+
+function tests.use_after_close_is_an_error()
+    local scene, mesh = gp.Scene(), pyramid()
+    scene:add(mesh)
+    mesh:close()
+    mesh:close()
+    raises('mesh is closed', scene.add, scene, mesh)
+    raises('mesh is closed', gp.raycast, mesh, ahead)
+    raises('mesh is closed', scene.add_batch, scene, mesh, { IDENTITY })
+    assert(scene:raycast({ { 0.1, 5, 0.1 }, { 0, -1, 0 }, 10 })) -- the model holds it
+    scene:close()
+    raises('scene is closed', scene.get_models, scene)
+    raises('scene is closed', gp.Camera().pick, gp.Camera(), scene, 0, 0)
+end
+
+function tests.the_collector_frees()
+    -- The allocator of a desc sees what is taken and given back.
+    ffi.cdef 'void* aligned_alloc(size_t, size_t); void free(void*);'
+    local bytes = 0
+    local allocator = gp.Allocator()
+    allocator.allocate = function(_, size, alignment)
+        bytes = bytes + tonumber(size)
+        return ffi.C.aligned_alloc(alignment, math.ceil(tonumber(size) / tonumber(alignment)) * alignment)
+    end
+    allocator.release = function(_, memory, size)
+        bytes = bytes - tonumber(size)
+        ffi.C.free(memory)
+    end
+    jit.off() -- callbacks from compiled code are not allowed
+    do
+        local mesh = gp.Mesh({ 0, 0, 0, 1, 0, 0, 0, 1, 0 }, { 0, 1, 2 }, { allocator = allocator })
+        local scene = gp.Scene { allocator = allocator }
+        scene:add(mesh)
+        assert(bytes > 0)
+    end
+    collectgarbage()
+    collectgarbage()
+    assert(bytes == 0, bytes)
+    jit.on()
+    allocator.allocate:free()
+    allocator.release:free()
+end
+
+local failed = 0
+for name, test in pairs(tests) do
+    local fine, message = xpcall(test, function(caught) return debug.traceback(tostring(caught)) end)
+    print((fine and 'passed ' or 'FAILED ') .. name)
+    if not fine then
+        failed = failed + 1
+        print(message)
+    end
+end
+os.exit(failed == 0 and 0 or 1)
