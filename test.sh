@@ -22,7 +22,7 @@ case ${1:-} in
         ;;
     --bindings)
         presets=(bindings)
-        packages+=(python3-numpy python3-pip nodejs luajit)
+        packages+=(python3-numpy python3-pip nodejs luajit ruby ruby-ffi)
         command -v npm >/dev/null || packages+=(npm)
         ;;
     --platforms)

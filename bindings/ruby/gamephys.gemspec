@@ -1,0 +1,12 @@
+# frozen_string_literal: true
+
+Gem::Specification.new do |spec|
+  spec.name = 'gamephys'
+  spec.version = File.read("#{__dir__}/lib/gamephys/values.rb").scan(/VERSION_(?:MAJOR|MINOR|PATCH) = (\d+)/).join('.')
+  spec.summary = '3D scene queries, camera and cloth, through the native library'
+  spec.authors = ['The gamephys authors']
+  spec.license = 'MIT'
+  spec.files = Dir.chdir(__dir__) { Dir['lib/**/*.rb', 'README.md'] }
+  spec.required_ruby_version = '>= 3.1'
+  spec.add_runtime_dependency 'ffi', '~> 1.15'
+end

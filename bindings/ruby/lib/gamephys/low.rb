@@ -1,0 +1,178 @@
+# frozen_string_literal: true
+
+# Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+module Gamephys
+  module Low
+
+    class MeshDesc < FFI::Struct
+      layout :struct_size, :uint32, :allocator, :pointer
+    end
+
+    class SceneDesc < FFI::Struct
+      layout :struct_size, :uint32, :allocator, :pointer, :reserve_models, :uint32, :task_runner, :pointer, :worker_count, :uint32
+    end
+
+    class ModelDesc < FFI::Struct
+      layout :struct_size, :uint32, :parent, :uint32, :layers, :uint32, :tag, :uint32
+    end
+
+    class CameraDesc < FFI::Struct
+      layout :struct_size, :uint32, :allocator, :pointer, :handedness, :int32, :depth_range, :int32, :reverse_z, :int32, :viewport_width, :float, :viewport_height, :float
+    end
+
+    class SolverDesc < FFI::Struct
+      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32
+    end
+
+    class BodyDesc < FFI::Struct
+      layout :struct_size, :uint32, :mass, :float, :radius, :float, :damping, :float, :friction, :float, :restitution, :float, :compliance, :float, :bend_compliance, :float, :cloth_flags, :uint32, :layers, :uint32
+    end
+
+    attach_function :gphys_version, [], :uint32
+    attach_function :gphys_status_name, [:int32], :string
+    attach_function :gphys_last_error, [], :string
+    attach_function :gphys_shape_validate, [:int32, :pointer], :int32
+    attach_function :gphys_shape_bounds, [:int32, :pointer, :pointer], :int32
+    attach_function :gphys_shape_transform, [:int32, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_contains, [:int32, :pointer, :pointer, :float, :pointer], :int32
+    attach_function :gphys_shape_contains_batch, [:int32, :pointer, :pointer, :uint32, :uint32, :float, :pointer, :uint32], :int32
+    attach_function :gphys_shape_closest_point, [:int32, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_closest_point_batch, [:int32, :pointer, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_segment_closest_points, [:pointer, :pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_overlaps, [:int32, :pointer, :int32, :pointer, :pointer], :int32
+    attach_function :gphys_shape_overlaps_batch, [:int32, :pointer, :uint32, :int32, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_shape_classify_plane, [:int32, :pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_classify_frustum, [:int32, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_raycast, [:int32, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_raycast_batch, [:int32, :pointer, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_shape_segment_test, [:int32, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_sweep_sphere, [:int32, :pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_frustum_corners, [:pointer, :pointer], :int32
+    attach_function :gphys_frustum_from_matrix, [:pointer, :int32, :int32, :pointer], :int32
+    attach_function :gphys_mesh_check, [:pointer, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_desc_init, [:pointer, :uint32], :int32
+    attach_function :gphys_mesh_create, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_destroy, [:pointer], :void
+    attach_function :gphys_mesh_get_report, [:pointer, :pointer], :int32
+    attach_function :gphys_mesh_get_vertices, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_get_indices, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_raycast_all, [:pointer, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_raycast_any, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_mesh_overlap, [:pointer, :int32, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_get_octree_stats, [:pointer, :pointer], :int32
+    attach_function :gphys_mesh_get_octree_boxes, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_desc_init, [:pointer, :uint32], :int32
+    attach_function :gphys_scene_create, [:pointer, :pointer], :int32
+    attach_function :gphys_scene_destroy, [:pointer], :void
+    attach_function :gphys_scene_set_origin, [:pointer, :pointer], :int32
+    attach_function :gphys_scene_get_origin, [:pointer, :pointer], :int32
+    attach_function :gphys_model_desc_init, [:pointer, :uint32], :int32
+    attach_function :gphys_scene_add, [:pointer, :int32, :pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_scene_add_batch, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :uint32, :pointer, :pointer], :int32
+    attach_function :gphys_scene_remove, [:pointer, :uint32], :int32
+    attach_function :gphys_scene_remove_batch, [:pointer, :pointer, :uint32], :int32
+    attach_function :gphys_scene_remove_subtree, [:pointer, :uint32], :int32
+    attach_function :gphys_scene_clear, [:pointer], :int32
+    attach_function :gphys_scene_has, [:pointer, :uint32], :int32
+    attach_function :gphys_scene_get_models, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_get_info, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_get_shape, [:pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_get_bounds, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_get_scene_bounds, [:pointer, :pointer], :int32
+    attach_function :gphys_scene_set_layers, [:pointer, :uint32, :uint32], :int32
+    attach_function :gphys_scene_set_tag, [:pointer, :uint32, :uint32], :int32
+    attach_function :gphys_scene_set_parent, [:pointer, :uint32, :uint32, :int32], :int32
+    attach_function :gphys_scene_set_transform, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_set_transforms, [:pointer, :pointer, :pointer, :uint32, :uint32], :int32
+    attach_function :gphys_scene_get_transforms, [:pointer, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_get_world_transforms, [:pointer, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_raycast, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_raycast_batch, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_raycast_any, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_raycast_any_batch, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_raycast_all, [:pointer, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_raycast_all_batch, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_segment_test, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_segment_test_batch, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_overlap, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_overlap_batch, [:pointer, :int32, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_cull, [:pointer, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_nearest, [:pointer, :pointer, :float, :uint32, :pointer], :int32
+    attach_function :gphys_scene_nearest_batch, [:pointer, :pointer, :uint32, :uint32, :float, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_sweep_sphere, [:pointer, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_sweep_sphere_batch, [:pointer, :pointer, :uint32, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_get_octree_stats, [:pointer, :pointer], :int32
+    attach_function :gphys_scene_get_octree_boxes, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_validate, [:pointer], :int32
+    attach_function :gphys_camera_desc_init, [:pointer, :uint32], :int32
+    attach_function :gphys_camera_create, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_destroy, [:pointer], :void
+    attach_function :gphys_camera_set_origin, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_origin, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_set_perspective, [:pointer, :float, :float, :float], :int32
+    attach_function :gphys_camera_set_orthographic, [:pointer, :float, :float, :float], :int32
+    attach_function :gphys_camera_set_projection, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_set_viewport, [:pointer, :float, :float], :int32
+    attach_function :gphys_camera_set_transform, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_set_world_matrix, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_look_at, [:pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_get_transform, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_get_world_matrix, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_view_matrix, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_projection_matrix, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_view_projection_matrix, [:pointer, :pointer], :int32
+    attach_function :gphys_orbit_init, [:pointer], :int32
+    attach_function :gphys_camera_set_orbit, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_orbit, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_orbit_rotate, [:pointer, :float, :float], :int32
+    attach_function :gphys_camera_orbit_zoom, [:pointer, :float], :int32
+    attach_function :gphys_camera_orbit_pan, [:pointer, :float, :float], :int32
+    attach_function :gphys_camera_orbit_update, [:pointer], :int32
+    attach_function :gphys_camera_get_frustum, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_corners, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_project, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_project_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_camera_unproject, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_unproject_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_camera_pick_ray, [:pointer, :float, :float, :pointer], :int32
+    attach_function :gphys_camera_pick_rays, [:pointer, :uint32, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_camera_pick, [:pointer, :pointer, :float, :float, :uint32, :pointer], :int32
+    attach_function :gphys_camera_pick_batch, [:pointer, :pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_camera_pick_rectangle, [:pointer, :pointer, :float, :float, :float, :float, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_camera_cull, [:pointer, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_desc_init, [:pointer, :uint32], :int32
+    attach_function :gphys_solver_create, [:pointer, :pointer], :int32
+    attach_function :gphys_solver_destroy, [:pointer], :void
+    attach_function :gphys_solver_set_origin, [:pointer, :pointer], :int32
+    attach_function :gphys_solver_get_origin, [:pointer, :pointer], :int32
+    attach_function :gphys_solver_set_gravity, [:pointer, :pointer], :int32
+    attach_function :gphys_solver_set_substeps, [:pointer, :uint32], :int32
+    attach_function :gphys_body_desc_init, [:pointer, :uint32], :int32
+    attach_function :gphys_solver_add_particles, [:pointer, :pointer, :pointer, :uint32, :uint32, :pointer], :int32
+    attach_function :gphys_solver_add_rope, [:pointer, :pointer, :pointer, :uint32, :uint32, :float, :pointer], :int32
+    attach_function :gphys_solver_add_cloth, [:pointer, :pointer, :pointer, :pointer, :pointer, :uint32, :uint32, :pointer], :int32
+    attach_function :gphys_solver_add_cloth_mesh, [:pointer, :pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_solver_remove_body, [:pointer, :uint32], :int32
+    attach_function :gphys_solver_get_bodies, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_body_info, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_triangles, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_positions, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_positions, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_masses, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_masses, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_radii, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_forces, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_pinned, [:pointer, :uint32, :uint32, :uint32, :int32], :int32
+    attach_function :gphys_solver_attach, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer], :int32
+    attach_function :gphys_solver_detach, [:pointer, :uint32, :uint32], :int32
+    attach_function :gphys_solver_add_distance, [:pointer, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
+    attach_function :gphys_solver_remove_constraint, [:pointer, :uint32, :uint32], :int32
+    attach_function :gphys_solver_get_constraints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_step, [:pointer, :pointer, :float], :int32
+    attach_function :gphys_solver_advance, [:pointer, :pointer, :float, :pointer, :pointer], :int32
+    attach_function :gphys_solver_get_stats, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_contacts, [:pointer, :pointer, :uint32, :pointer], :int32
+  end
+end

@@ -1,0 +1,1076 @@
+# frozen_string_literal: true
+
+# Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+module Gamephys
+  class Mesh < Owned
+    class Pointer < FFI::AutoPointer
+      def self.release(pointer) = Low.gphys_mesh_destroy(pointer)
+    end
+
+    KIND = SHAPE_MESH
+
+    # Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
+    # segments or points that they are, and counted in the report. 0 triangles are allowed.
+    # @param desc  may be NULL
+    # @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
+    #         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+    # Cost: O(n log n), about 1 us per triangle.
+    def initialize(vertices, indices, **desc)
+      vertices = Low.array(Float32, vertices, 3)
+      indices = Low.array(UInt32, indices)
+      own(Pointer) { |made| Low.gphys_mesh_create(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), vertices.pointer, vertices.stride, vertices.count, indices.pointer, indices.count, made) }
+    end
+
+    # What the mesh was built from.
+    def get_report
+      out_report = MeshReport.room
+      Low.check(Low.gphys_mesh_get_report(opened, out_report))
+      MeshReport.unpack(out_report)
+    end
+
+    # Copy the vertices out; in their original order.
+    def get_vertices
+      Low.list(Vec3) { |out, capacity, total| Low.gphys_mesh_get_vertices(opened, out, capacity, total) }
+    end
+
+    # Copy the indices out; in their original order.
+    def get_indices
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_mesh_get_indices(opened, out, capacity, total) }
+    end
+
+    # All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
+    # Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits)
+    def raycast_all(ray)
+      Low.list(Hit) { |out, capacity, total| Low.gphys_mesh_raycast_all(opened, Ray.pack(ray), out, capacity, total) }
+    end
+
+    # Whether a ray hits anything; cheaper than the closest hit.
+    def raycast_any?(ray)
+      out_hit = Int32.room
+      Low.check(Low.gphys_mesh_raycast_any(opened, Ray.pack(ray), out_hit))
+      Int32.unpack(out_hit) != 0
+    end
+
+    # Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+    # ascending. Kept when the array is too small: the lowest.
+    def overlap(shape)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_mesh_overlap(opened, Low.kind(shape), Low.shape(shape), out, capacity, total) }
+    end
+
+    # Cost: O(nodes).
+    def get_octree_stats
+      out_stats = OctreeStats.room
+      Low.check(Low.gphys_mesh_get_octree_stats(opened, out_stats))
+      OctreeStats.unpack(out_stats)
+    end
+
+    # Boxes of the tree, each parent before its children. Kept when too many: the first.
+    def get_octree_boxes
+      Low.list(OctreeBox) { |out, capacity, total| Low.gphys_mesh_get_octree_boxes(opened, out, capacity, total) }
+    end
+  end
+
+  class Scene < Owned
+    class Pointer < FFI::AutoPointer
+      def self.release(pointer) = Low.gphys_scene_destroy(pointer)
+    end
+
+    # With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
+    # adding and moving many models, share their work among n threads; the results have the same bits
+    # for every n. Without a task_runner n - 1 threads are started here and joined by
+    # gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
+    # work. They take no signals but faults, and the floating-point settings of the thread that
+    # created them. In a child of fork they are gone: calls there run on one thread.
+    # @param desc  may be NULL
+    # @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+    def initialize(**desc)
+      own(Pointer) { |made| Low.gphys_scene_create(Low.desc(Low::SceneDesc, :gphys_scene_desc_init, desc), made) }
+    end
+
+    # Move the point of the world that all coordinates of the scene count from, those that it is given
+    # and those that it returns. Models stay where they are in the world: the positions of those without
+    # a parent become what they are from there, kept in double precision and rounded to float32 once,
+    # however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
+    # and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
+    # @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
+    # @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
+    # Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
+    # on. Queries cost nothing more.
+    def set_origin(origin)
+      Low.check(Low.gphys_scene_set_origin(opened, Float64.pack_all(origin, 3)))
+      nil
+    end
+
+    # Where in the world the scene's coordinates count from.
+    def get_origin
+      out_origin = Float64.room(3)
+      Low.check(Low.gphys_scene_get_origin(opened, out_origin))
+      Float64.unpack_all(out_origin, 3)
+    end
+
+    # Add a model.
+    # @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
+    # @param shape      in the model's own coordinates
+    # @param transform  local; NULL is the identity
+    # @param desc       NULL: no parent, layer 1, tag 0
+    # @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
+    #         GPHYS_ERROR_CAPACITY
+    # Cost: O(log n) amortised.
+    def add(shape, transform = nil, **desc)
+      out_model = UInt32.room
+      Low.check(Low.gphys_scene_add(opened, Low.kind(shape), Low.shape(shape), transform && Transform.pack(transform), Low.desc(Low::ModelDesc, :gphys_model_desc_init, desc), out_model))
+      UInt32.unpack(out_model)
+    end
+
+    # Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
+    # needs shape_stride 0). transforms may be NULL. out_models has count elements.
+    def add_batch(shapes, transforms = nil, out: nil, **desc)
+      shapes = Low.shapes(shapes)
+      transforms = Low.array(Transform, transforms)
+      count = Low.common(shapes, transforms)
+      out = Low.results(UInt32, out, count)
+      Low.check(Low.gphys_scene_add_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, transforms.pointer, transforms.stride, count, Low.desc(Low::ModelDesc, :gphys_model_desc_init, desc), out.pointer))
+      out
+    end
+
+    # Remove a model. Its children stay where they are in the world and lose their parent.
+    def remove(model)
+      Low.check(Low.gphys_scene_remove(opened, model))
+      nil
+    end
+
+    # Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID.
+    def remove_batch(models)
+      models = Low.array(UInt32, models)
+      count = Low.common(models)
+      Low.check(Low.gphys_scene_remove_batch(opened, models.pointer, count))
+      nil
+    end
+
+    # Remove a model and all its descendants.
+    def remove_subtree(model)
+      Low.check(Low.gphys_scene_remove_subtree(opened, model))
+      nil
+    end
+
+    # Remove all. Ids given out before stay invalid.
+    def clear
+      Low.check(Low.gphys_scene_clear(opened))
+      nil
+    end
+
+    # GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID.
+    def has?(model)
+      Low.answered(Low.gphys_scene_has(opened, model), ERROR_INVALID_ID)
+    end
+
+    # Ids of all models, ascending. Kept when too many: the lowest.
+    def get_models
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_models(opened, out, capacity, total) }
+    end
+
+    # Kind, parent, layers, tag and number of children of a model.
+    def get_info(model)
+      out_info = ModelInfo.room
+      Low.check(Low.gphys_scene_get_info(opened, model, out_info))
+      ModelInfo.unpack(out_info)
+    end
+
+    # World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+    def get_bounds(model)
+      out_bounds = Aabb.room
+      Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_bounds(opened, model, out_bounds))
+    end
+
+    # World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out.
+    def get_scene_bounds
+      out_bounds = Aabb.room
+      Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_scene_bounds(opened, out_bounds))
+    end
+
+    # Change which queries see a model, or what its hits report. Children are not affected.
+    def set_layers(model, layers)
+      Low.check(Low.gphys_scene_set_layers(opened, model, layers))
+      nil
+    end
+
+    # Change which queries see a model, or what its hits report. Children are not affected.
+    def set_tag(model, tag)
+      Low.check(Low.gphys_scene_set_tag(opened, model, tag))
+      nil
+    end
+
+    # Hang a model below another one, or below none (0).
+    # @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
+    #                    changed so that the world transform stays (within float32 rounding)
+    # @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+    def set_parent(model, parent, keep_world)
+      Low.check(Low.gphys_scene_set_parent(opened, model, parent, Low.flag(keep_world)))
+      nil
+    end
+
+    # Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.
+    def set_transform(model, transform)
+      Low.check(Low.gphys_scene_set_transform(opened, model, Transform.pack(transform)))
+      nil
+    end
+
+    # Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    # that moves when few move, O(n) when many do.
+    def set_transforms(models, transforms)
+      models = Low.array(UInt32, models)
+      transforms = Low.array(Transform, transforms)
+      count = Low.common(models, transforms)
+      Low.check(Low.gphys_scene_set_transforms(opened, models.pointer, transforms.pointer, transforms.stride, count))
+      nil
+    end
+
+    # Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    # that moves when few move, O(n) when many do.
+    def get_transforms(models, out: nil)
+      models = Low.array(UInt32, models)
+      count = Low.common(models)
+      out = Low.results(Transform, out, count)
+      Low.check(Low.gphys_scene_get_transforms(opened, models.pointer, count, out.pointer, Transform::BYTES))
+      out
+    end
+
+    # Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    # that moves when few move, O(n) when many do.
+    def get_world_transforms(models, out: nil)
+      models = Low.array(UInt32, models)
+      count = Low.common(models)
+      out = Low.results(Transform, out, count)
+      Low.check(Low.gphys_scene_get_world_transforms(opened, models.pointer, count, out.pointer, Transform::BYTES))
+      out
+    end
+
+    # Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+    # @return GPHYS_OK or GPHYS_NO_HIT
+    def raycast(ray, layers: ALL_LAYERS)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_scene_raycast(opened, Ray.pack(ray), layers, out_hit))
+    end
+
+    # Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+    # @return GPHYS_OK or GPHYS_NO_HIT
+    def raycast_batch(rays, layers: ALL_LAYERS, out: nil)
+      rays = Low.array(Ray, rays)
+      count = Low.common(rays)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_scene_raycast_batch(opened, rays.pointer, rays.stride, count, layers, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    def raycast_any?(ray, layers: ALL_LAYERS)
+      out_hit = Int32.room
+      Low.check(Low.gphys_scene_raycast_any(opened, Ray.pack(ray), layers, out_hit))
+      Int32.unpack(out_hit) != 0
+    end
+
+    # Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    def raycast_any_batch(rays, layers: ALL_LAYERS, out: nil)
+      rays = Low.array(Ray, rays)
+      count = Low.common(rays)
+      out = Low.results(Int32, out, count)
+      Low.check(Low.gphys_scene_raycast_any_batch(opened, rays.pointer, rays.stride, count, layers, out.pointer, Int32::BYTES))
+      out
+    end
+
+    # Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
+    # the first.
+    def raycast_all(ray, layers: ALL_LAYERS)
+      Low.list(Hit) { |out, capacity, total| Low.gphys_scene_raycast_all(opened, Ray.pack(ray), layers, out, capacity, total) }
+    end
+
+    # The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+    # @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
+    #                     room. Where a ray's range crosses capacity, its first hits are written.
+    # What stands in out_hits behind the last hit afterwards is unspecified.
+    # @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+    def raycast_all_batch(rays, layers: ALL_LAYERS)
+      rays = Low.array(Ray, rays)
+      count = Low.common(rays)
+      Low.ragged(Hit, count) { |out, capacity, offsets| Low.gphys_scene_raycast_all_batch(opened, rays.pointer, rays.stride, count, layers, out, capacity, offsets) }
+    end
+
+    # Closest model along a segment from a to b, both included; t in 0..1.
+    def segment_test(segment, layers: ALL_LAYERS)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_scene_segment_test(opened, Segment.pack(segment), layers, out_hit))
+    end
+
+    # Closest model along a segment from a to b, both included; t in 0..1.
+    def segment_test_batch(segments, layers: ALL_LAYERS, out: nil)
+      segments = Low.array(Segment, segments)
+      count = Low.common(segments)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_scene_segment_test_batch(opened, segments.pointer, segments.stride, count, layers, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+    # ascending. Kept when too many: the lowest.
+    def overlap(shape, layers: ALL_LAYERS)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_overlap(opened, Low.kind(shape), Low.shape(shape), layers, out, capacity, total) }
+    end
+
+    # Offsets as in gphys_scene_raycast_all_batch.
+    def overlap_batch(shapes, layers: ALL_LAYERS)
+      shapes = Low.shapes(shapes)
+      count = Low.common(shapes)
+      Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_overlap_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, layers, out, capacity, offsets) }
+    end
+
+    # Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
+    # own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
+    # per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
+    # too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
+    # as scratch memory to order them.
+    def cull(frustum, layers: ALL_LAYERS)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_cull(opened, Frustum.pack(frustum), layers, out, capacity, total) }
+    end
+
+    # The model nearest to a point, and its closest point.
+    # @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+    # @return GPHYS_OK or GPHYS_NO_HIT
+    def nearest(point, max_distance: Float::INFINITY, layers: ALL_LAYERS)
+      out_nearest = Nearest.room
+      Nearest.unpack(out_nearest) if Low.found(Low.gphys_scene_nearest(opened, Vec3.pack(point), max_distance, layers, out_nearest))
+    end
+
+    # The model nearest to a point, and its closest point.
+    # @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+    # @return GPHYS_OK or GPHYS_NO_HIT
+    def nearest_batch(points, max_distance: Float::INFINITY, layers: ALL_LAYERS, out: nil)
+      points = Low.array(Vec3, points)
+      count = Low.common(points)
+      out = Low.results(Nearest, out, count)
+      Low.check(Low.gphys_scene_nearest_batch(opened, points.pointer, points.stride, count, max_distance, layers, out.pointer, Nearest::BYTES))
+      out
+    end
+
+    # First model that a sphere touches while it moves by displacement; t in 0..1.
+    # Fields as in gphys_shape_sweep_sphere.
+    def sweep_sphere(sphere, displacement, layers: ALL_LAYERS)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_scene_sweep_sphere(opened, Sphere.pack(sphere), Vec3.pack(displacement), layers, out_hit))
+    end
+
+    # First model that a sphere touches while it moves by displacement; t in 0..1.
+    # Fields as in gphys_shape_sweep_sphere.
+    def sweep_sphere_batch(spheres, displacements, layers: ALL_LAYERS, out: nil)
+      spheres = Low.array(Sphere, spheres)
+      displacements = Low.array(Vec3, displacements)
+      count = Low.common(spheres, displacements)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_scene_sweep_sphere_batch(opened, spheres.pointer, spheres.stride, displacements.pointer, displacements.stride, count, layers, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # Cost: O(nodes).
+    def get_octree_stats
+      out_stats = OctreeStats.room
+      Low.check(Low.gphys_scene_get_octree_stats(opened, out_stats))
+      OctreeStats.unpack(out_stats)
+    end
+
+    # Boxes of the tree, each parent before its children. Kept when too many: the first.
+    def get_octree_boxes
+      Low.list(OctreeBox) { |out, capacity, total| Low.gphys_scene_get_octree_boxes(opened, out, capacity, total) }
+    end
+
+    # Check the scene's own structure: every model once in the tree, every box around its content,
+    # parents and children in agreement, free slots free. For tests; O(n).
+    # @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+    def validate
+      Low.check(Low.gphys_scene_validate(opened))
+      nil
+    end
+  end
+
+  class Camera < Owned
+    class Pointer < FFI::AutoPointer
+      def self.release(pointer) = Low.gphys_camera_destroy(pointer)
+    end
+
+    # @param desc  may be NULL
+    def initialize(**desc)
+      own(Pointer) { |made| Low.gphys_camera_create(Low.desc(Low::CameraDesc, :gphys_camera_desc_init, desc), made) }
+    end
+
+    # Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
+    # The camera and the target of its orbit stay where they are in the world. Picking and culling need a
+    # scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
+    def set_origin(origin)
+      Low.check(Low.gphys_camera_set_origin(opened, Float64.pack_all(origin, 3)))
+      nil
+    end
+
+    # Where in the world the camera's coordinates count from.
+    def get_origin
+      out_origin = Float64.room(3)
+      Low.check(Low.gphys_camera_get_origin(opened, out_origin))
+      Float64.unpack_all(out_origin, 3)
+    end
+
+    # @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
+    # @param near_distance  > 0
+    # @param far_distance   > near_distance; INFINITY allowed
+    def set_perspective(fov_y, near_distance, far_distance)
+      Low.check(Low.gphys_camera_set_perspective(opened, fov_y, near_distance, far_distance))
+      nil
+    end
+
+    # @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    # @param near_distance, far_distance  far at least 1e-6 above near, which may be negative
+    def set_orthographic(height, near_distance, far_distance)
+      Low.check(Low.gphys_camera_set_orthographic(opened, height, near_distance, far_distance))
+      nil
+    end
+
+    # Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+    # library's). It is not changed by gphys_camera_set_viewport.
+    # @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
+    #         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
+    #         the matrix is for another depth range
+    def set_projection(projection)
+      Low.check(Low.gphys_camera_set_projection(opened, Mat4.pack(projection)))
+      nil
+    end
+
+    # The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height.
+    def set_viewport(width, height)
+      Low.check(Low.gphys_camera_set_viewport(opened, width, height))
+      nil
+    end
+
+    # Place the camera.
+    def set_transform(position, rotation)
+      Low.check(Low.gphys_camera_set_transform(opened, Vec3.pack(position), Quat.pack(rotation)))
+      nil
+    end
+
+    # Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
+    # kept, then up), so that a matrix which drifted is mended.
+    # @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
+    #         they mirror or the last row is not 0 0 0 1
+    def set_world_matrix(world)
+      Low.check(Low.gphys_camera_set_world_matrix(opened, Mat4.pack(world)))
+      nil
+    end
+
+    # Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
+    # chosen in its place, always the same for the same input.
+    # @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+    def look_at(eye, target, up)
+      Low.check(Low.gphys_camera_look_at(opened, Vec3.pack(eye), Vec3.pack(target), Vec3.pack(up)))
+      nil
+    end
+
+    # Where the camera stands and how it is turned.
+    def get_transform
+      out_position = Vec3.room
+      out_rotation = Quat.room
+      Low.check(Low.gphys_camera_get_transform(opened, out_position, out_rotation))
+      [Vec3.unpack(out_position), Quat.unpack(out_rotation)]
+    end
+
+    # Camera to world.
+    def get_world_matrix
+      out_world = Mat4.room
+      Low.check(Low.gphys_camera_get_world_matrix(opened, out_world))
+      Mat4.unpack(out_world)
+    end
+
+    # World to camera: the transpose of the orthonormal world axes, and the position through them.
+    def get_view_matrix
+      out_view = Mat4.room
+      Low.check(Low.gphys_camera_get_view_matrix(opened, out_view))
+      Mat4.unpack(out_view)
+    end
+
+    # Camera to clip space.
+    def get_projection_matrix
+      out_projection = Mat4.room
+      Low.check(Low.gphys_camera_get_projection_matrix(opened, out_projection))
+      Mat4.unpack(out_projection)
+    end
+
+    # Projection * view, multiplied in double precision and rounded once.
+    def get_view_projection_matrix
+      out_view_projection = Mat4.room
+      Low.check(Low.gphys_camera_get_view_projection_matrix(opened, out_view_projection))
+      Mat4.unpack(out_view_projection)
+    end
+
+    # Start orbiting with these settings; places the camera at once and drops pending input. An angle
+    # or a distance outside its limits is brought inside.
+    def set_orbit(orbit)
+      Low.check(Low.gphys_camera_set_orbit(opened, Orbit.pack(orbit)))
+      nil
+    end
+
+    # The present settings, angles and distance.
+    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    def get_orbit
+      out_orbit = Orbit.room
+      Low.check(Low.gphys_camera_get_orbit(opened, out_orbit))
+      Orbit.unpack(out_orbit)
+    end
+
+    # Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size.
+    def orbit_rotate(units_x, units_y)
+      Low.check(Low.gphys_camera_orbit_rotate(opened, units_x, units_y))
+      nil
+    end
+
+    # Add input: come closer by units times metres_per_unit (go back if negative).
+    def orbit_zoom(units)
+      Low.check(Low.gphys_camera_orbit_zoom(opened, units))
+      nil
+    end
+
+    # Add input: move the target to the camera's right and up, as the last update left them, by units
+    # times metres_per_unit.
+    def orbit_pan(units_right, units_up)
+      Low.check(Low.gphys_camera_orbit_pan(opened, units_right, units_up))
+      nil
+    end
+
+    # Apply the input since the last update, within the limits, and place the camera. Angles are
+    # wrapped to -pi .. pi in constant time. The orbit's settings must have been set.
+    def orbit_update
+      Low.check(Low.gphys_camera_orbit_update(opened))
+      nil
+    end
+
+    # The seen volume, with origin at the camera's position and planes from its parameters: each
+    # number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double.
+    def get_frustum
+      out_frustum = Frustum.room
+      Low.check(Low.gphys_camera_get_frustum(opened, out_frustum))
+      Frustum.unpack(out_frustum)
+    end
+
+    # World positions of its corners, in the order of gphys_frustum_corners.
+    # @return GPHYS_UNBOUNDED with an infinite far plane
+    def get_corners
+      out_corners = Vec3.room(8)
+      Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_camera_get_corners(opened, out_corners))
+    end
+
+    # World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
+    # depth in the camera's range.
+    # @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
+    #         image lies beyond the range of coordinates
+    def project(point)
+      out_pixel = Vec3.room
+      Vec3.unpack(out_pixel) if Low.found(Low.gphys_camera_project(opened, Vec3.pack(point), out_pixel))
+    end
+
+    # The same for count points; a point without an image gets x = y = z = INFINITY.
+    def project_batch(points, out: nil)
+      points = Low.array(Vec3, points)
+      count = Low.common(points)
+      out = Low.results(Vec3, out, count)
+      Low.check(Low.gphys_camera_project_batch(opened, points.pointer, points.stride, count, out.pointer, Vec3::BYTES))
+      out
+    end
+
+    # Pixel and depth to world point: the inverse of gphys_camera_project.
+    # @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
+    #         beyond the range of coordinates
+    def unproject(pixel)
+      out_point = Vec3.room
+      Vec3.unpack(out_point) if Low.found(Low.gphys_camera_unproject(opened, Vec3.pack(pixel), out_point))
+    end
+
+    # The same for count pixels; one at infinity gets x = y = z = INFINITY.
+    def unproject_batch(pixels, out: nil)
+      pixels = Low.array(Vec3, pixels)
+      count = Low.common(pixels)
+      out = Low.results(Vec3, out, count)
+      Low.check(Low.gphys_camera_unproject_batch(opened, pixels.pointer, pixels.stride, count, out.pointer, Vec3::BYTES))
+      out
+    end
+
+    # The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
+    # on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
+    # Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+    # near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
+    # For perspective the stretch before the near plane is part of the ray. Pixels outside the
+    # viewport are allowed.
+    # @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+    def pick_ray(pixel_x, pixel_y)
+      out_ray = Ray.room
+      Ray.unpack(out_ray) if Low.found(Low.gphys_camera_pick_ray(opened, pixel_x, pixel_y, out_ray))
+    end
+
+    # Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32.
+    def pick_rays(x, y, width, height, out: nil)
+      out = Low.results(Ray, out, width * height)
+      Low.check(Low.gphys_camera_pick_rays(opened, x, y, width, height, out.pointer, Ray::BYTES))
+      out
+    end
+
+    # The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
+    # float32; t is in metres.
+    # @return GPHYS_OK or GPHYS_NO_HIT
+    def pick(scene, pixel_x, pixel_y, layers: ALL_LAYERS)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_camera_pick(opened, scene.opened, pixel_x, pixel_y, layers, out_hit))
+    end
+
+    # The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.
+    def pick_batch(scene, pixels, layers: ALL_LAYERS, out: nil)
+      pixels = Low.array(Float32, pixels, 2)
+      count = Low.common(pixels)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_camera_pick_batch(opened, scene.opened, pixels.pointer, pixels.stride, count, layers, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
+    # rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+    # @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+    def pick_rectangle(scene, x0, y0, x1, y1, layers: ALL_LAYERS)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_pick_rectangle(opened, scene.opened, x0, y0, x1, y1, layers, out, capacity, total) }
+    end
+
+    # gphys_scene_cull with the camera's frustum.
+    def cull(scene, layers: ALL_LAYERS)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_cull(opened, scene.opened, layers, out, capacity, total) }
+    end
+  end
+
+  class Solver < Owned
+    class Pointer < FFI::AutoPointer
+      def self.release(pointer) = Low.gphys_solver_destroy(pointer)
+    end
+
+    # @param desc  may be NULL
+    def initialize(**desc)
+      own(Pointer) { |made| Low.gphys_solver_create(Low.desc(Low::SolverDesc, :gphys_solver_desc_init, desc), made) }
+    end
+
+    # Move the point of the world that the coordinates of all particles count from; see
+    # gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
+    # step and an attachment need a scene of the same origin, else they return
+    # GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles).
+    def set_origin(origin)
+      Low.check(Low.gphys_solver_set_origin(opened, Float64.pack_all(origin, 3)))
+      nil
+    end
+
+    # Where in the world the particles' coordinates count from.
+    def get_origin
+      out_origin = Float64.room(3)
+      Low.check(Low.gphys_solver_get_origin(opened, out_origin))
+      Float64.unpack_all(out_origin, 3)
+    end
+
+    # m/s^2, from the next step on.
+    def set_gravity(gravity)
+      Low.check(Low.gphys_solver_set_gravity(opened, Vec3.pack(gravity)))
+      nil
+    end
+
+    # 1 .. 1000. More substeps: smaller errors, proportionally more time.
+    def set_substeps(substeps)
+      Low.check(Low.gphys_solver_set_substeps(opened, substeps))
+      nil
+    end
+
+    # Add particles without constraints.
+    # @param desc  may be NULL
+    # @param positions  count elements, count >= 1
+    def add_particles(positions, **desc)
+      positions = Low.array(Vec3, positions)
+      count = Low.common(positions)
+      out_body = UInt32.room
+      Low.check(Low.gphys_solver_add_particles(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), positions.pointer, positions.stride, count, out_body))
+      UInt32.unpack(out_body)
+    end
+
+    # Add a rope through the given points, one particle at each.
+    # @param count  >= 2
+    # @param link_length  rest length of each link in metres; 0: as placed
+    def add_rope(positions, link_length: 0, **desc)
+      positions = Low.array(Vec3, positions)
+      count = Low.common(positions)
+      out_body = UInt32.room
+      Low.check(Low.gphys_solver_add_rope(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), positions.pointer, positions.stride, count, link_length, out_body))
+      UInt32.unpack(out_body)
+    end
+
+    # Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
+    # corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    # @param columns, rows  >= 2
+    def add_cloth(corner, edge_u, edge_v, columns, rows, **desc)
+      out_body = UInt32.room
+      Low.check(Low.gphys_solver_add_cloth(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Vec3.pack(corner), Vec3.pack(edge_u), Vec3.pack(edge_v), columns, rows, out_body))
+      UInt32.unpack(out_body)
+    end
+
+    # Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+    # with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    # @param transform  places the mesh; may be NULL
+    def add_cloth_mesh(mesh, transform = nil, **desc)
+      out_body = UInt32.room
+      Low.check(Low.gphys_solver_add_cloth_mesh(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), mesh.opened, transform && Transform.pack(transform), out_body))
+      UInt32.unpack(out_body)
+    end
+
+    # Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+    # with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    # @param transform  places the mesh; may be NULL
+    def remove_body(body)
+      Low.check(Low.gphys_solver_remove_body(opened, body))
+      nil
+    end
+
+    # Ids of all bodies, ascending. Kept when too many: the lowest.
+    def get_bodies
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_bodies(opened, out, capacity, total) }
+    end
+
+    # What a body is made of and how it is solved.
+    def get_body_info(body)
+      out_info = BodyInfo.room
+      Low.check(Low.gphys_solver_get_body_info(opened, body, out_info))
+      BodyInfo.unpack(out_info)
+    end
+
+    # Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.
+    def get_triangles(body)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_triangles(opened, body, out, capacity, total) }
+    end
+
+    # Metres.
+    def get_positions(body, first, count, out: nil)
+      out = Low.results(Vec3, out, count)
+      Low.check(Low.gphys_solver_get_positions(opened, body, first, count, out.pointer, Vec3::BYTES))
+      out
+    end
+
+    # Moves particles there at once and without collision on the way; velocities stay as they are.
+    def set_positions(body, first, positions)
+      positions = Low.array(Vec3, positions)
+      count = Low.common(positions)
+      Low.check(Low.gphys_solver_set_positions(opened, body, first, count, positions.pointer, positions.stride))
+      nil
+    end
+
+    # m/s
+    def get_velocities(body, first, count, out: nil)
+      out = Low.results(Vec3, out, count)
+      Low.check(Low.gphys_solver_get_velocities(opened, body, first, count, out.pointer, Vec3::BYTES))
+      out
+    end
+
+    # m/s
+    def set_velocities(body, first, velocities)
+      velocities = Low.array(Vec3, velocities)
+      count = Low.common(velocities)
+      Low.check(Low.gphys_solver_set_velocities(opened, body, first, count, velocities.pointer, velocities.stride))
+      nil
+    end
+
+    # kg, > 0. A pinned particle keeps its mass for the time when it is released.
+    def get_masses(body, first, count, out: nil)
+      out = Low.results(Float32, out, count)
+      Low.check(Low.gphys_solver_get_masses(opened, body, first, count, out.pointer, Float32::BYTES))
+      out
+    end
+
+    # kg, > 0. A pinned particle keeps its mass for the time when it is released.
+    def set_masses(body, first, masses)
+      masses = Low.array(Float32, masses)
+      count = Low.common(masses)
+      Low.check(Low.gphys_solver_set_masses(opened, body, first, count, masses.pointer, masses.stride))
+      nil
+    end
+
+    # Collision radius, metres, >= 0.
+    def set_radii(body, first, radii)
+      radii = Low.array(Float32, radii)
+      count = Low.common(radii)
+      Low.check(Low.gphys_solver_set_radii(opened, body, first, count, radii.pointer, radii.stride))
+      nil
+    end
+
+    # Forces in newtons that act beside gravity, from now on until set again.
+    def set_forces(body, first, forces)
+      forces = Low.array(Vec3, forces)
+      count = Low.common(forces)
+      Low.check(Low.gphys_solver_set_forces(opened, body, first, count, forces.pointer, forces.stride))
+      nil
+    end
+
+    # Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+    # gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+    def set_pinned(body, first, count, pinned)
+      Low.check(Low.gphys_solver_set_pinned(opened, body, first, count, Low.flag(pinned)))
+      nil
+    end
+
+    # Fix a particle to a model: it follows the model's transform in each step, and is released when
+    # the model is gone. Steps must then be given this scene.
+    # @param local_point  in the model's coordinates; NULL: where the particle is now
+    def attach(scene, body, particle, model, local_point = nil)
+      Low.check(Low.gphys_solver_attach(opened, scene.opened, body, particle, model, local_point && Vec3.pack(local_point)))
+      nil
+    end
+
+    # Release an attached particle.
+    # @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached
+    def detach(body, particle)
+      Low.check(Low.gphys_solver_detach(opened, body, particle))
+      nil
+    end
+
+    # Hold two different particles of a body at a distance.
+    # @param rest_length  metres, >= 0; negative: the present distance
+    # @param compliance   metres per newton, >= 0; 0 is rigid
+    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    def add_distance(body, particle_a, particle_b, rest_length, compliance: 0)
+      out_constraint = UInt32.room
+      Low.check(Low.gphys_solver_add_distance(opened, body, particle_a, particle_b, rest_length, compliance, out_constraint))
+      UInt32.unpack(out_constraint)
+    end
+
+    # Hold two different particles of a body at a distance.
+    # @param rest_length  metres, >= 0; negative: the present distance
+    # @param compliance   metres per newton, >= 0; 0 is rigid
+    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    def remove_constraint(body, constraint)
+      Low.check(Low.gphys_solver_remove_constraint(opened, body, constraint))
+      nil
+    end
+
+    # All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    def get_constraints(body)
+      Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, body, out, capacity, total) }
+    end
+
+    # Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
+    # than 25 ms.
+    # @param scene  to collide with and to follow attachments; NULL: none. Not modified.
+    # @param dt     1e-6 .. 0.5
+    # Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+    # substeps, and a scene query for particles near models.
+    def step(scene, dt)
+      Low.check(Low.gphys_solver_step(opened, scene&.opened, dt))
+      nil
+    end
+
+    # Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
+    # frame, so the motion does not depend on the frame rate.
+    # @param frame_time    seconds, >= 0
+    # @param out_steps     steps made; may be NULL
+    # @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    def advance(scene, frame_time)
+      out_steps = UInt32.room
+      out_leftover = Float32.room
+      Low.check(Low.gphys_solver_advance(opened, scene&.opened, frame_time, out_steps, out_leftover))
+      [UInt32.unpack(out_steps), Float32.unpack(out_leftover)]
+    end
+
+    # @param body  0: all bodies together.  Cost: O(particles + constraints).
+    def get_stats(body)
+      out_stats = SolverStats.room
+      Low.check(Low.gphys_solver_get_stats(opened, body, out_stats))
+      SolverStats.unpack(out_stats)
+    end
+
+    # Contacts of the last step by body, particle, model. Kept when too many: the first.
+    def get_contacts
+      Low.list(Contact) { |out, capacity, total| Low.gphys_solver_get_contacts(opened, out, capacity, total) }
+    end
+  end
+
+  # Whether the shape fulfils the ranges beside its struct.
+  # @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+  def self.validate(shape)
+    Low.check(Low.gphys_shape_validate(Low.kind(shape), Low.shape(shape)))
+    nil
+  end
+
+  # The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
+  # @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
+  #         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+  def self.bounds(shape)
+    out_bounds = Aabb.room
+    Aabb.unpack(out_bounds) if Low.found(Low.gphys_shape_bounds(Low.kind(shape), Low.shape(shape), out_bounds))
+  end
+
+  # Whether the point is within tolerance metres of the shape (solid or surface).
+  # With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+  # axes are those of its rotation in double precision).
+  # @param tolerance  >= 0
+  # @param out_contains  0 or 1
+  def self.contains?(shape, point, tolerance: 0)
+    out_contains = Int32.room
+    Low.check(Low.gphys_shape_contains(Low.kind(shape), Low.shape(shape), Vec3.pack(point), tolerance, out_contains))
+    Int32.unpack(out_contains) != 0
+  end
+
+  # Whether the point is within tolerance metres of the shape (solid or surface).
+  # With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+  # axes are those of its rotation in double precision).
+  # @param tolerance  >= 0
+  # @param out_contains  0 or 1
+  def self.contains_batch(shape, points, tolerance: 0, out: nil)
+    points = Low.array(Vec3, points)
+    count = Low.common(points)
+    out = Low.results(Int32, out, count)
+    Low.check(Low.gphys_shape_contains_batch(Low.kind(shape), Low.shape(shape), points.pointer, points.stride, count, tolerance, out.pointer, Int32::BYTES))
+    out
+  end
+
+  # The point of the shape that is closest to the given point: the point itself inside a solid.
+  # Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
+  # coordinate difference. If several are equally close, one of them,
+  # always the same. For a ray, t is limited by t_max.
+  # @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+  def self.closest_point(shape, point)
+    out_nearest = Nearest.room
+    Nearest.unpack(out_nearest) if Low.found(Low.gphys_shape_closest_point(Low.kind(shape), Low.shape(shape), Vec3.pack(point), out_nearest))
+  end
+
+  # The same for count points. An element for which there is none gets distance INFINITY.
+  def self.closest_point_batch(shape, points, out: nil)
+    points = Low.array(Vec3, points)
+    count = Low.common(points)
+    out = Low.results(Nearest, out, count)
+    Low.check(Low.gphys_shape_closest_point_batch(Low.kind(shape), Low.shape(shape), points.pointer, points.stride, count, out.pointer, Nearest::BYTES))
+    out
+  end
+
+  # The closest points of two segments and their distance. Parallel segments have many: the first
+  # along a, always the same. out_a, out_b, out_distance may each be NULL.
+  def self.segment_closest_points(a, b)
+    out_a = Vec3.room
+    out_b = Vec3.room
+    out_distance = Float32.room
+    Low.check(Low.gphys_segment_closest_points(Segment.pack(a), Segment.pack(b), out_a, out_b, out_distance))
+    [Vec3.unpack(out_a), Vec3.unpack(out_b), Float32.unpack(out_distance)]
+  end
+
+  # Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
+  # triangle, frustum and mesh, in either order.
+  # A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+  # Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
+  # precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
+  # @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+  def self.overlaps?(a, b)
+    out_overlaps = Int32.room
+    Low.check(Low.gphys_shape_overlaps(Low.kind(a), Low.shape(a), Low.kind(b), Low.shape(b), out_overlaps))
+    Int32.unpack(out_overlaps) != 0
+  end
+
+  # Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0.
+  def self.overlaps_batch(a, b, out: nil)
+    a = Low.shapes(a)
+    b = Low.shapes(b)
+    count = Low.common(a, b)
+    out = Low.results(Int32, out, count)
+    Low.check(Low.gphys_shape_overlaps_batch(a.kind::KIND, a.pointer, a.stride, b.kind::KIND, b.pointer, b.stride, count, out.pointer, Int32::BYTES))
+    out
+  end
+
+  # Classify a sphere, capsule, AABB, OBB or triangle against a plane.
+  # @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
+  #                             behind, 0 when crossing; may be NULL
+  def self.classify_plane(shape, plane)
+    out_side = Int32.room
+    out_signed_distance = Float32.room
+    Low.check(Low.gphys_shape_classify_plane(Low.kind(shape), Low.shape(shape), Plane.pack(plane), out_side, out_signed_distance))
+    [Int32.unpack(out_side), Float32.unpack(out_signed_distance)]
+  end
+
+  # Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
+  # that no point is shared, inside that the frustum holds the whole shape.
+  def self.classify_frustum(shape, frustum)
+    out_side = Int32.room
+    Low.check(Low.gphys_shape_classify_frustum(Low.kind(shape), Low.shape(shape), Frustum.pack(frustum), out_side))
+    Int32.unpack(out_side)
+  end
+
+  # First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
+  # Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
+  # shared edge or vertex always meets one of the triangles there.
+  # Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
+  # and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
+  # smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
+  # @return GPHYS_OK or GPHYS_NO_HIT
+  def self.raycast(shape, ray)
+    out_hit = Hit.room
+    Hit.unpack(out_hit) if Low.found(Low.gphys_shape_raycast(Low.kind(shape), Low.shape(shape), Ray.pack(ray), out_hit))
+  end
+
+  # The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
+  # element.  @return GPHYS_OK
+  def self.raycast_batch(shape, rays, out: nil)
+    rays = Low.array(Ray, rays)
+    count = Low.common(rays)
+    out = Low.results(Hit, out, count)
+    Low.check(Low.gphys_shape_raycast_batch(Low.kind(shape), Low.shape(shape), rays.pointer, rays.stride, count, out.pointer, Hit::BYTES))
+    out
+  end
+
+  # First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
+  # A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+  # then is met from no direction, the normal is zero.
+  # @return GPHYS_OK or GPHYS_NO_HIT
+  def self.segment_test(shape, segment)
+    out_hit = Hit.room
+    Hit.unpack(out_hit) if Low.found(Low.gphys_shape_segment_test(Low.kind(shape), Low.shape(shape), Segment.pack(segment), out_hit))
+  end
+
+  # First contact of a sphere that moves by displacement (which may be zero) with a sphere,
+  # capsule, AABB, OBB, plane, triangle, frustum or mesh.
+  # @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
+  #                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
+  #                 and where the centre itself is in a solid, the normal is opposite to the
+  #                 displacement (zero if that is zero).
+  # Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
+  # Cost: a frustum, approached step by step, takes about 10 us.
+  # @return GPHYS_OK or GPHYS_NO_HIT
+  def self.sweep_sphere(shape, sphere, displacement)
+    out_hit = Hit.room
+    Hit.unpack(out_hit) if Low.found(Low.gphys_shape_sweep_sphere(Low.kind(shape), Low.shape(shape), Sphere.pack(sphere), Vec3.pack(displacement), out_hit))
+  end
+
+  # The eight corners, each the intersection of three planes: near then far, each in the order
+  # left-bottom, right-bottom, right-top, left-top.
+  # @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+  def self.frustum_corners(frustum)
+    out_corners = Vec3.room(8)
+    Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_frustum_corners(Frustum.pack(frustum), out_corners))
+  end
+
+  # The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
+  # origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
+  # @param reverse_z  0: near has the low depth; 1: near has the high depth
+  # @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+  def self.frustum_from_matrix(view_projection, depth_range, reverse_z)
+    out_frustum = Frustum.room
+    Low.check(Low.gphys_frustum_from_matrix(Mat4.pack(view_projection), depth_range, Low.flag(reverse_z), out_frustum))
+    Frustum.unpack(out_frustum)
+  end
+
+  # Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
+  # @param vertices       vertex_count elements of 3 floats
+  # @param vertex_stride  bytes between vertices, at least 12
+  # @param indices        index_count numbers, three for each triangle
+  def self.mesh_check(vertices, indices)
+    vertices = Low.array(Float32, vertices, 3)
+    indices = Low.array(UInt32, indices)
+    out_report = MeshReport.room
+    Low.check(Low.gphys_mesh_check(vertices.pointer, vertices.stride, vertices.count, indices.pointer, indices.count, out_report))
+    MeshReport.unpack(out_report)
+  end
+end

@@ -1,0 +1,330 @@
+# frozen_string_literal: true
+
+# The package: every function with an answer that is known, batches against single calls, errors, ownership.
+require 'minitest/autorun'
+require 'gamephys'
+
+class TestGamephys < Minitest::Test
+  include Gamephys
+
+  UP = [0, 1, 0].freeze
+  STILL = [0, 0, 0, 1].freeze
+  IDENTITY = Transform.new([0, 0, 0], STILL, 1).freeze
+  BALL = Sphere.new([0, 0, 5], 1).freeze
+  AHEAD = Ray.new([0, 0, 0], [0, 0, 1], 100).freeze
+
+  def pyramid(**desc)
+    Mesh.new([[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1], [0, 2, 0]],
+             [0, 1, 2, 0, 2, 3, 1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4], **desc)
+  end
+
+  def assert_vector(expected, actual, tolerance = 1e-5)
+    assert_equal expected.size, actual.size
+    expected.zip(actual) { |a, b| assert_in_delta a, b, tolerance }
+  end
+
+  def assert_fails(status, &call)
+    caught = assert_raises(Error, InvalidArgument, InvalidId, &call)
+    assert_equal status, caught.status
+    caught.message
+  end
+
+  def test_shapes
+    Gamephys.validate(BALL)
+    assert_equal Aabb.new([-1, -1, 4], [1, 1, 6]), Gamephys.bounds(BALL)
+    assert_nil Gamephys.bounds(Plane.new(UP, 0))
+    moved = Gamephys.transform(Aabb.new([0, 0, 0], [2, 2, 2]), Transform.new([1, 0, 0], STILL, 1))
+    assert_equal [2, 1, 1], moved.center
+    assert Gamephys.contains?(BALL, [0, 0, 4])
+    refute Gamephys.contains?(BALL, [0, 0, 3.5])
+    assert Gamephys.contains?(BALL, [0, 0, 3.5], tolerance: 0.5)
+    assert_equal [1, 0], Gamephys.contains_batch(BALL, [[0, 0, 5], [0, 0, 3]]).to_a
+    assert_equal 4, Gamephys.closest_point(BALL, [0, 0, 0]).distance
+    assert_equal [4, 3], Gamephys.closest_point_batch(BALL, [[0, 0, 0], [0, 0, 9]]).map(&:distance)
+    a, b, distance = Gamephys.segment_closest_points([[0, 0, 0], [2, 0, 0]], [[1, 3, -1], [1, 3, 1]])
+    assert_equal [[1, 0, 0], [1, 3, 0], 3], [a, b, distance]
+    assert Gamephys.overlaps?(BALL, Aabb.new([0, 0, 0], [1, 1, 4]))
+    refute Gamephys.overlaps?(BALL, Aabb.new([0, 0, 0], [1, 1, 3]))
+    touching = Gamephys.overlaps_batch([Sphere.new([0, 0, 0], 1), Sphere.new([0, 9, 0], 1)], Plane.new(UP, 0))
+    assert_equal [1, 0], touching.to_a
+    assert_equal [SIDE_INSIDE, 4], Gamephys.classify_plane(BALL, Plane.new([0, 0, 1], 0))
+    assert_equal 4, Gamephys.raycast(BALL, AHEAD).t
+    aside = Ray.new([0, 3, 0], [0, 0, 1], 9)
+    assert_nil Gamephys.raycast(BALL, aside)
+    assert_equal [4, Float::INFINITY], Gamephys.raycast_batch(BALL, [AHEAD, aside]).map(&:t)
+    assert_equal 0.5, Gamephys.segment_test(BALL, [[0, 0, 0], [0, 0, 8]]).t
+    assert_in_delta 0.3, Gamephys.sweep_sphere(BALL, Sphere.new([0, 0, 0], 1), [0, 0, 10]).t
+  end
+
+  def test_frusta
+    camera = Camera.new
+    frustum = camera.get_frustum
+    assert_equal SIDE_INSIDE, Gamephys.classify_frustum(BALL, frustum)
+    corners = Gamephys.frustum_corners(frustum)
+    assert_equal 8, corners.size
+    assert_in_delta 1000, corners[7][2], 0.01
+    assert_vector camera.get_corners[3], corners[3]
+    again = Gamephys.frustum_from_matrix(camera.get_view_projection_matrix, DEPTH_ZERO_TO_ONE, false)
+    assert_equal SIDE_OUTSIDE, Gamephys.classify_frustum(Sphere.new([0, 0, -5], 1), again)
+  end
+
+  def test_meshes
+    report = Gamephys.mesh_check([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 7])
+    assert_equal [1, 1], [report.triangle_count, report.out_of_range_count]
+    mesh = pyramid
+    assert_equal 0, mesh.get_report.open_edge_count
+    assert_equal [0, 2, 0], mesh.get_vertices[4]
+    assert_equal [18, 4], [mesh.get_indices.size, mesh.get_indices[17]]
+    down = Ray.new([0.3, 5, 0.2], [0, -1, 0], 10)
+    first, last = mesh.raycast_all(down).to_a
+    assert first.t < last.t && last.t == 5
+    assert mesh.raycast_any?(down)
+    assert_equal 4, mesh.overlap(Sphere.new([0, 2, 0], 0.1)).size
+    assert_equal 6, mesh.get_octree_stats.item_count
+    assert_equal 0, mesh.get_octree_boxes[0].depth
+    assert_equal first.triangle, Gamephys.raycast(mesh, down).triangle
+  end
+
+  def test_models
+    scene = Scene.new(reserve_models: 4, worker_count: 2)
+    model = scene.add(BALL, tag: 7)
+    two = scene.add_batch([Sphere.new([9, 0, 0], 1), Sphere.new([9, 5, 0], 2)], IDENTITY).to_a
+    assert scene.has?(model) && scene.include?(two[1])
+    refute scene.has?(12_345)
+    assert_equal 3, scene.get_models.size
+    assert_equal 7, scene.get_info(model).tag
+    assert_equal Sphere.new([9, 5, 0], 2), scene.get_shape(two[1])
+    assert_equal 10, scene.get_bounds(two[0]).max[0]
+    assert_equal 7, scene.get_scene_bounds.max[1]
+    scene.set_layers(model, 4)
+    scene.set_tag(model, 8)
+    assert_nil scene.raycast(AHEAD, layers: 3)
+    assert_equal 8, scene.raycast(AHEAD, layers: 4).tag
+    scene.set_parent(two[0], model, true)
+    scene.set_transform(model, [[0, 1, 0], STILL, 1])
+    assert_equal model, scene.get_info(two[0]).parent
+    ids = [model, two[0]]
+    assert_equal [1, 0], scene.get_transforms(ids).map { |each| each.position[1] }
+    assert_equal [1, 1], scene.get_world_transforms(ids).map { |each| each.position[1] }
+    scene.set_transforms(ids, [IDENTITY, IDENTITY])
+    assert_equal 0, scene.get_world_transforms(ids)[1].position[1]
+    scene.validate
+    scene.remove_subtree(model)
+    refute scene.has?(two[0])
+    scene.remove(two[1])
+    scene.remove_batch(scene.add_batch([BALL, BALL, BALL]))
+    assert_nil scene.get_scene_bounds
+    scene.add(BALL)
+    scene.clear
+    assert_equal 0, scene.get_models.size
+    scene.set_origin([1e9 + 0.5, 0, 0])
+    assert_equal [1e9 + 0.5, 0, 0], scene.get_origin
+  end
+
+  def test_batches_answer_as_single_calls_do
+    scene = Scene.new
+    30.times { |i| scene.add(Sphere.new([3 * Math.sin(i), 3 * Math.cos(2 * i), i / 3.0], 0.7)) }
+    directions = Array.new(200) { |i| [Math.sin(i) / 2, Math.cos(3 * i) / 2, 1] }
+    rays = directions.map { |direction| Ray.new([0, 0, -5], direction, Float::INFINITY) }
+    segments = directions.map { |x, y, _| Segment.new([0, 0, -5], [10 * x, 10 * y, 5]) }
+    spheres = directions.map { Sphere.new([0, 0, -5], 0.2) }
+    hits = scene.raycast_batch(rays)
+    batches = [hits, scene.segment_test_batch(segments), scene.nearest_batch(directions), scene.sweep_sphere_batch(spheres, directions)]
+    singles = [rays.map { |each| scene.raycast(each) }, segments.map { |each| scene.segment_test(each) },
+               directions.map { |each| scene.nearest(each) }, spheres.zip(directions).map { |pair| scene.sweep_sphere(*pair) }]
+    batches.zip(singles) do |batch, single|
+      assert_equal single, batch.map { |each| each unless each.model.zero? }
+    end
+    any = scene.raycast_any_batch(rays).to_a
+    assert_equal any, (rays.map { |each| scene.raycast_any?(each) ? 1 : 0 })
+    assert any.include?(0) && any.include?(1)
+    all, offsets = scene.raycast_all_batch(rays)
+    rays.each_with_index { |each, i| assert_equal scene.raycast_all(each).to_a, all.to_a[offsets[i]...offsets[i + 1]] }
+
+    packed = Ray.pack_all(rays)
+    assert_equal hits.to_a, scene.raycast_batch(packed).to_a
+    room = Records.new(Hit, 200)
+    assert_same room, scene.raycast_batch(packed, out: room)
+    assert_equal hits.to_s, room.to_s
+    memory = FFI::MemoryPointer.from_string(packed)
+    assert_raises(ArgumentError) { scene.raycast_batch(memory) } # one byte too many: the string's end
+    assert_equal hits.to_s, scene.raycast_batch(Records.new(Ray, 200, memory)).to_s
+  end
+
+  def test_lists_of_any_length
+    scene = Scene.new
+    models = scene.add_batch(Records.new(Sphere, 500)) # more than the first guess has room for
+    assert_equal models.to_a, scene.get_models.to_a
+    found, offsets = scene.overlap_batch([Aabb.new([-1, -1, -1], [1, 1, 1]), Aabb.new([5, 5, 5], [6, 6, 6])])
+    assert_equal [0, 500, 500], offsets
+    assert_equal models.to_a, found.to_a
+    assert_equal 0, scene.overlap(BALL).size
+    assert_equal 500, scene.raycast_all(AHEAD).size
+    assert_equal 500, scene.get_octree_stats.item_count
+    assert_operator scene.get_octree_boxes.size, :>, 1
+  end
+
+  def test_camera
+    camera = Camera.new
+    camera.look_at([0, 0, -10], [0, 0, 0], UP)
+    camera.set_perspective(1, 0.1, 100)
+    assert_vector [400, 300], camera.project([0, 0, 0]).first(2), 1e-2
+    assert_nil camera.project([0, 0, -20])
+    pixels = camera.project_batch([[0, 0, 0], [1, 1, 1]])
+    assert_vector [1, 1, 1], camera.unproject_batch(pixels)[1], 1e-2
+    assert_vector [1, 1, 1], camera.unproject(pixels[1]), 1e-2
+    assert_vector [0, 0, 1], camera.pick_ray(400, 300).direction
+    assert_equal 12, camera.pick_rays(0, 0, 4, 3).size
+
+    scene = Scene.new
+    model = scene.add(BALL)
+    assert_equal model, camera.pick(scene, 400, 300).model
+    assert_nil camera.pick(scene, 1, 1)
+    assert_equal [model, 0], camera.pick_batch(scene, [[400, 300], [1, 1]]).map(&:model)
+    assert_equal [model], camera.pick_rectangle(scene, 0, 0, 800, 600).to_a
+    assert_equal [[model], [model]], [camera.cull(scene).to_a, scene.cull(camera.get_frustum).to_a]
+
+    camera.set_viewport(200, 100)
+    camera.set_orthographic(10, 0.1, 100)
+    projection = camera.get_projection_matrix
+    assert_vector [0.1, 0.2], projection.values_at(0, 5)
+    camera.set_projection(projection)
+    assert_equal(-10, camera.get_world_matrix[14])
+    assert_in_delta 10, camera.get_view_matrix[14]
+    camera.set_world_matrix([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1])
+    assert_equal [[4, 5, 6], STILL], camera.get_transform
+    camera.set_transform([1, 2, 3], [0, 1, 0, 0])
+    assert_equal [1, 2, 3], camera.get_transform[0]
+    camera.set_origin([1, 0, 0])
+    assert_equal [1, 0, 0], camera.get_origin
+  end
+
+  def test_orbit
+    camera = Camera.new
+    assert_fails(ERROR_UNSUPPORTED) { camera.get_orbit }
+    camera.set_orbit(Gamephys.default_orbit)
+    camera.orbit_rotate(0.5, 0.25)
+    camera.orbit_zoom(1)
+    camera.orbit_pan(2, 0)
+    camera.orbit_update
+    orbit = camera.get_orbit
+    assert_vector [0.5, 0.25, 9], [orbit.yaw, orbit.pitch, orbit.distance]
+    assert_in_delta 2, orbit.target[0].abs, 1e-3
+  end
+
+  def test_particles
+    scene = Scene.new
+    solver = Solver.new(substeps: 4, gravity: [0, -1, 0])
+    solver.set_gravity([0, -10, 0])
+    solver.set_substeps(5)
+    free = solver.add_particles([[0, 5, 0], [1, 5, 0]])
+    solver.set_velocities(free, 1, [[3, 0, 0]])
+    solver.step(scene, 0.1)
+    assert_vector [0, -1, 0], solver.get_velocities(free, 0, 1)[0]
+    assert_vector [1.3, 4.95, 0], solver.get_positions(free, 1, 1)[0]
+    solver.set_masses(free, 0, [2, 4])
+    assert_equal [2, 4], solver.get_masses(free, 0, 2).to_a
+    solver.set_forces(free, 0, [[0, 20, 0], [0, 40, 0]]) # weightless
+    solver.step(nil, 0.1)
+    assert_vector [0, -1, 0], solver.get_velocities(free, 0, 1)[0]
+
+    plane = scene.add(Plane.new(UP, 0))
+    solver.set_radii(free, 0, [0.5, 0.5])
+    solver.set_positions(free, 0, [[0, 0.6, 0], [9, 0.6, 0]])
+    solver.set_forces(free, 0, [[0, 0, 0], [0, 0, 0]])
+    30.times { solver.step(scene, 0.02) }
+    assert_in_delta 0.5, solver.get_positions(free, 0, 1)[0][1], 1e-3
+    assert_equal [[plane, UP]] * 2, (solver.get_contacts.map { |each| [each.model, each.normal] })
+    solver.set_origin([0, 1, 0])
+    assert_equal [0, 1, 0], solver.get_origin
+    assert_in_delta(-0.5, solver.get_positions(free, 0, 1)[0][1], 1e-3)
+  end
+
+  def test_rope_and_cloth
+    scene = Scene.new
+    solver = Solver.new
+    rope = solver.add_rope([[0, 8, 0], [1, 8, 0], [2, 8, 0]], mass: 3)
+    assert_equal BODY_ROPE, solver.get_body_info(rope).kind
+    solver.set_pinned(rope, 0, 1, true)
+    tie = solver.add_distance(rope, 0, 2, -1)
+    assert_equal ConstraintInfo.new(tie, 0, 2, 2, 0), solver.get_constraints(rope).to_a.last
+    solver.remove_constraint(rope, tie)
+    assert_equal 2, solver.get_constraints(rope).size
+    hook = scene.add(Sphere.new([0, 0, 0], 0.1), [[0, 8, 0], STILL, 1], layers: 2)
+    solver.attach(scene, rope, 0, hook, [0, 0, 0])
+    scene.set_transform(hook, [[0, 9, 0], STILL, 1])
+    steps, leftover = solver.advance(scene, 0.025)
+    assert_equal 1, steps
+    assert_in_delta 0.5, leftover, 1e-5
+    assert_in_delta 9, solver.get_positions(rope, 0, 1)[0][1], 1e-5
+    assert_equal 1, solver.get_stats(rope).pinned_count
+    solver.detach(rope, 0)
+    assert_fails(ERROR_INVALID_ARGUMENT) { solver.detach(rope, 0) }
+
+    cloth = solver.add_cloth([0, 3, 0], [1, 0, 0], [0, 0, 1], 3, 3)
+    assert_equal 24, solver.get_triangles(cloth).size
+    shirt = solver.add_cloth_mesh(pyramid, IDENTITY)
+    assert_equal 5, solver.get_body_info(shirt).particle_count
+    solver.remove_body(cloth)
+    assert_equal [rope, shirt], solver.get_bodies.to_a
+  end
+
+  def test_errors_have_the_librarys_message
+    scene = Scene.new
+    assert_match(/radius/, assert_raises(InvalidArgument) { scene.add(Sphere.new([0, 0, 0], -1)) }.message)
+    assert_raises(InvalidId) { scene.remove(12_345) }
+    assert_fails(ERROR_UNSUPPORTED) { Gamephys.transform(pyramid, IDENTITY) }
+    assert_fails(ERROR_UNSUPPORTED) { scene.get_shape(scene.add(pyramid)) }
+    assert_raises(TypeError) { scene.add('ball') }
+    assert_raises(ArgumentError) { scene.add(Sphere.new([0, 0], 1)) }
+    assert_raises(ArgumentError) { Camera.new(vieport_width: 3) }
+    assert_raises(ArgumentError) { scene.raycast_batch([1, 2, 3].pack('f*')) }
+    assert_raises(TypeError) { scene.raycast_batch(Records.new(Segment, 7)) }
+    assert_raises(ArgumentError) { scene.raycast_batch([AHEAD], out: Records.new(Hit, 2)) }
+    assert_raises(ArgumentError) { scene.sweep_sphere_batch([BALL], [UP, UP]) }
+    assert_raises(IndexError) { Records.new(Hit, 2)[2] }
+    assert_equal 'GPHYS_NO_HIT', Gamephys.status_name(NO_HIT)
+    assert_match(/\A\d+\.\d+\.\d+\z/, Gamephys::VERSION)
+  end
+
+  def test_use_after_close_is_an_error
+    scene = Scene.new
+    mesh = pyramid
+    scene.add(mesh)
+    mesh.close
+    mesh.close
+    assert_raises(Closed) { scene.add(mesh) }
+    assert_raises(Closed) { scene.add_batch(mesh, [IDENTITY]) }
+    assert_raises(Closed) { Gamephys.raycast(mesh, AHEAD) }
+    assert scene.raycast(Ray.new([0.1, 5, 0.1], [0, -1, 0], 10)) # the model holds it
+    scene.close
+    assert_raises(Closed) { scene.get_models }
+    assert_raises(Closed) { Camera.new.pick(scene, 0, 0) }
+    assert_raises(Closed) { Scene.open { |each| each }.get_models }
+  end
+
+  # The functions of an allocator see what is taken and given back.
+  def test_the_collector_frees
+    bytes = 0
+    kept = {}
+    allocate = FFI::Function.new(:pointer, %i[pointer size_t size_t]) do |_, size, alignment|
+      memory = FFI::MemoryPointer.new(:uint8, size + alignment)
+      start = memory + (-memory.address % alignment)
+      kept[start.address] = memory
+      bytes += size
+      start
+    end
+    release = FFI::Function.new(:void, %i[pointer pointer size_t size_t]) do |_, memory, size, _|
+      kept.delete(memory.address)
+      bytes -= size
+    end
+    allocator = FFI::MemoryPointer.new(:pointer, 3).write_array_of_pointer([allocate, release, nil])
+    pyramid(allocator: allocator).close
+    assert_equal 0, bytes
+    Array.new(10) { Scene.new(allocator: allocator).add(BALL) }
+    assert_operator bytes, :>, 0
+    taken = bytes
+    GC.start
+    assert_operator bytes, :<, taken
+  end
+end
