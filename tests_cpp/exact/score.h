@@ -3,20 +3,12 @@
 // spoiled copy can stand in for it: one that finds nothing wrong with a spoiled copy proves nothing.
 #pragma once
 
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <string>
 
+#include "effort.h"
 #include "test.h"
 
 namespace test {
-
-/// Cases of an examination: `brief` of them in the usual run, `thorough` where GAMEPHYS_TEST=long.
-inline long cases(long brief, long thorough) {
-    const char* run = std::getenv("GAMEPHYS_TEST");
-    return run && std::strcmp(run, "long") == 0 ? thorough : brief;
-}
 
 /// Structs of floats, to the bit.
 template <class... Values>
@@ -73,9 +65,40 @@ public:
         if (!unit_.empty() && worst_ > 0) std::printf("\n    worst: %s", worst_input_.c_str());
         std::printf("\n");
         std::fflush(stdout);
+        const char* file = std::getenv("GAMEPHYS_SCORES");
+        if (file) append_to(file);
     }
 
 private:
+    /// A row for bench/scores.py, written at once, for others may be appending too.
+    void append_to(const char* path) const {
+        const char* isa = std::getenv("GAMEPHYS_ISA");
+        char numbers[128];
+        std::snprintf(numbers, sizeof numbers, "%ld,%ld,%ld,%.9g,%.9g", cases_, yes_, false_, worst_, bound_);
+        const std::string row = '"' + function_ + "\"," + build + ',' + (isa ? isa : "best") + ',' + numbers + ',' +
+                                unit_ + ',' + (false_ ? first_false_ : worst_input_) + '\n';
+        std::FILE* file = std::fopen(path, "a");
+        REQUIRE(file);
+        REQUIRE(std::fwrite(row.data(), 1, row.size(), file) == row.size());
+        REQUIRE(std::fclose(file) == 0);
+    }
+
+    static constexpr const char* build =
+#if defined __clang__
+        "clang"
+#else
+        "gcc"
+#endif
+#if defined __OPTIMIZE__
+        " optimised"
+#else
+        " -O0"
+#endif
+#if defined __FMA__
+        " -march=haswell"
+#endif
+        ;
+
     std::string function_, unit_, first_false_, worst_input_;
     double bound_, worst_ = 0;
     long cases_ = 0, yes_ = 0, false_ = 0;

@@ -112,7 +112,7 @@ auto examine(const std::string& name, uint64_t seed) {
 
 template <class A, class B>
 void prove_pair(const char* a_name, const char* b_name, uint64_t seed) {
-    prove(cases(1000, 1000000), examine<A, B>(std::string("overlap ") + a_name + "-" + b_name, seed), library<A, B>,
+    prove(cases(1000, 10000000), examine<A, B>(std::string("overlap ") + a_name + "-" + b_name, seed), library<A, B>,
           of_a_grown_shape<A, B>);
 }
 
