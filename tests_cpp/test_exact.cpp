@@ -140,3 +140,54 @@ TEST_CASE("a running error bound covers the error") {
         REQUIRE(std::fabs((exact - Exact(quick.value)).value()) <= quick.error);
     }
 }
+
+TEST_CASE("determinants in integers are those of expansions, as long as their numbers spread over 41 bits") {
+    test::Random random(5);
+    constexpr int64_t most = (int64_t{1} << 41) - 1;
+    int flat = 0;
+    for (int i = 0; i < 50000; ++i) {
+        Lattice v[3];
+        for (Lattice& each : v) {
+            if (i % 4 == 0) {  // as large as can be
+                each = {random.index(2) ? most : -most, random.index(2) ? most : -most, random.index(2) ? most : -most};
+            } else {
+                each = lattice_point(random, 2 + static_cast<int>(random.index(40)));
+            }
+        }
+        // In a plane with the others, or just beside it.
+        if (i % 4 == 1) v[0] = {v[1].x - v[2].x, v[1].y - v[2].y, v[1].z - v[2].z + int64_t(random.index(2))};
+        Vec3 a = v[0].point(0x1p-30), b = v[1].point(1), c = v[2].point(1);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double unit = std::ldexp(1.0, static_cast<int>(random.index(120)) - 60);
+            a[axis] *= unit, b[axis] *= unit, c[axis] *= unit;
+        }
+        using V = VecOf<Exact>;
+        const double expected = dot(V::of(a), cross(V::of(b), V::of(c))).value();
+        double value = 0;
+        if (!integer_determinant(a, b, c, value)) {  // a common scale may not do for a
+            REQUIRE(i % 4 != 0);
+            continue;
+        }
+        REQUIRE(std::fabs(value - expected) <= 0x1p-52 * std::fabs(expected));
+        flat += value == 0;
+    }
+    REQUIRE(flat > 4000);
+    double value;
+    REQUIRE(integer_determinant({1, 0, 0}, {0, 1, 0}, {0, 0x1p-40, 1}, value));
+    REQUIRE(value == 1);
+    REQUIRE_FALSE(integer_determinant({1, 0, 0}, {0, 1, 0}, {0, 0x1p-41, 1}, value));
+    REQUIRE_FALSE(integer_determinant({1, 0x1p-41, 0}, {1, 1, 0}, {0, 1, 1}, value));
+    REQUIRE_FALSE(integer_determinant({1, 0, 0}, {0, 0x1p-201, 0}, {0, 0, 1}, value));
+}
+
+TEST_CASE("a difference is known to be exact or not") {
+    Vec3 difference;
+    REQUIRE(difference_is_exact({1, 2, 3}, {0x1p-50, 5, -3}, difference));
+    REQUIRE(difference == Vec3{1 - 0x1p-50, -3, 6});
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 a{1, 1, 1}, b;
+        b[axis] = 0x1p-60;
+        REQUIRE_FALSE(difference_is_exact(a, b, difference));
+        REQUIRE_FALSE(difference_is_exact(b, a, difference));
+    }
+}

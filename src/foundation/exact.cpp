@@ -1,5 +1,7 @@
 #include "foundation/exact.h"
 
+#include <cstring>
+
 namespace gphys {
 
 namespace {
@@ -115,6 +117,78 @@ Exact operator*(const Exact& a, const Exact& b) {
     }
     return sum.result();
 }
+
+bool difference_is_exact(Vec3 a, Vec3 b, Vec3& out) {
+    const Split x = two_sum(a.x, -b.x), y = two_sum(a.y, -b.y), z = two_sum(a.z, -b.z);
+    out = {x.high, y.high, z.high};
+    return x.low == 0 && y.low == 0 && z.low == 0;
+}
+
+#ifdef __SIZEOF_INT128__
+namespace {
+
+constexpr int integer_bits = 41;
+
+/// The e for which |value| is in 2^e .. 2^(e + 1); -1023 for subnormal numbers and zero.
+int exponent(double value) {
+    uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return static_cast<int>(bits >> 52 & 0x7ff) - 1023;
+}
+double power_of_two(int exponent) {
+    const uint64_t bits = static_cast<uint64_t>(exponent + 1023) << 52;
+    double value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/// The factor that brings numbers of which this is the largest below 2^integer_bits. Four such
+/// factors, and the determinant, stay far within the range of doubles.
+bool scale_to_integers(double largest, int& scale) {
+    const int e = largest == 0 ? 0 : exponent(largest);
+    scale = integer_bits - 1 - e;
+    return -200 <= e && e <= 200;
+}
+
+bool to_integer(double value, int64_t& out) {
+    out = static_cast<int64_t>(value);
+    return static_cast<double>(out) == value;
+}
+
+}  // namespace
+
+// Each axis has a scale of its own, at which the components of b and c are integers. Each term of the
+// determinant takes one component of every axis, so the components of a take the same scales and one
+// that they have in common. With all integers below 2^41, the cross product stays below 2^83 and the
+// determinant below 3 * 2^124 < 2^127.
+bool integer_determinant(Vec3 a, Vec3 b, Vec3 c, double& out) {
+    int64_t whole_a[3], whole_b[3], whole_c[3];
+    double scale_of_all = 1;
+    Vec3 scaled_a;
+    for (int k = 0; k < 3; ++k) {
+        int scale;
+        if (!scale_to_integers(std::max(std::fabs(b[k]), std::fabs(c[k])), scale)) return false;
+        const double factor = power_of_two(scale);
+        if (!to_integer(b[k] * factor, whole_b[k]) || !to_integer(c[k] * factor, whole_c[k])) return false;
+        scale_of_all *= factor;
+        scaled_a[k] = a[k] * factor;
+    }
+    int scale;
+    if (!scale_to_integers(max_component(abs(scaled_a)), scale)) return false;
+    const double factor = power_of_two(scale);
+    for (int k = 0; k < 3; ++k) {
+        if (!to_integer(scaled_a[k] * factor, whole_a[k])) return false;
+    }
+    __extension__ using Wide = __int128;
+    const auto term = [&](int k, int i, int j) {
+        return whole_a[k] * (static_cast<Wide>(whole_b[i]) * whole_c[j] - static_cast<Wide>(whole_b[j]) * whole_c[i]);
+    };
+    out = static_cast<double>(term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1)) / (scale_of_all * factor);
+    return true;
+}
+#else
+bool integer_determinant(Vec3, Vec3, Vec3, double&) { return false; }
+#endif
 
 int orientation(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
     const Vec3 ab = b - a, ac = c - a, ad = d - a;

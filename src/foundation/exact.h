@@ -82,6 +82,14 @@ double value_of(const Polynomial& polynomial) {
     return quick.error <= 0x1p-45 * std::fabs(quick.value) ? quick.value : polynomial(Exact()).value();
 }
 
+/// Whether a - b holds no rounding; out is a - b in any case.
+bool difference_is_exact(Vec3 a, Vec3 b, Vec3& out);
+
+/// dot(a, cross(b, c)) with its exact sign and a relative error of 2^-52, in 128-bit integers: many
+/// times faster than Exact. False if the components along one axis of b and c, or those of a as
+/// compared with these, spread over more than 41 bits, or on a processor without such integers.
+bool integer_determinant(Vec3 a, Vec3 b, Vec3 c, double& out);
+
 /// A vector over a number type of predicates.
 template <class N>
 struct VecOf {
