@@ -11,12 +11,13 @@ struct TriangleProbe {
     /// `along` is the same ray's probe of boxes in `root`, and meets some of them.
     TriangleProbe(const ShearedRay& ray, const RayProbe& along, const Box& root);
 
-    int axis[3];        // kx, ky, kz of the sheared ray
-    float origin[3];    // on these axes
-    float slope[2];     // of the direction across, per step along
-    bool forward;       // the direction along is positive
-    float margin;       // by which a sheared coordinate may be off
-    float error_slope;  // a volume of coordinates up to r may be off by error_slope * r + error
+    int axis[3];      // kx, ky, kz of the sheared ray
+    float origin[3];  // on these axes
+    float slope[2];   // of the direction across, per step along
+    bool forward;     // the direction along is positive
+    float margin;     // by which a coordinate along may be off
+    // A volume of coordinates up to rx and ry may be off by error_slope . (rx, ry) + error.
+    float error_slope[2];
     float error;
 };
 

@@ -22,7 +22,8 @@ public:
           margin_(probe.margin),
           slope_x_(splat(probe.slope[0])),
           slope_y_(splat(probe.slope[1])),
-          error_slope_(splat(probe.error_slope)),
+          error_slope_x_(splat(probe.error_slope[0])),
+          error_slope_y_(splat(probe.error_slope[1])),
           error_(splat(probe.error)) {
         for (int k = 0; k < 3; ++k) {
             axis_[k] = probe.axis[k];
@@ -43,9 +44,7 @@ public:
         const Float8 volume_c = x[1] * y[0] - y[1] * x[0];
         const Float8 lowest = min3(volume_a, volume_b, volume_c);
         const Float8 highest = max3(volume_a, volume_b, volume_c);
-        const Float8 reach = max(max(max3(x[0], x[1], x[2]), max3(y[0], y[1], y[2])),
-                                 splat(0) - min(min3(x[0], x[1], x[2]), min3(y[0], y[1], y[2])));
-        const Float8 error = error_slope_ * reach + error_;
+        const Float8 error = error_slope_x_ * reach(x) + error_slope_y_ * reach(y) + error_;
         // Off the ray if two volumes certainly differ in sign.
         const Mask8 around = (splat(0) - error <= lowest) | (highest <= error);
         const float low = forward_ ? -margin_ : -limit - margin_;
@@ -58,12 +57,13 @@ public:
 private:
     static Float8 min3(Float8 a, Float8 b, Float8 c) { return min(min(a, b), c); }
     static Float8 max3(Float8 a, Float8 b, Float8 c) { return max(max(a, b), c); }
+    static Float8 reach(const Float8 (&v)[3]) { return max(max3(v[0], v[1], v[2]), splat(0) - min3(v[0], v[1], v[2])); }
 
     int axis_[3];
     bool forward_;
     float margin_;
     Float8 origin_[3];
-    Float8 slope_x_, slope_y_, error_slope_, error_;
+    Float8 slope_x_, slope_y_, error_slope_x_, error_slope_y_, error_;
 };
 
 /// The boxes of a packet's triangles, for the tests of box8_tests.h.
