@@ -24,6 +24,7 @@ case ${1:-} in
         presets=(bindings)
         packages+=(python3-numpy python3-pip nodejs luajit ruby ruby-ffi)
         command -v npm >/dev/null || packages+=(npm)
+        command -v cargo >/dev/null || packages+=(cargo)
         ;;
     --platforms)
         presets=(i686 aarch64 windows wasm32)

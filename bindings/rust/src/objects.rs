@@ -1,0 +1,1306 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+use crate::shapes::*;
+use crate::support::*;
+use crate::sys;
+use crate::types::*;
+use std::ffi::c_void;
+use std::ptr::{null_mut, NonNull};
+
+impl Vec3 {
+    pub fn new(x: f32, y: f32, z: f32) -> Vec3 {
+        Vec3 { x, y, z }
+    }
+}
+
+impl Quat {
+    pub fn new(x: f32, y: f32, z: f32, w: f32) -> Quat {
+        Quat { x, y, z, w }
+    }
+}
+
+impl Transform {
+    pub fn new(position: impl Into<Vec3>, rotation: impl Into<Quat>, scale: f32) -> Transform {
+        Transform { position: position.into(), rotation: rotation.into(), scale }
+    }
+}
+
+impl Ray {
+    pub fn new(origin: impl Into<Vec3>, direction: impl Into<Vec3>, t_max: f32) -> Ray {
+        Ray { origin: origin.into(), direction: direction.into(), t_max }
+    }
+}
+
+impl Segment {
+    pub fn new(a: impl Into<Vec3>, b: impl Into<Vec3>) -> Segment {
+        Segment { a: a.into(), b: b.into() }
+    }
+}
+
+impl Sphere {
+    pub fn new(center: impl Into<Vec3>, radius: f32) -> Sphere {
+        Sphere { center: center.into(), radius }
+    }
+}
+
+impl Capsule {
+    pub fn new(a: impl Into<Vec3>, b: impl Into<Vec3>, radius: f32) -> Capsule {
+        Capsule { a: a.into(), b: b.into(), radius }
+    }
+}
+
+impl Aabb {
+    pub fn new(min: impl Into<Vec3>, max: impl Into<Vec3>) -> Aabb {
+        Aabb { min: min.into(), max: max.into() }
+    }
+}
+
+impl Obb {
+    pub fn new(center: impl Into<Vec3>, half_extents: impl Into<Vec3>, rotation: impl Into<Quat>) -> Obb {
+        Obb { center: center.into(), half_extents: half_extents.into(), rotation: rotation.into() }
+    }
+}
+
+impl Plane {
+    pub fn new(normal: impl Into<Vec3>, distance: f32) -> Plane {
+        Plane { normal: normal.into(), distance }
+    }
+}
+
+impl Triangle {
+    pub fn new(a: impl Into<Vec3>, b: impl Into<Vec3>, c: impl Into<Vec3>) -> Triangle {
+        Triangle { a: a.into(), b: b.into(), c: c.into() }
+    }
+}
+
+impl Default for MeshDesc {
+    /// The defaults of the loaded library.
+    fn default() -> MeshDesc {
+        initialized(|desc| unsafe { sys::gphys_mesh_desc_init(desc, std::mem::size_of::<MeshDesc>() as u32) })
+    }
+}
+
+impl Default for SceneDesc {
+    /// The defaults of the loaded library.
+    fn default() -> SceneDesc {
+        initialized(|desc| unsafe { sys::gphys_scene_desc_init(desc, std::mem::size_of::<SceneDesc>() as u32) })
+    }
+}
+
+impl Default for ModelDesc {
+    /// The defaults of the loaded library.
+    fn default() -> ModelDesc {
+        initialized(|desc| unsafe { sys::gphys_model_desc_init(desc, std::mem::size_of::<ModelDesc>() as u32) })
+    }
+}
+
+impl Default for CameraDesc {
+    /// The defaults of the loaded library.
+    fn default() -> CameraDesc {
+        initialized(|desc| unsafe { sys::gphys_camera_desc_init(desc, std::mem::size_of::<CameraDesc>() as u32) })
+    }
+}
+
+impl Default for SolverDesc {
+    /// The defaults of the loaded library.
+    fn default() -> SolverDesc {
+        initialized(|desc| unsafe { sys::gphys_solver_desc_init(desc, std::mem::size_of::<SolverDesc>() as u32) })
+    }
+}
+
+impl Default for BodyDesc {
+    /// The defaults of the loaded library.
+    fn default() -> BodyDesc {
+        initialized(|desc| unsafe { sys::gphys_body_desc_init(desc, std::mem::size_of::<BodyDesc>() as u32) })
+    }
+}
+
+plain_shape!(Sphere, SPHERE, Sphere);
+plain_shape!(Capsule, CAPSULE, Capsule);
+plain_shape!(Aabb, AABB, Obb);
+plain_shape!(Obb, OBB, Obb);
+plain_shape!(Plane, PLANE, Plane);
+plain_shape!(Triangle, TRIANGLE, Triangle);
+plain_shape!(Frustum, FRUSTUM, Frustum);
+plain_shape!(Ray, RAY, Ray);
+plain_shape!(Segment, SEGMENT, Segment);
+
+/// A shape of any kind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum AnyShape {
+    Sphere(Sphere),
+    Capsule(Capsule),
+    Aabb(Aabb),
+    Obb(Obb),
+    Plane(Plane),
+    Triangle(Triangle),
+    Frustum(Frustum),
+    Ray(Ray),
+    Segment(Segment),
+}
+
+impl AnyShape {
+    pub(crate) fn read(kind: ShapeType, read: impl FnOnce(*mut c_void, u32) -> Result<()>) -> Result<AnyShape> {
+        match kind {
+            ShapeType::SPHERE => read_plain::<Sphere>(read),
+            ShapeType::CAPSULE => read_plain::<Capsule>(read),
+            ShapeType::AABB => read_plain::<Aabb>(read),
+            ShapeType::OBB => read_plain::<Obb>(read),
+            ShapeType::PLANE => read_plain::<Plane>(read),
+            ShapeType::TRIANGLE => read_plain::<Triangle>(read),
+            ShapeType::FRUSTUM => read_plain::<Frustum>(read),
+            ShapeType::RAY => read_plain::<Ray>(read),
+            ShapeType::SEGMENT => read_plain::<Segment>(read),
+            _ => read_plain::<Sphere>(read),
+        }
+    }
+}
+
+/// Owns a `gphys_mesh` and frees it when dropped.
+#[derive(Debug)]
+pub struct Mesh {
+    pub(crate) handle: NonNull<sys::gphys_mesh>,
+}
+
+// Functions that take a const object may run at the same time: they take &self here, all others &mut self.
+unsafe impl Send for Mesh {}
+unsafe impl Sync for Mesh {}
+
+impl Drop for Mesh {
+    fn drop(&mut self) {
+        unsafe { sys::gphys_mesh_destroy(self.handle.as_ptr()) }
+    }
+}
+
+impl Mesh {
+    /// Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
+    /// segments or points that they are, and counted in the report. 0 triangles are allowed.
+    /// * `desc`: may be NULL
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for an index out of range, an index_count that is no
+    /// multiple of 3 or a bad vertex; `gphys_mesh_check` tells which.
+    ///
+    /// Cost: O(n log n), about 1 us per triangle.
+    pub fn new<'a>(vertices: impl Into<Batch<'a, Vec3>>, indices: &[u32], desc: Option<&MeshDesc>) -> Result<Mesh> {
+        let vertices = vertices.into();
+        let indices = Batch::from(indices);
+        let mut made = null_mut();
+        check(unsafe { sys::gphys_mesh_create(pointer(desc), vertices.data, vertices.stride, vertices.count()?, indices.data, indices.count()?, &mut made) })?;
+        Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
+    }
+
+    /// What the mesh was built from.
+    pub fn get_report(&self) -> Result<MeshReport> {
+        let mut out_report = MeshReport::default();
+        check(unsafe { sys::gphys_mesh_get_report(self.handle.as_ptr(), &mut out_report) })?;
+        Ok(out_report)
+    }
+
+    /// Copy the vertices out; in their original order.
+    pub fn get_vertices(&self) -> Result<Vec<Vec3>> {
+        list(|out_vertices, capacity, total| unsafe { sys::gphys_mesh_get_vertices(self.handle.as_ptr(), out_vertices, capacity, total) })
+    }
+
+    /// Copy the indices out; in their original order.
+    pub fn get_indices(&self) -> Result<Vec<u32>> {
+        list(|out_indices, capacity, total| unsafe { sys::gphys_mesh_get_indices(self.handle.as_ptr(), out_indices, capacity, total) })
+    }
+
+    /// All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
+    /// Kept when the array is too small: the first ones.
+    ///
+    /// Returns `GPHYS_OK` (also for 0 hits)
+    pub fn raycast_all(&self, ray: &Ray) -> Result<Vec<Hit>> {
+        list(|out_hits, capacity, total| unsafe { sys::gphys_mesh_raycast_all(self.handle.as_ptr(), ray, out_hits, capacity, total) })
+    }
+
+    /// Whether a ray hits anything; cheaper than the closest hit.
+    pub fn raycast_any(&self, ray: &Ray) -> Result<bool> {
+        let mut out_hit = i32::default();
+        check(unsafe { sys::gphys_mesh_raycast_any(self.handle.as_ptr(), ray, &mut out_hit) })?;
+        Ok(out_hit != 0)
+    }
+
+    /// Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+    /// ascending. Kept when the array is too small: the lowest.
+    pub fn overlap(&self, shape: &dyn Shape) -> Result<Vec<u32>> {
+        list(|out_triangles, capacity, total| unsafe { sys::gphys_mesh_overlap(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), out_triangles, capacity, total) })
+    }
+
+    /// Cost: O(nodes).
+    pub fn get_octree_stats(&self) -> Result<OctreeStats> {
+        let mut out_stats = OctreeStats::default();
+        check(unsafe { sys::gphys_mesh_get_octree_stats(self.handle.as_ptr(), &mut out_stats) })?;
+        Ok(out_stats)
+    }
+
+    /// Boxes of the tree, each parent before its children. Kept when too many: the first.
+    pub fn get_octree_boxes(&self) -> Result<Vec<OctreeBox>> {
+        list(|out_boxes, capacity, total| unsafe { sys::gphys_mesh_get_octree_boxes(self.handle.as_ptr(), out_boxes, capacity, total) })
+    }
+
+}
+
+/// Owns a `gphys_scene` and frees it when dropped.
+#[derive(Debug)]
+pub struct Scene {
+    pub(crate) handle: NonNull<sys::gphys_scene>,
+}
+
+// Functions that take a const object may run at the same time: they take &self here, all others &mut self.
+unsafe impl Send for Scene {}
+unsafe impl Sync for Scene {}
+
+impl Drop for Scene {
+    fn drop(&mut self) {
+        unsafe { sys::gphys_scene_destroy(self.handle.as_ptr()) }
+    }
+}
+
+impl Scene {
+    /// With a worker_count of n, all batch queries of the scene (`gphys_camera_pick_batch` too), and
+    /// adding and moving many models, share their work among n threads; the results have the same bits
+    /// for every n. Without a task_runner n - 1 threads are started here and joined by
+    /// `gphys_scene_destroy`. They serve one call at a time: others that come meanwhile do their own
+    /// work. They take no signals but faults, and the floating-point settings of the thread that
+    /// created them. In a child of fork they are gone: calls there run on one thread.
+    /// * `desc`: may be NULL
+    ///
+    /// Returns `GPHYS_ERROR_OUT_OF_MEMORY` also if the threads cannot be started
+    pub fn new(desc: Option<&SceneDesc>) -> Result<Scene> {
+        let mut made = null_mut();
+        check(unsafe { sys::gphys_scene_create(pointer(desc), &mut made) })?;
+        Ok(Scene { handle: NonNull::new(made).expect("a created object") })
+    }
+
+    /// Move the point of the world that all coordinates of the scene count from, those that it is given
+    /// and those that it returns. Models stay where they are in the world: the positions of those without
+    /// a parent become what they are from there, kept in double precision and rounded to float32 once,
+    /// however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
+    /// and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
+    /// * `origin`: x, y, z in the world, within `GPHYS_MAX_COORDINATE`; before the first call 0 0 0
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` also if a model would leave the range of coordinates
+    ///
+    /// Cost: that of `gphys_scene_set_transforms` of all models, and 24 bytes a model from the first call
+    /// on. Queries cost nothing more.
+    pub fn set_origin(&mut self, origin: &[f64; 3]) -> Result<()> {
+        check(unsafe { sys::gphys_scene_set_origin(self.handle.as_ptr(), origin.as_ptr()) })
+    }
+
+    /// Where in the world the scene's coordinates count from.
+    pub fn get_origin(&self) -> Result<[f64; 3]> {
+        let mut out_origin = [f64::default(); 3];
+        check(unsafe { sys::gphys_scene_get_origin(self.handle.as_ptr(), out_origin.as_mut_ptr()) })?;
+        Ok(out_origin)
+    }
+
+    /// Add a model.
+    /// * `type`: sphere, capsule, AABB, OBB, plane, triangle or mesh
+    /// * `shape`: in the model's own coordinates
+    /// * `transform`: local; NULL is the identity
+    /// * `desc`: NULL: no parent, layer 1, tag 0
+    ///
+    /// Returns `GPHYS_ERROR_UNSUPPORTED` for another type, `GPHYS_ERROR_INVALID_ID` for a stale parent,
+    /// `GPHYS_ERROR_CAPACITY`
+    ///
+    /// Cost: O(log n) amortised.
+    pub fn add(&mut self, shape: &dyn Shape, transform: Option<&Transform>, desc: Option<&ModelDesc>) -> Result<ModelId> {
+        let mut out_model = ModelId::default();
+        check(unsafe { sys::gphys_scene_add(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), pointer(transform), pointer(desc), &mut out_model) })?;
+        Ok(out_model)
+    }
+
+    /// Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
+    /// needs shape_stride 0). transforms may be NULL. out_models has count elements.
+    pub fn add_batch<'a>(&mut self, shapes: impl Into<Shapes<'a>>, transforms: impl Into<Batch<'a, Transform>>, desc: Option<&ModelDesc>, out_models: &mut [ModelId]) -> Result<()> {
+        let shapes = shapes.into();
+        let transforms = transforms.into();
+        let out_models = BatchMut::from(out_models);
+        let count = common_length(&[shapes.length, transforms.length])?;
+        out_models.require(count.into())?;
+        check(unsafe { sys::gphys_scene_add_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, transforms.data, transforms.stride, count, pointer(desc), out_models.data) })
+    }
+
+    /// Remove a model. Its children stay where they are in the world and lose their parent.
+    pub fn remove(&mut self, model: ModelId) -> Result<()> {
+        check(unsafe { sys::gphys_scene_remove(self.handle.as_ptr(), model) })
+    }
+
+    /// Remove models, all or none. An id that stands twice is `GPHYS_ERROR_INVALID_ID`.
+    pub fn remove_batch(&mut self, models: &[ModelId]) -> Result<()> {
+        let models = Batch::from(models);
+        let count = common_length(&[models.length])?;
+        check(unsafe { sys::gphys_scene_remove_batch(self.handle.as_ptr(), models.data, count) })
+    }
+
+    /// Remove a model and all its descendants.
+    pub fn remove_subtree(&mut self, model: ModelId) -> Result<()> {
+        check(unsafe { sys::gphys_scene_remove_subtree(self.handle.as_ptr(), model) })
+    }
+
+    /// Remove all. Ids given out before stay invalid.
+    pub fn clear(&mut self) -> Result<()> {
+        check(unsafe { sys::gphys_scene_clear(self.handle.as_ptr()) })
+    }
+
+    /// Ids of all models, ascending. Kept when too many: the lowest.
+    pub fn get_models(&self) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_scene_get_models(self.handle.as_ptr(), out_models, capacity, total) })
+    }
+
+    /// Kind, parent, layers, tag and number of children of a model.
+    pub fn get_info(&self, model: ModelId) -> Result<ModelInfo> {
+        let mut out_info = ModelInfo::default();
+        check(unsafe { sys::gphys_scene_get_info(self.handle.as_ptr(), model, &mut out_info) })?;
+        Ok(out_info)
+    }
+
+    /// World box of a model; `GPHYS_UNBOUNDED` for a plane. That of an empty mesh is its position.
+    pub fn get_bounds(&self, model: ModelId) -> Result<Option<Aabb>> {
+        let mut out_bounds = Aabb::default();
+        Ok(found(unsafe { sys::gphys_scene_get_bounds(self.handle.as_ptr(), model, &mut out_bounds) })?.then_some(out_bounds))
+    }
+
+    /// World box of all bounded models; `GPHYS_NO_HIT` if there are none. Planes are left out.
+    pub fn get_scene_bounds(&self) -> Result<Option<Aabb>> {
+        let mut out_bounds = Aabb::default();
+        Ok(found(unsafe { sys::gphys_scene_get_scene_bounds(self.handle.as_ptr(), &mut out_bounds) })?.then_some(out_bounds))
+    }
+
+    /// Change which queries see a model, or what its hits report. Children are not affected.
+    pub fn set_layers(&mut self, model: ModelId, layers: u32) -> Result<()> {
+        check(unsafe { sys::gphys_scene_set_layers(self.handle.as_ptr(), model, layers) })
+    }
+
+    /// Change which queries see a model, or what its hits report. Children are not affected.
+    pub fn set_tag(&mut self, model: ModelId, tag: u32) -> Result<()> {
+        check(unsafe { sys::gphys_scene_set_tag(self.handle.as_ptr(), model, tag) })
+    }
+
+    /// Hang a model below another one, or below none (0).
+    /// * `keep_world`: 0: the local transform is kept, the model jumps; 1: the local transform is
+    ///   changed so that the world transform stays (within float32 rounding)
+    ///
+    /// Returns `GPHYS_ERROR_CYCLE` if parent is the model or one of its descendants
+    pub fn set_parent(&mut self, model: ModelId, parent: ModelId, keep_world: bool) -> Result<()> {
+        let keep_world = i32::from(keep_world);
+        check(unsafe { sys::gphys_scene_set_parent(self.handle.as_ptr(), model, parent, keep_world) })
+    }
+
+    /// Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.
+    pub fn set_transform(&mut self, model: ModelId, transform: &Transform) -> Result<()> {
+        check(unsafe { sys::gphys_scene_set_transform(self.handle.as_ptr(), model, transform) })
+    }
+
+    /// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    /// that moves when few move, O(n) when many do.
+    pub fn set_transforms<'a>(&mut self, models: &[ModelId], transforms: impl Into<Batch<'a, Transform>>) -> Result<()> {
+        let models = Batch::from(models);
+        let transforms = transforms.into();
+        let count = common_length(&[models.length, transforms.length])?;
+        check(unsafe { sys::gphys_scene_set_transforms(self.handle.as_ptr(), models.data, transforms.data, transforms.stride, count) })
+    }
+
+    /// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    /// that moves when few move, O(n) when many do.
+    pub fn get_transforms<'a>(&self, models: &[ModelId], out_transforms: impl Into<BatchMut<'a, Transform>>) -> Result<()> {
+        let models = Batch::from(models);
+        let out_transforms = out_transforms.into();
+        let count = common_length(&[models.length])?;
+        out_transforms.require(count.into())?;
+        check(unsafe { sys::gphys_scene_get_transforms(self.handle.as_ptr(), models.data, count, out_transforms.data, out_transforms.stride) })
+    }
+
+    /// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+    /// that moves when few move, O(n) when many do.
+    pub fn get_world_transforms<'a>(&self, models: &[ModelId], out_transforms: impl Into<BatchMut<'a, Transform>>) -> Result<()> {
+        let models = Batch::from(models);
+        let out_transforms = out_transforms.into();
+        let count = common_length(&[models.length])?;
+        out_transforms.require(count.into())?;
+        check(unsafe { sys::gphys_scene_get_world_transforms(self.handle.as_ptr(), models.data, count, out_transforms.data, out_transforms.stride) })
+    }
+
+    /// Closest model on a ray; the fields are exact as in `gphys_shape_raycast`.
+    ///
+    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    pub fn raycast(&self, ray: &Ray, layers: u32) -> Result<Option<Hit>> {
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_scene_raycast(self.handle.as_ptr(), ray, layers, &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// Closest model on a ray; the fields are exact as in `gphys_shape_raycast`.
+    ///
+    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    pub fn raycast_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let rays = rays.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[rays.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_raycast_batch(self.handle.as_ptr(), rays.data, rays.stride, count, layers, out_hits.data, out_hits.stride) })
+    }
+
+    /// Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    pub fn raycast_any(&self, ray: &Ray, layers: u32) -> Result<bool> {
+        let mut out_hit = i32::default();
+        check(unsafe { sys::gphys_scene_raycast_any(self.handle.as_ptr(), ray, layers, &mut out_hit) })?;
+        Ok(out_hit != 0)
+    }
+
+    /// Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    pub fn raycast_any_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
+        let rays = rays.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[rays.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_raycast_any_batch(self.handle.as_ptr(), rays.data, rays.stride, count, layers, out_hits.data, out_hits.stride) })
+    }
+
+    /// Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
+    /// the first.
+    pub fn raycast_all(&self, ray: &Ray, layers: u32) -> Result<Vec<Hit>> {
+        list(|out_hits, capacity, total| unsafe { sys::gphys_scene_raycast_all(self.handle.as_ptr(), ray, layers, out_hits, capacity, total) })
+    }
+
+    /// The hits of ray i stand at `out_hits[out_offsets[i]]` up to out_offsets[i + 1].
+    /// * `out_offsets`: count + 1 numbers, always complete, so that a second call can have enough
+    ///   room. Where a ray's range crosses capacity, its first hits are written.
+    ///   What stands in out_hits behind the last hit afterwards is unspecified.
+    ///
+    /// Returns `GPHYS_OK`, or `GPHYS_INCOMPLETE` if `out_offsets[count]` > capacity
+    pub fn raycast_all_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32) -> Result<Ragged<Hit>> {
+        let rays = rays.into();
+        let count = common_length(&[rays.length])?;
+        ragged(count, |out_hits, capacity, offsets| unsafe { sys::gphys_scene_raycast_all_batch(self.handle.as_ptr(), rays.data, rays.stride, count, layers, out_hits, capacity, offsets) })
+    }
+
+    /// Closest model along a segment from a to b, both included; t in 0..1.
+    pub fn segment_test(&self, segment: &Segment, layers: u32) -> Result<Option<Hit>> {
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_scene_segment_test(self.handle.as_ptr(), segment, layers, &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// Closest model along a segment from a to b, both included; t in 0..1.
+    pub fn segment_test_batch<'a>(&self, segments: impl Into<Batch<'a, Segment>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let segments = segments.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[segments.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_segment_test_batch(self.handle.as_ptr(), segments.data, segments.stride, count, layers, out_hits.data, out_hits.stride) })
+    }
+
+    /// Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+    /// ascending. Kept when too many: the lowest.
+    pub fn overlap(&self, shape: &dyn Shape, layers: u32) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_scene_overlap(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), layers, out_models, capacity, total) })
+    }
+
+    /// Offsets as in `gphys_scene_raycast_all_batch`.
+    pub fn overlap_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, layers: u32) -> Result<Ragged<ModelId>> {
+        let shapes = shapes.into();
+        let count = common_length(&[shapes.length])?;
+        ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_overlap_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, layers, out_models, capacity, offsets) })
+    }
+
+    /// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
+    /// own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
+    /// per cent more are listed, which `gphys_scene_overlap` sorts out by testing the shapes. Kept when
+    /// too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
+    /// as scratch memory to order them.
+    pub fn cull(&self, frustum: &Frustum, layers: u32) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_scene_cull(self.handle.as_ptr(), frustum, layers, out_models, capacity, total) })
+    }
+
+    /// The model nearest to a point, and its closest point.
+    /// * `max_distance`: >= 0, INFINITY allowed; a model at exactly this distance counts
+    ///
+    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    pub fn nearest(&self, point: impl Into<Vec3>, max_distance: f32, layers: u32) -> Result<Option<Nearest>> {
+        let point = &point.into();
+        let mut out_nearest = Nearest::default();
+        Ok(found(unsafe { sys::gphys_scene_nearest(self.handle.as_ptr(), point, max_distance, layers, &mut out_nearest) })?.then_some(out_nearest))
+    }
+
+    /// The model nearest to a point, and its closest point.
+    /// * `max_distance`: >= 0, INFINITY allowed; a model at exactly this distance counts
+    ///
+    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    pub fn nearest_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, max_distance: f32, layers: u32, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
+        let points = points.into();
+        let out_nearest = out_nearest.into();
+        let count = common_length(&[points.length])?;
+        out_nearest.require(count.into())?;
+        check(unsafe { sys::gphys_scene_nearest_batch(self.handle.as_ptr(), points.data, points.stride, count, max_distance, layers, out_nearest.data, out_nearest.stride) })
+    }
+
+    /// First model that a sphere touches while it moves by displacement; t in 0..1.
+    /// Fields as in `gphys_shape_sweep_sphere`.
+    pub fn sweep_sphere(&self, sphere: &Sphere, displacement: impl Into<Vec3>, layers: u32) -> Result<Option<Hit>> {
+        let displacement = &displacement.into();
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_scene_sweep_sphere(self.handle.as_ptr(), sphere, displacement, layers, &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// First model that a sphere touches while it moves by displacement; t in 0..1.
+    /// Fields as in `gphys_shape_sweep_sphere`.
+    pub fn sweep_sphere_batch<'a>(&self, spheres: impl Into<Batch<'a, Sphere>>, displacements: impl Into<Batch<'a, Vec3>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let spheres = spheres.into();
+        let displacements = displacements.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[spheres.length, displacements.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_sweep_sphere_batch(self.handle.as_ptr(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, layers, out_hits.data, out_hits.stride) })
+    }
+
+    /// Cost: O(nodes).
+    pub fn get_octree_stats(&self) -> Result<OctreeStats> {
+        let mut out_stats = OctreeStats::default();
+        check(unsafe { sys::gphys_scene_get_octree_stats(self.handle.as_ptr(), &mut out_stats) })?;
+        Ok(out_stats)
+    }
+
+    /// Boxes of the tree, each parent before its children. Kept when too many: the first.
+    pub fn get_octree_boxes(&self) -> Result<Vec<OctreeBox>> {
+        list(|out_boxes, capacity, total| unsafe { sys::gphys_scene_get_octree_boxes(self.handle.as_ptr(), out_boxes, capacity, total) })
+    }
+
+    /// Check the scene's own structure: every model once in the tree, every box around its content,
+    /// parents and children in agreement, free slots free. For tests; O(n).
+    ///
+    /// Returns `GPHYS_OK`, or `GPHYS_ERROR_INTERNAL` and `gphys_last_error()` says what is wrong
+    pub fn validate(&self) -> Result<()> {
+        check(unsafe { sys::gphys_scene_validate(self.handle.as_ptr()) })
+    }
+
+}
+
+/// Owns a `gphys_camera` and frees it when dropped.
+#[derive(Debug)]
+pub struct Camera {
+    pub(crate) handle: NonNull<sys::gphys_camera>,
+}
+
+// Functions that take a const object may run at the same time: they take &self here, all others &mut self.
+unsafe impl Send for Camera {}
+unsafe impl Sync for Camera {}
+
+impl Drop for Camera {
+    fn drop(&mut self) {
+        unsafe { sys::gphys_camera_destroy(self.handle.as_ptr()) }
+    }
+}
+
+impl Camera {
+    /// * `desc`: may be NULL
+    pub fn new(desc: Option<&CameraDesc>) -> Result<Camera> {
+        let mut made = null_mut();
+        check(unsafe { sys::gphys_camera_create(pointer(desc), &mut made) })?;
+        Ok(Camera { handle: NonNull::new(made).expect("a created object") })
+    }
+
+    /// Move the point of the world that the camera's coordinates count from; see `gphys_scene_set_origin`.
+    /// The camera and the target of its orbit stay where they are in the world. Picking and culling need a
+    /// scene of the same origin, else they return `GPHYS_ERROR_INVALID_ARGUMENT`.
+    pub fn set_origin(&mut self, origin: &[f64; 3]) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_origin(self.handle.as_ptr(), origin.as_ptr()) })
+    }
+
+    /// Where in the world the camera's coordinates count from.
+    pub fn get_origin(&self) -> Result<[f64; 3]> {
+        let mut out_origin = [f64::default(); 3];
+        check(unsafe { sys::gphys_camera_get_origin(self.handle.as_ptr(), out_origin.as_mut_ptr()) })?;
+        Ok(out_origin)
+    }
+
+    /// * `fov_y`: full vertical angle, 1e-6 <= fov_y < pi
+    /// * `near_distance`: > 0
+    /// * `far_distance`: > near_distance; INFINITY allowed
+    pub fn set_perspective(&mut self, fov_y: f32, near_distance: f32, far_distance: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_perspective(self.handle.as_ptr(), fov_y, near_distance, far_distance) })
+    }
+
+    /// * `height`: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    /// * `near_distance, far_distance`: far at least 1e-6 above near, which may be negative
+    pub fn set_orthographic(&mut self, height: f32, near_distance: f32, far_distance: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_orthographic(self.handle.as_ptr(), height, near_distance, far_distance) })
+    }
+
+    /// Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
+    /// library's). It is not changed by `gphys_camera_set_viewport`.
+    ///
+    /// Returns `GPHYS_ERROR_SINGULAR` if it has no inverse, or is too close to such a matrix to tell;
+    /// `GPHYS_ERROR_INVALID_ARGUMENT` if a plane other than far lies at infinity, as it does when
+    /// the matrix is for another depth range
+    pub fn set_projection(&mut self, projection: &Mat4) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_projection(self.handle.as_ptr(), projection) })
+    }
+
+    /// The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height.
+    pub fn set_viewport(&mut self, width: f32, height: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_viewport(self.handle.as_ptr(), width, height) })
+    }
+
+    /// Place the camera.
+    pub fn set_transform(&mut self, position: impl Into<Vec3>, rotation: impl Into<Quat>) -> Result<()> {
+        let position = &position.into();
+        let rotation = &rotation.into();
+        check(unsafe { sys::gphys_camera_set_transform(self.handle.as_ptr(), position, rotation) })
+    }
+
+    /// Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
+    /// kept, then up), so that a matrix which drifted is mended.
+    ///
+    /// Returns `GPHYS_ERROR_SINGULAR` if the axes do not span space, `GPHYS_ERROR_INVALID_ARGUMENT` if
+    /// they mirror or the last row is not 0 0 0 1
+    pub fn set_world_matrix(&mut self, world: &Mat4) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_world_matrix(self.handle.as_ptr(), world) })
+    }
+
+    /// Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
+    /// chosen in its place, always the same for the same input.
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` if eye equals target or up is zero
+    pub fn look_at(&mut self, eye: impl Into<Vec3>, target: impl Into<Vec3>, up: impl Into<Vec3>) -> Result<()> {
+        let eye = &eye.into();
+        let target = &target.into();
+        let up = &up.into();
+        check(unsafe { sys::gphys_camera_look_at(self.handle.as_ptr(), eye, target, up) })
+    }
+
+    /// Where the camera stands and how it is turned.
+    pub fn get_transform(&self) -> Result<(Vec3, Quat)> {
+        let mut out_position = Vec3::default();
+        let mut out_rotation = Quat::default();
+        check(unsafe { sys::gphys_camera_get_transform(self.handle.as_ptr(), &mut out_position, &mut out_rotation) })?;
+        Ok((out_position, out_rotation))
+    }
+
+    /// Camera to world.
+    pub fn get_world_matrix(&self) -> Result<Mat4> {
+        let mut out_world = Mat4::default();
+        check(unsafe { sys::gphys_camera_get_world_matrix(self.handle.as_ptr(), &mut out_world) })?;
+        Ok(out_world)
+    }
+
+    /// World to camera: the transpose of the orthonormal world axes, and the position through them.
+    pub fn get_view_matrix(&self) -> Result<Mat4> {
+        let mut out_view = Mat4::default();
+        check(unsafe { sys::gphys_camera_get_view_matrix(self.handle.as_ptr(), &mut out_view) })?;
+        Ok(out_view)
+    }
+
+    /// Camera to clip space.
+    pub fn get_projection_matrix(&self) -> Result<Mat4> {
+        let mut out_projection = Mat4::default();
+        check(unsafe { sys::gphys_camera_get_projection_matrix(self.handle.as_ptr(), &mut out_projection) })?;
+        Ok(out_projection)
+    }
+
+    /// Projection * view, multiplied in double precision and rounded once.
+    pub fn get_view_projection_matrix(&self) -> Result<Mat4> {
+        let mut out_view_projection = Mat4::default();
+        check(unsafe { sys::gphys_camera_get_view_projection_matrix(self.handle.as_ptr(), &mut out_view_projection) })?;
+        Ok(out_view_projection)
+    }
+
+    /// Start orbiting with these settings; places the camera at once and drops pending input. An angle
+    /// or a distance outside its limits is brought inside.
+    pub fn set_orbit(&mut self, orbit: &Orbit) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_orbit(self.handle.as_ptr(), orbit) })
+    }
+
+    /// The present settings, angles and distance.
+    ///
+    /// Returns `GPHYS_ERROR_UNSUPPORTED` if the camera was never set to orbit
+    pub fn get_orbit(&self) -> Result<Orbit> {
+        let mut out_orbit = Orbit::default();
+        check(unsafe { sys::gphys_camera_get_orbit(self.handle.as_ptr(), &mut out_orbit) })?;
+        Ok(out_orbit)
+    }
+
+    /// Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size.
+    pub fn orbit_rotate(&mut self, units_x: f32, units_y: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_orbit_rotate(self.handle.as_ptr(), units_x, units_y) })
+    }
+
+    /// Add input: come closer by units times metres_per_unit (go back if negative).
+    pub fn orbit_zoom(&mut self, units: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_orbit_zoom(self.handle.as_ptr(), units) })
+    }
+
+    /// Add input: move the target to the camera's right and up, as the last update left them, by units
+    /// times metres_per_unit.
+    pub fn orbit_pan(&mut self, units_right: f32, units_up: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_orbit_pan(self.handle.as_ptr(), units_right, units_up) })
+    }
+
+    /// Apply the input since the last update, within the limits, and place the camera. Angles are
+    /// wrapped to -pi .. pi in constant time. The orbit's settings must have been set.
+    pub fn orbit_update(&mut self) -> Result<()> {
+        check(unsafe { sys::gphys_camera_orbit_update(self.handle.as_ptr()) })
+    }
+
+    /// The seen volume, with origin at the camera's position and planes from its parameters: each
+    /// number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double.
+    pub fn get_frustum(&self) -> Result<Frustum> {
+        let mut out_frustum = Frustum::default();
+        check(unsafe { sys::gphys_camera_get_frustum(self.handle.as_ptr(), &mut out_frustum) })?;
+        Ok(out_frustum)
+    }
+
+    /// World positions of its corners, in the order of `gphys_frustum_corners`.
+    ///
+    /// Returns `GPHYS_UNBOUNDED` with an infinite far plane
+    pub fn get_corners(&self) -> Result<Option<[Vec3; 8]>> {
+        let mut out_corners = [Vec3::default(); 8];
+        Ok(found(unsafe { sys::gphys_camera_get_corners(self.handle.as_ptr(), out_corners.as_mut_ptr()) })?.then_some(out_corners))
+    }
+
+    /// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
+    /// depth in the camera's range.
+    ///
+    /// Returns `GPHYS_NO_HIT` if the point is not in front of the camera's centre (no image), or its
+    /// image lies beyond the range of coordinates
+    pub fn project(&self, point: impl Into<Vec3>) -> Result<Option<Vec3>> {
+        let point = &point.into();
+        let mut out_pixel = Vec3::default();
+        Ok(found(unsafe { sys::gphys_camera_project(self.handle.as_ptr(), point, &mut out_pixel) })?.then_some(out_pixel))
+    }
+
+    /// The same for count points; a point without an image gets x = y = z = INFINITY.
+    pub fn project_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, out_pixels: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
+        let points = points.into();
+        let out_pixels = out_pixels.into();
+        let count = common_length(&[points.length])?;
+        out_pixels.require(count.into())?;
+        check(unsafe { sys::gphys_camera_project_batch(self.handle.as_ptr(), points.data, points.stride, count, out_pixels.data, out_pixels.stride) })
+    }
+
+    /// Pixel and depth to world point: the inverse of `gphys_camera_project`.
+    ///
+    /// Returns `GPHYS_UNBOUNDED` for the depth of an infinite far plane, and for points beyond that or
+    /// beyond the range of coordinates
+    pub fn unproject(&self, pixel: impl Into<Vec3>) -> Result<Option<Vec3>> {
+        let pixel = &pixel.into();
+        let mut out_point = Vec3::default();
+        Ok(found(unsafe { sys::gphys_camera_unproject(self.handle.as_ptr(), pixel, &mut out_point) })?.then_some(out_point))
+    }
+
+    /// The same for count pixels; one at infinity gets x = y = z = INFINITY.
+    pub fn unproject_batch<'a>(&self, pixels: impl Into<Batch<'a, Vec3>>, out_points: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
+        let pixels = pixels.into();
+        let out_points = out_points.into();
+        let count = common_length(&[pixels.length])?;
+        out_points.require(count.into())?;
+        check(unsafe { sys::gphys_camera_unproject_batch(self.handle.as_ptr(), pixels.data, pixels.stride, count, out_points.data, out_points.stride) })
+    }
+
+    /// The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
+    /// on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
+    /// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+    /// near as half an ulp of a direction can be; `gphys_camera_pick` is not so limited.
+    /// For perspective the stretch before the near plane is part of the ray. Pixels outside the
+    /// viewport are allowed.
+    ///
+    /// Returns `GPHYS_UNBOUNDED` if the line of sight does not meet the near plane (user projections)
+    pub fn pick_ray(&self, pixel_x: f32, pixel_y: f32) -> Result<Option<Ray>> {
+        let mut out_ray = Ray::default();
+        Ok(found(unsafe { sys::gphys_camera_pick_ray(self.handle.as_ptr(), pixel_x, pixel_y, &mut out_ray) })?.then_some(out_ray))
+    }
+
+    /// Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32.
+    pub fn pick_rays<'a>(&self, x: u32, y: u32, width: u32, height: u32, out_rays: impl Into<BatchMut<'a, Ray>>) -> Result<()> {
+        let out_rays = out_rays.into();
+        out_rays.require(u64::from(width) * u64::from(height))?;
+        check(unsafe { sys::gphys_camera_pick_rays(self.handle.as_ptr(), x, y, width, height, out_rays.data, out_rays.stride) })
+    }
+
+    /// The model under a pixel: the first hit of `gphys_camera_pick_ray`, before that is rounded to
+    /// float32; t is in metres.
+    ///
+    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    pub fn pick(&self, scene: &Scene, pixel_x: f32, pixel_y: f32, layers: u32) -> Result<Option<Hit>> {
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_camera_pick(self.handle.as_ptr(), scene.handle.as_ptr(), pixel_x, pixel_y, layers, &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.
+    pub fn pick_batch<'a>(&self, scene: &Scene, pixels: impl Into<Batch<'a, [f32; 2]>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let pixels = pixels.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[pixels.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_camera_pick_batch(self.handle.as_ptr(), scene.handle.as_ptr(), pixels.data, pixels.stride, count, layers, out_hits.data, out_hits.stride) })
+    }
+
+    /// Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
+    /// rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` if the rectangle has no area
+    pub fn pick_rectangle(&self, scene: &Scene, x0: f32, y0: f32, x1: f32, y1: f32, layers: u32) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_camera_pick_rectangle(self.handle.as_ptr(), scene.handle.as_ptr(), x0, y0, x1, y1, layers, out_models, capacity, total) })
+    }
+
+    /// `gphys_scene_cull` with the camera's frustum.
+    pub fn cull(&self, scene: &Scene, layers: u32) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_camera_cull(self.handle.as_ptr(), scene.handle.as_ptr(), layers, out_models, capacity, total) })
+    }
+
+}
+
+/// Owns a `gphys_solver` and frees it when dropped.
+#[derive(Debug)]
+pub struct Solver {
+    pub(crate) handle: NonNull<sys::gphys_solver>,
+}
+
+// Functions that take a const object may run at the same time: they take &self here, all others &mut self.
+unsafe impl Send for Solver {}
+unsafe impl Sync for Solver {}
+
+impl Drop for Solver {
+    fn drop(&mut self) {
+        unsafe { sys::gphys_solver_destroy(self.handle.as_ptr()) }
+    }
+}
+
+impl Solver {
+    /// * `desc`: may be NULL
+    pub fn new(desc: Option<&SolverDesc>) -> Result<Solver> {
+        let mut made = null_mut();
+        check(unsafe { sys::gphys_solver_create(pointer(desc), &mut made) })?;
+        Ok(Solver { handle: NonNull::new(made).expect("a created object") })
+    }
+
+    /// Move the point of the world that the coordinates of all particles count from; see
+    /// `gphys_scene_set_origin`. Particles stay where they are in the world and keep moving as they do. A
+    /// step and an attachment need a scene of the same origin, else they return
+    /// `GPHYS_ERROR_INVALID_ARGUMENT`. Cost: O(particles).
+    pub fn set_origin(&mut self, origin: &[f64; 3]) -> Result<()> {
+        check(unsafe { sys::gphys_solver_set_origin(self.handle.as_ptr(), origin.as_ptr()) })
+    }
+
+    /// Where in the world the particles' coordinates count from.
+    pub fn get_origin(&self) -> Result<[f64; 3]> {
+        let mut out_origin = [f64::default(); 3];
+        check(unsafe { sys::gphys_solver_get_origin(self.handle.as_ptr(), out_origin.as_mut_ptr()) })?;
+        Ok(out_origin)
+    }
+
+    /// m/s^2, from the next step on.
+    pub fn set_gravity(&mut self, gravity: impl Into<Vec3>) -> Result<()> {
+        let gravity = &gravity.into();
+        check(unsafe { sys::gphys_solver_set_gravity(self.handle.as_ptr(), gravity) })
+    }
+
+    /// 1 .. 1000. More substeps: smaller errors, proportionally more time.
+    pub fn set_substeps(&mut self, substeps: u32) -> Result<()> {
+        check(unsafe { sys::gphys_solver_set_substeps(self.handle.as_ptr(), substeps) })
+    }
+
+    /// Add particles without constraints.
+    /// * `desc`: may be NULL
+    /// * `positions`: count elements, count >= 1
+    pub fn add_particles<'a>(&mut self, positions: impl Into<Batch<'a, Vec3>>, desc: Option<&BodyDesc>) -> Result<BodyId> {
+        let positions = positions.into();
+        let count = common_length(&[positions.length])?;
+        let mut out_body = BodyId::default();
+        check(unsafe { sys::gphys_solver_add_particles(self.handle.as_ptr(), pointer(desc), positions.data, positions.stride, count, &mut out_body) })?;
+        Ok(out_body)
+    }
+
+    /// Add a rope through the given points, one particle at each.
+    /// * `count`: >= 2
+    /// * `link_length`: rest length of each link in metres; 0: as placed
+    pub fn add_rope<'a>(&mut self, positions: impl Into<Batch<'a, Vec3>>, link_length: f32, desc: Option<&BodyDesc>) -> Result<BodyId> {
+        let positions = positions.into();
+        let count = common_length(&[positions.length])?;
+        let mut out_body = BodyId::default();
+        check(unsafe { sys::gphys_solver_add_rope(self.handle.as_ptr(), pointer(desc), positions.data, positions.stride, count, link_length, &mut out_body) })?;
+        Ok(out_body)
+    }
+
+    /// Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
+    /// corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    /// * `columns, rows`: >= 2
+    pub fn add_cloth(&mut self, corner: impl Into<Vec3>, edge_u: impl Into<Vec3>, edge_v: impl Into<Vec3>, columns: u32, rows: u32, desc: Option<&BodyDesc>) -> Result<BodyId> {
+        let corner = &corner.into();
+        let edge_u = &edge_u.into();
+        let edge_v = &edge_v.into();
+        let mut out_body = BodyId::default();
+        check(unsafe { sys::gphys_solver_add_cloth(self.handle.as_ptr(), pointer(desc), corner, edge_u, edge_v, columns, rows, &mut out_body) })?;
+        Ok(out_body)
+    }
+
+    /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+    /// with `GPHYS_CLOTH_BEND` one across each inner edge. Vertices at the same place stay separate.
+    /// * `transform`: places the mesh; may be NULL
+    pub fn add_cloth_mesh(&mut self, mesh: &Mesh, transform: Option<&Transform>, desc: Option<&BodyDesc>) -> Result<BodyId> {
+        let mut out_body = BodyId::default();
+        check(unsafe { sys::gphys_solver_add_cloth_mesh(self.handle.as_ptr(), pointer(desc), mesh.handle.as_ptr(), pointer(transform), &mut out_body) })?;
+        Ok(out_body)
+    }
+
+    /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+    /// with `GPHYS_CLOTH_BEND` one across each inner edge. Vertices at the same place stay separate.
+    /// * `transform`: places the mesh; may be NULL
+    pub fn remove_body(&mut self, body: BodyId) -> Result<()> {
+        check(unsafe { sys::gphys_solver_remove_body(self.handle.as_ptr(), body) })
+    }
+
+    /// Ids of all bodies, ascending. Kept when too many: the lowest.
+    pub fn get_bodies(&self) -> Result<Vec<BodyId>> {
+        list(|out_bodies, capacity, total| unsafe { sys::gphys_solver_get_bodies(self.handle.as_ptr(), out_bodies, capacity, total) })
+    }
+
+    /// What a body is made of and how it is solved.
+    pub fn get_body_info(&self, body: BodyId) -> Result<BodyInfo> {
+        let mut out_info = BodyInfo::default();
+        check(unsafe { sys::gphys_solver_get_body_info(self.handle.as_ptr(), body, &mut out_info) })?;
+        Ok(out_info)
+    }
+
+    /// Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.
+    pub fn get_triangles(&self, body: BodyId) -> Result<Vec<u32>> {
+        list(|out_indices, capacity, total| unsafe { sys::gphys_solver_get_triangles(self.handle.as_ptr(), body, out_indices, capacity, total) })
+    }
+
+    /// Metres.
+    pub fn get_positions<'a>(&self, body: BodyId, first: u32, out_positions: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
+        let out_positions = out_positions.into();
+        let count = out_positions.count()?;
+        check(unsafe { sys::gphys_solver_get_positions(self.handle.as_ptr(), body, first, count, out_positions.data, out_positions.stride) })
+    }
+
+    /// Moves particles there at once and without collision on the way; velocities stay as they are.
+    pub fn set_positions<'a>(&mut self, body: BodyId, first: u32, positions: impl Into<Batch<'a, Vec3>>) -> Result<()> {
+        let positions = positions.into();
+        let count = common_length(&[positions.length])?;
+        check(unsafe { sys::gphys_solver_set_positions(self.handle.as_ptr(), body, first, count, positions.data, positions.stride) })
+    }
+
+    /// m/s
+    pub fn get_velocities<'a>(&self, body: BodyId, first: u32, out_velocities: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
+        let out_velocities = out_velocities.into();
+        let count = out_velocities.count()?;
+        check(unsafe { sys::gphys_solver_get_velocities(self.handle.as_ptr(), body, first, count, out_velocities.data, out_velocities.stride) })
+    }
+
+    /// m/s
+    pub fn set_velocities<'a>(&mut self, body: BodyId, first: u32, velocities: impl Into<Batch<'a, Vec3>>) -> Result<()> {
+        let velocities = velocities.into();
+        let count = common_length(&[velocities.length])?;
+        check(unsafe { sys::gphys_solver_set_velocities(self.handle.as_ptr(), body, first, count, velocities.data, velocities.stride) })
+    }
+
+    /// kg, > 0. A pinned particle keeps its mass for the time when it is released.
+    pub fn get_masses<'a>(&self, body: BodyId, first: u32, out_masses: impl Into<BatchMut<'a, f32>>) -> Result<()> {
+        let out_masses = out_masses.into();
+        let count = out_masses.count()?;
+        check(unsafe { sys::gphys_solver_get_masses(self.handle.as_ptr(), body, first, count, out_masses.data, out_masses.stride) })
+    }
+
+    /// kg, > 0. A pinned particle keeps its mass for the time when it is released.
+    pub fn set_masses<'a>(&mut self, body: BodyId, first: u32, masses: impl Into<Batch<'a, f32>>) -> Result<()> {
+        let masses = masses.into();
+        let count = common_length(&[masses.length])?;
+        check(unsafe { sys::gphys_solver_set_masses(self.handle.as_ptr(), body, first, count, masses.data, masses.stride) })
+    }
+
+    /// Collision radius, metres, >= 0.
+    pub fn set_radii<'a>(&mut self, body: BodyId, first: u32, radii: impl Into<Batch<'a, f32>>) -> Result<()> {
+        let radii = radii.into();
+        let count = common_length(&[radii.length])?;
+        check(unsafe { sys::gphys_solver_set_radii(self.handle.as_ptr(), body, first, count, radii.data, radii.stride) })
+    }
+
+    /// Forces in newtons that act beside gravity, from now on until set again.
+    pub fn set_forces<'a>(&mut self, body: BodyId, first: u32, forces: impl Into<Batch<'a, Vec3>>) -> Result<()> {
+        let forces = forces.into();
+        let count = common_length(&[forces.length])?;
+        check(unsafe { sys::gphys_solver_set_forces(self.handle.as_ptr(), body, first, count, forces.data, forces.stride) })
+    }
+
+    /// Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+    /// `gphys_solver_set_positions`; its speed is 0. Both pinning and releasing end an attachment.
+    pub fn set_pinned(&mut self, body: BodyId, first: u32, count: u32, pinned: bool) -> Result<()> {
+        let pinned = i32::from(pinned);
+        check(unsafe { sys::gphys_solver_set_pinned(self.handle.as_ptr(), body, first, count, pinned) })
+    }
+
+    /// Fix a particle to a model: it follows the model's transform in each step, and is released when
+    /// the model is gone. Steps must then be given this scene.
+    /// * `local_point`: in the model's coordinates; NULL: where the particle is now
+    pub fn attach(&mut self, scene: &Scene, body: BodyId, particle: u32, model: ModelId, local_point: Option<&Vec3>) -> Result<()> {
+        check(unsafe { sys::gphys_solver_attach(self.handle.as_ptr(), scene.handle.as_ptr(), body, particle, model, pointer(local_point)) })
+    }
+
+    /// Release an attached particle.
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` if it is not attached
+    pub fn detach(&mut self, body: BodyId, particle: u32) -> Result<()> {
+        check(unsafe { sys::gphys_solver_detach(self.handle.as_ptr(), body, particle) })
+    }
+
+    /// Hold two different particles of a body at a distance.
+    /// * `rest_length`: metres, >= 0; negative: the present distance
+    /// * `compliance`: metres per newton, >= 0; 0 is rigid
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for a particle that does not exist or twice the same one
+    pub fn add_distance(&mut self, body: BodyId, particle_a: u32, particle_b: u32, rest_length: f32, compliance: f32) -> Result<ConstraintId> {
+        let mut out_constraint = ConstraintId::default();
+        check(unsafe { sys::gphys_solver_add_distance(self.handle.as_ptr(), body, particle_a, particle_b, rest_length, compliance, &mut out_constraint) })?;
+        Ok(out_constraint)
+    }
+
+    /// Hold two different particles of a body at a distance.
+    /// * `rest_length`: metres, >= 0; negative: the present distance
+    /// * `compliance`: metres per newton, >= 0; 0 is rigid
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for a particle that does not exist or twice the same one
+    pub fn remove_constraint(&mut self, body: BodyId, constraint: ConstraintId) -> Result<()> {
+        check(unsafe { sys::gphys_solver_remove_constraint(self.handle.as_ptr(), body, constraint) })
+    }
+
+    /// All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    pub fn get_constraints(&self, body: BodyId) -> Result<Vec<ConstraintInfo>> {
+        list(|out_constraints, capacity, total| unsafe { sys::gphys_solver_get_constraints(self.handle.as_ptr(), body, out_constraints, capacity, total) })
+    }
+
+    /// Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
+    /// than 25 ms.
+    /// * `scene`: to collide with and to follow attachments; NULL: none. Not modified.
+    /// * `dt`: 1e-6 .. 0.5
+    ///   Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+    ///   substeps, and a scene query for particles near models.
+    pub fn step(&mut self, scene: Option<&Scene>, dt: f32) -> Result<()> {
+        check(unsafe { sys::gphys_solver_step(self.handle.as_ptr(), scene.map_or(null_mut(), |o| o.handle.as_ptr()), dt) })
+    }
+
+    /// Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
+    /// frame, so the motion does not depend on the frame rate.
+    /// * `frame_time`: seconds, >= 0
+    /// * `out_steps`: steps made; may be NULL
+    /// * `out_leftover`: 0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    pub fn advance(&mut self, scene: Option<&Scene>, frame_time: f32) -> Result<(u32, f32)> {
+        let mut out_steps = u32::default();
+        let mut out_leftover = f32::default();
+        check(unsafe { sys::gphys_solver_advance(self.handle.as_ptr(), scene.map_or(null_mut(), |o| o.handle.as_ptr()), frame_time, &mut out_steps, &mut out_leftover) })?;
+        Ok((out_steps, out_leftover))
+    }
+
+    /// * `body`: 0: all bodies together.  Cost: O(particles + constraints).
+    pub fn get_stats(&self, body: BodyId) -> Result<SolverStats> {
+        let mut out_stats = SolverStats::default();
+        check(unsafe { sys::gphys_solver_get_stats(self.handle.as_ptr(), body, &mut out_stats) })?;
+        Ok(out_stats)
+    }
+
+    /// Contacts of the last step by body, particle, model. Kept when too many: the first.
+    pub fn get_contacts(&self) -> Result<Vec<Contact>> {
+        list(|out_contacts, capacity, total| unsafe { sys::gphys_solver_get_contacts(self.handle.as_ptr(), out_contacts, capacity, total) })
+    }
+
+}
+
+/// Whether the shape fulfils the ranges beside its struct.
+///
+/// Returns `GPHYS_OK`, or `GPHYS_ERROR_INVALID_ARGUMENT` and `gphys_last_error()` names the field.
+pub fn validate(shape: &dyn Shape) -> Result<()> {
+    check(unsafe { sys::gphys_shape_validate(shape.shape_type(), shape.pointer()) })
+}
+
+/// The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
+///
+/// Returns `GPHYS_OK`; `GPHYS_UNBOUNDED` for a plane, a ray without end (or with one beyond all floats)
+/// and a frustum that extends to infinity; `GPHYS_NO_HIT` for an empty mesh or frustum
+pub fn bounds(shape: &dyn Shape) -> Result<Option<Aabb>> {
+    let mut out_bounds = Aabb::default();
+    Ok(found(unsafe { sys::gphys_shape_bounds(shape.shape_type(), shape.pointer(), &mut out_bounds) })?.then_some(out_bounds))
+}
+
+/// Whether the point is within tolerance metres of the shape (solid or surface).
+/// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+/// axes are those of its rotation in double precision).
+/// * `tolerance`: >= 0
+/// * `out_contains`: 0 or 1
+pub fn contains(shape: &dyn Shape, point: impl Into<Vec3>, tolerance: f32) -> Result<bool> {
+    let point = &point.into();
+    let mut out_contains = i32::default();
+    check(unsafe { sys::gphys_shape_contains(shape.shape_type(), shape.pointer(), point, tolerance, &mut out_contains) })?;
+    Ok(out_contains != 0)
+}
+
+/// Whether the point is within tolerance metres of the shape (solid or surface).
+/// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+/// axes are those of its rotation in double precision).
+/// * `tolerance`: >= 0
+/// * `out_contains`: 0 or 1
+pub fn contains_batch<'a>(shape: &dyn Shape, points: impl Into<Batch<'a, Vec3>>, tolerance: f32, out_contains: impl Into<BatchMut<'a, i32>>) -> Result<()> {
+    let points = points.into();
+    let out_contains = out_contains.into();
+    let count = common_length(&[points.length])?;
+    out_contains.require(count.into())?;
+    check(unsafe { sys::gphys_shape_contains_batch(shape.shape_type(), shape.pointer(), points.data, points.stride, count, tolerance, out_contains.data, out_contains.stride) })
+}
+
+/// The point of the shape that is closest to the given point: the point itself inside a solid.
+///
+/// Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
+/// coordinate difference. If several are equally close, one of them,
+/// always the same. For a ray, t is limited by t_max.
+///
+/// Returns `GPHYS_NO_HIT` only for an empty mesh or an empty frustum.
+pub fn closest_point(shape: &dyn Shape, point: impl Into<Vec3>) -> Result<Option<Nearest>> {
+    let point = &point.into();
+    let mut out_nearest = Nearest::default();
+    Ok(found(unsafe { sys::gphys_shape_closest_point(shape.shape_type(), shape.pointer(), point, &mut out_nearest) })?.then_some(out_nearest))
+}
+
+/// The same for count points. An element for which there is none gets distance INFINITY.
+pub fn closest_point_batch<'a>(shape: &dyn Shape, points: impl Into<Batch<'a, Vec3>>, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
+    let points = points.into();
+    let out_nearest = out_nearest.into();
+    let count = common_length(&[points.length])?;
+    out_nearest.require(count.into())?;
+    check(unsafe { sys::gphys_shape_closest_point_batch(shape.shape_type(), shape.pointer(), points.data, points.stride, count, out_nearest.data, out_nearest.stride) })
+}
+
+/// The closest points of two segments and their distance. Parallel segments have many: the first
+/// along a, always the same. out_a, out_b, out_distance may each be NULL.
+pub fn segment_closest_points(a: &Segment, b: &Segment) -> Result<(Vec3, Vec3, f32)> {
+    let mut out_a = Vec3::default();
+    let mut out_b = Vec3::default();
+    let mut out_distance = f32::default();
+    check(unsafe { sys::gphys_segment_closest_points(a, b, &mut out_a, &mut out_b, &mut out_distance) })?;
+    Ok((out_a, out_b, out_distance))
+}
+
+/// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
+/// triangle, frustum and mesh, in either order.
+/// A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+/// Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
+/// precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
+///
+/// Returns `GPHYS_ERROR_UNSUPPORTED` for a ray or segment (see `gphys_shape_segment_test`).
+pub fn overlaps(a: &dyn Shape, b: &dyn Shape) -> Result<bool> {
+    let mut out_overlaps = i32::default();
+    check(unsafe { sys::gphys_shape_overlaps(a.shape_type(), a.pointer(), b.shape_type(), b.pointer(), &mut out_overlaps) })?;
+    Ok(out_overlaps != 0)
+}
+
+/// Pair i is `a[i]` against `b[i]`; a stride of 0 tests one shape against many. A mesh needs 0.
+pub fn overlaps_batch<'a>(a: impl Into<Shapes<'a>>, b: impl Into<Shapes<'a>>, out_overlaps: impl Into<BatchMut<'a, i32>>) -> Result<()> {
+    let a = a.into();
+    let b = b.into();
+    let out_overlaps = out_overlaps.into();
+    let count = common_length(&[a.length, b.length])?;
+    out_overlaps.require(count.into())?;
+    check(unsafe { sys::gphys_shape_overlaps_batch(a.shape_type(), a.data, a.stride, b.shape_type(), b.data, b.stride, count, out_overlaps.data, out_overlaps.stride) })
+}
+
+/// Classify a sphere, capsule, AABB, OBB or triangle against a plane.
+/// * `out_signed_distance`: of the shape's nearest point to the plane: > 0 in front, < 0
+///   behind, 0 when crossing; may be NULL
+pub fn classify_plane(shape: &dyn Shape, plane: &Plane) -> Result<(Side, f32)> {
+    let mut out_side = Side::default();
+    let mut out_signed_distance = f32::default();
+    check(unsafe { sys::gphys_shape_classify_plane(shape.shape_type(), shape.pointer(), plane, &mut out_side, &mut out_signed_distance) })?;
+    Ok((out_side, out_signed_distance))
+}
+
+/// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
+/// that no point is shared, inside that the frustum holds the whole shape.
+pub fn classify_frustum(shape: &dyn Shape, frustum: &Frustum) -> Result<Side> {
+    let mut out_side = Side::default();
+    check(unsafe { sys::gphys_shape_classify_frustum(shape.shape_type(), shape.pointer(), frustum, &mut out_side) })?;
+    Ok(out_side)
+}
+
+/// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
+/// Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
+/// shared edge or vertex always meets one of the triangles there.
+///
+/// Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
+/// and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
+/// smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
+///
+/// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+pub fn raycast(shape: &dyn Shape, ray: &Ray) -> Result<Option<Hit>> {
+    let mut out_hit = Hit::default();
+    Ok(found(unsafe { sys::gphys_shape_raycast(shape.shape_type(), shape.pointer(), ray, &mut out_hit) })?.then_some(out_hit))
+}
+
+/// The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
+/// element.
+///
+/// Returns `GPHYS_OK`
+pub fn raycast_batch<'a>(shape: &dyn Shape, rays: impl Into<Batch<'a, Ray>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+    let rays = rays.into();
+    let out_hits = out_hits.into();
+    let count = common_length(&[rays.length])?;
+    out_hits.require(count.into())?;
+    check(unsafe { sys::gphys_shape_raycast_batch(shape.shape_type(), shape.pointer(), rays.data, rays.stride, count, out_hits.data, out_hits.stride) })
+}
+
+/// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
+/// A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+/// then is met from no direction, the normal is zero.
+///
+/// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+pub fn segment_test(shape: &dyn Shape, segment: &Segment) -> Result<Option<Hit>> {
+    let mut out_hit = Hit::default();
+    Ok(found(unsafe { sys::gphys_shape_segment_test(shape.shape_type(), shape.pointer(), segment, &mut out_hit) })?.then_some(out_hit))
+}
+
+/// First contact of a sphere that moves by displacement (which may be zero) with a sphere,
+/// capsule, AABB, OBB, plane, triangle, frustum or mesh.
+/// * `out_hit`: t in 0..1 of the displacement; point: of contact, on the shape; normal: from
+///   the point to the sphere's centre. Already overlapping: t = 0, `GPHYS_HIT_INSIDE`,
+///   and where the centre itself is in a solid, the normal is opposite to the
+///   displacement (zero if that is zero).
+///
+/// Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
+///
+/// Cost: a frustum, approached step by step, takes about 10 us.
+///
+/// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+pub fn sweep_sphere(shape: &dyn Shape, sphere: &Sphere, displacement: impl Into<Vec3>) -> Result<Option<Hit>> {
+    let displacement = &displacement.into();
+    let mut out_hit = Hit::default();
+    Ok(found(unsafe { sys::gphys_shape_sweep_sphere(shape.shape_type(), shape.pointer(), sphere, displacement, &mut out_hit) })?.then_some(out_hit))
+}
+
+/// The eight corners, each the intersection of three planes: near then far, each in the order
+/// left-bottom, right-bottom, right-top, left-top.
+///
+/// Returns `GPHYS_UNBOUNDED` if three planes do not meet in a point (infinite far plane)
+pub fn frustum_corners(frustum: &Frustum) -> Result<Option<[Vec3; 8]>> {
+    let mut out_corners = [Vec3::default(); 8];
+    Ok(found(unsafe { sys::gphys_frustum_corners(frustum, out_corners.as_mut_ptr()) })?.then_some(out_corners))
+}
+
+/// The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
+/// origin (0, 0, 0). A camera knows its frustum better: `gphys_camera_get_frustum`.
+/// * `reverse_z`: 0: near has the low depth; 1: near has the high depth
+///
+/// Returns `GPHYS_ERROR_SINGULAR` if the matrix has no volume
+pub fn frustum_from_matrix(view_projection: &Mat4, depth_range: DepthRange, reverse_z: bool) -> Result<Frustum> {
+    let reverse_z = i32::from(reverse_z);
+    let mut out_frustum = Frustum::default();
+    check(unsafe { sys::gphys_frustum_from_matrix(view_projection, depth_range, reverse_z, &mut out_frustum) })?;
+    Ok(out_frustum)
+}
+
+/// Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
+/// * `vertices`: vertex_count elements of 3 floats
+/// * `vertex_stride`: bytes between vertices, at least 12
+/// * `indices`: index_count numbers, three for each triangle
+pub fn mesh_check<'a>(vertices: impl Into<Batch<'a, Vec3>>, indices: &[u32]) -> Result<MeshReport> {
+    let vertices = vertices.into();
+    let indices = Batch::from(indices);
+    let mut out_report = MeshReport::default();
+    check(unsafe { sys::gphys_mesh_check(vertices.data, vertices.stride, vertices.count()?, indices.data, indices.count()?, &mut out_report) })?;
+    Ok(out_report)
+}

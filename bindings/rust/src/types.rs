@@ -1,0 +1,882 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+use crate::support::{Hook, Size};
+use std::ffi::c_void;
+
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Status(pub i32);
+impl Status {
+    pub const OK: Status = Status(0);
+    /// the query found nothing; outputs untouched
+    pub const NO_HIT: Status = Status(1);
+    /// more results than the caller's array holds
+    pub const INCOMPLETE: Status = Status(2);
+    /// the answer is infinite (bounds of a plane); outputs untouched
+    pub const UNBOUNDED: Status = Status(3);
+    /// null, NaN, infinite, out of range, wrong stride, ...
+    pub const ERROR_INVALID_ARGUMENT: Status = Status(-1);
+    /// no such model, body or constraint, or no longer
+    pub const ERROR_INVALID_ID: Status = Status(-2);
+    /// a desc not initialised, or newer than this library
+    pub const ERROR_STRUCT_SIZE: Status = Status(-3);
+    pub const ERROR_OUT_OF_MEMORY: Status = Status(-4);
+    /// more than 2^24 - 1 models or bodies
+    pub const ERROR_CAPACITY: Status = Status(-5);
+    /// a model would become its own ancestor
+    pub const ERROR_CYCLE: Status = Status(-6);
+    /// the operation has no meaning for this kind of shape
+    pub const ERROR_UNSUPPORTED: Status = Status(-7);
+    /// a matrix without an inverse
+    pub const ERROR_SINGULAR: Status = Status(-8);
+    /// a defect of the library; please report it
+    pub const ERROR_INTERNAL: Status = Status(-100);
+}
+
+pub const FRUSTUM_NEAR: u32 = 0;
+pub const FRUSTUM_FAR: u32 = 1;
+pub const FRUSTUM_LEFT: u32 = 2;
+pub const FRUSTUM_RIGHT: u32 = 3;
+pub const FRUSTUM_BOTTOM: u32 = 4;
+pub const FRUSTUM_TOP: u32 = 5;
+
+/// the ray or the swept sphere started inside or touching: t is 0
+pub const HIT_INSIDE: u32 = 1;
+/// a surface was met from behind its normal
+pub const HIT_BACK: u32 = 2;
+
+/// Says which struct a `const void* shape` points to.
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ShapeType(pub i32);
+impl ShapeType {
+    /// `gphys_sphere`
+    pub const SPHERE: ShapeType = ShapeType(1);
+    /// `gphys_capsule`
+    pub const CAPSULE: ShapeType = ShapeType(2);
+    /// `gphys_aabb`
+    pub const AABB: ShapeType = ShapeType(3);
+    /// `gphys_obb`
+    pub const OBB: ShapeType = ShapeType(4);
+    /// `gphys_plane`
+    pub const PLANE: ShapeType = ShapeType(5);
+    /// `gphys_triangle`
+    pub const TRIANGLE: ShapeType = ShapeType(6);
+    /// `gphys_frustum`
+    pub const FRUSTUM: ShapeType = ShapeType(7);
+    /// `gphys_mesh`: the handle itself
+    pub const MESH: ShapeType = ShapeType(8);
+    /// `gphys_ray`
+    pub const RAY: ShapeType = ShapeType(16);
+    /// `gphys_segment`
+    pub const SEGMENT: ShapeType = ShapeType(17);
+}
+
+/// On which side something is of a plane or a frustum.
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Side(pub i32);
+impl Side {
+    /// wholly behind the plane, wholly outside the frustum
+    pub const OUTSIDE: Side = Side(-1);
+    /// touches or crosses the boundary
+    pub const CROSSING: Side = Side(0);
+    /// wholly in front of the plane, wholly inside the frustum
+    pub const INSIDE: Side = Side(1);
+}
+
+/// Depth range of clip space.
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DepthRange(pub i32);
+impl DepthRange {
+    /// DirectX, Vulkan, Metal, WebGPU
+    pub const ZERO_TO_ONE: DepthRange = DepthRange(0);
+    /// OpenGL, WebGL
+    pub const MINUS_ONE_TO_ONE: DepthRange = DepthRange(1);
+}
+
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Projection(pub i32);
+impl Projection {
+    pub const PERSPECTIVE: Projection = Projection(0);
+    pub const ORTHOGRAPHIC: Projection = Projection(1);
+    pub const USER: Projection = Projection(2);
+}
+
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Handedness(pub i32);
+impl Handedness {
+    /// looks along its own +Z
+    pub const LEFT_HANDED: Handedness = Handedness(0);
+    /// looks along its own -Z
+    pub const RIGHT_HANDED: Handedness = Handedness(1);
+}
+
+/// constraints along both diagonals of each grid cell
+pub const CLOTH_SHEAR: u32 = 1;
+/// constraints that resist folding
+pub const CLOTH_BEND: u32 = 2;
+
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct BodyKind(pub i32);
+impl BodyKind {
+    pub const PARTICLES: BodyKind = BodyKind(1);
+    pub const ROPE: BodyKind = BodyKind(2);
+    pub const CLOTH: BodyKind = BodyKind(3);
+}
+
+/// How a body is solved, chosen from its constraints.
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct SolveMethod(pub i32);
+impl SolveMethod {
+    /// no constraints: exact flight
+    pub const FREE: SolveMethod = SolveMethod(0);
+    /// chains: Newton on the whole rope at once
+    pub const DIRECT: SolveMethod = SolveMethod(1);
+    /// everything else: chain families, then the rest, then reach limits
+    pub const GRAPH: SolveMethod = SolveMethod(2);
+}
+
+pub const VERSION_MAJOR: u32 = 1;
+pub const VERSION_MINOR: u32 = 0;
+pub const VERSION_PATCH: u32 = 0;
+pub const MAX_COORDINATE: f32 = 1e15;
+pub const NO_TRIANGLE: u32 = 0xffffffff;
+pub const ALL_LAYERS: u32 = 0xffffffff;
+pub type ModelId = u32;
+pub type BodyId = u32;
+pub type ConstraintId = u32;
+/// One part of a call's work: the function to call, with the context and an index. Any thread may
+/// call it; it returns when that part is done, without calling back.
+pub type Task = Option<unsafe extern "C" fn(*mut c_void, u32)>;
+
+/// Memory functions for one object and everything in it. Both are called on the thread that calls
+/// the library, possibly from several threads if the objects that share it are used so.
+/// allocate returns NULL on failure (reported as `GPHYS_ERROR_OUT_OF_MEMORY`, nothing changed);
+/// release gets the same size and alignment again. The struct is copied at creation.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Allocator {
+    pub allocate: Option<unsafe extern "C" fn(*mut c_void, usize, usize) -> *mut c_void>,
+    pub release: Option<unsafe extern "C" fn(*mut c_void, *mut c_void, usize, usize)>,
+    pub user: *mut c_void,
+}
+
+/// The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
+/// each once, in any order, on any threads, several at a time or not, and returns when all have
+/// returned. It is called on the thread that called the library, by several at the same time if
+/// several ask. The struct is copied at creation.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct TaskRunner {
+    pub run: Option<unsafe extern "C" fn(*mut c_void, Task, *mut c_void, u32)>,
+    pub user: *mut c_void,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Vec3 {
+    pub x: f32,
+    pub y: f32,
+    pub z: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quat {
+    /// rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
+    pub x: f32,
+    /// rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
+    pub y: f32,
+    /// rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
+    pub z: f32,
+    /// rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
+    pub w: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mat4 {
+    /// element (row, column) is m[4 * column + row]
+    pub m: [f32; 16],
+}
+
+/// x -> position + rotation * (scale * x); scale > 0.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transform {
+    pub position: Vec3,
+    pub rotation: Quat,
+    pub scale: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Ray {
+    pub origin: Vec3,
+    /// any non-zero length
+    pub direction: Vec3,
+    /// >= 0, in multiples of direction; INFINITY allowed
+    pub t_max: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Segment {
+    /// may coincide: a point
+    pub a: Vec3,
+    /// may coincide: a point
+    pub b: Vec3,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Sphere {
+    pub center: Vec3,
+    /// >= 0
+    pub radius: f32,
+}
+
+/// All points within radius of the segment a b.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Capsule {
+    /// may coincide: a sphere
+    pub a: Vec3,
+    /// may coincide: a sphere
+    pub b: Vec3,
+    /// >= 0
+    pub radius: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Aabb {
+    /// min <= max on each axis; equality gives a flat box
+    pub min: Vec3,
+    /// min <= max on each axis; equality gives a flat box
+    pub max: Vec3,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Obb {
+    pub center: Vec3,
+    /// >= 0, along the axes of rotation
+    pub half_extents: Vec3,
+    pub rotation: Quat,
+}
+
+/// The points x with dot(normal, x) = distance. The normal points to the front; it need not be
+/// exactly unit: signed distances are divided by its length (for a unit normal, distance is the
+/// plane's distance from the origin). distance divided by that length is within the range of
+/// coordinates too.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Plane {
+    /// not zero
+    pub normal: Vec3,
+    pub distance: f32,
+}
+
+/// May be degenerate: then it is the segment or point that its corners span. The normal is that
+/// of cross(b - a, c - a).
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Triangle {
+    pub a: Vec3,
+    pub b: Vec3,
+    pub c: Vec3,
+}
+
+/// The points x with dot(`planes[i]`.normal, x - origin) >= `planes[i]`.distance for all six planes,
+/// which look inward, in the order of `gphys_frustum_plane`. Distances count from origin, so that a
+/// frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Frustum {
+    pub origin: Vec3,
+    pub planes: [Plane; 6],
+}
+
+/// Where a ray, segment or swept sphere first meets something.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Hit {
+    /// id of the model, 0 when the query was not of a scene
+    pub model: u32,
+    /// the model's tag, 0 likewise
+    pub tag: u32,
+    /// 0 .. t_max; along a segment or sweep 0 .. 1
+    pub t: f32,
+    /// where the surfaces meet
+    pub point: Vec3,
+    /// unit, against the motion: dot(normal, direction) <= 0
+    pub normal: Vec3,
+    /// index within a mesh, else `GPHYS_NO_TRIANGLE`
+    pub triangle: u32,
+    /// barycentric weights of b and c of a triangle, else 0
+    pub u: f32,
+    /// barycentric weights of b and c of a triangle, else 0
+    pub v: f32,
+    /// `GPHYS_HIT_`...
+    pub flags: u32,
+}
+
+/// The closest point of something to a given point.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Nearest {
+    /// as in `gphys_hit`
+    pub model: u32,
+    pub tag: u32,
+    /// equal to the query point when that is inside a solid
+    pub point: Vec3,
+    /// 0 inside a solid
+    pub distance: f32,
+    /// index within a mesh, else `GPHYS_NO_TRIANGLE`
+    pub triangle: u32,
+}
+
+/// What is in a triangle array. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct MeshReport {
+    pub triangle_count: u32,
+    /// triangles of exactly zero area
+    pub degenerate_count: u32,
+    /// index of the first, or `GPHYS_NO_TRIANGLE`
+    pub first_degenerate: u32,
+    /// triangles with an index >= vertex_count
+    pub out_of_range_count: u32,
+    pub first_out_of_range: u32,
+    /// vertices that are not finite or beyond `GPHYS_MAX_COORDINATE`
+    pub bad_vertex_count: u32,
+    /// or 0xffffffff
+    pub first_bad_vertex: u32,
+    /// edges that do not join exactly two triangles; 0 for a closed mesh
+    pub open_edge_count: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct MeshDesc {
+    pub struct_size: Size<MeshDesc>,
+    /// NULL: the C++ runtime's
+    pub allocator: Hook<Allocator>,
+}
+
+/// How an octree is made up. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct OctreeStats {
+    /// models or triangles in the tree
+    pub item_count: u32,
+    /// models of infinite extent, kept beside the tree
+    pub unbounded_count: u32,
+    pub node_count: u32,
+    pub leaf_count: u32,
+    /// levels; 0 when empty
+    pub depth: u32,
+    /// times it was rebuilt as a whole since creation
+    pub rebuilds: u32,
+    /// expected node and item tests of a random ray that meets the root box
+    pub cost: f32,
+    /// of the tree; saturates at 2^32 - 1
+    pub memory_bytes: u32,
+}
+
+/// One box of an octree, for drawing. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct OctreeBox {
+    pub bounds: Aabb,
+    /// 0 is the root
+    pub depth: u32,
+    /// 0 for an inner node
+    pub item_count: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct SceneDesc {
+    pub struct_size: Size<SceneDesc>,
+    /// NULL: the C++ runtime's
+    pub allocator: Hook<Allocator>,
+    /// models to make room for at once; 0
+    pub reserve_models: u32,
+    /// whose threads worker_count counts; NULL: the scene's own
+    pub task_runner: Hook<TaskRunner>,
+    /// threads for one call, its own included, at most 1024; 0 and 1: that alone
+    pub worker_count: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct ModelDesc {
+    pub struct_size: Size<ModelDesc>,
+    /// 0: none
+    pub parent: ModelId,
+    /// a query with mask m sees the model if layers & m; default 1
+    pub layers: u32,
+    /// any number of the caller's, returned with each hit; 0
+    pub tag: u32,
+}
+
+/// What a model is. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct ModelInfo {
+    pub type_: ShapeType,
+    /// 0: none
+    pub parent: ModelId,
+    pub layers: u32,
+    pub tag: u32,
+    /// direct children
+    pub child_count: u32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct CameraDesc {
+    pub struct_size: Size<CameraDesc>,
+    /// NULL: the C++ runtime's
+    pub allocator: Hook<Allocator>,
+    pub handedness: Handedness,
+    pub depth_range: DepthRange,
+    /// 1: near has the high depth, for float depth buffers
+    pub reverse_z: i32,
+    /// pixels, 1e-3 .. 1e6
+    pub viewport_width: f32,
+    pub viewport_height: f32,
+}
+
+/// Orbit control: the camera circles a target. Inputs accumulate between updates in plain units;
+/// nothing depends on the frame time or on how often update is called. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orbit {
+    pub target: Vec3,
+    /// any non-zero length; pitch is measured against it
+    pub up: Vec3,
+    /// metres from target, > 0
+    pub distance: f32,
+    /// radians; yaw 0 looks along the reference direction that is
+    /// perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
+    /// it; pitch > 0 looks down
+    pub yaw: f32,
+    /// radians; yaw 0 looks along the reference direction that is
+    /// perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
+    /// it; pitch > 0 looks down
+    pub pitch: f32,
+    /// of `gphys_camera_orbit_rotate`
+    pub radians_per_unit: f32,
+    /// of `gphys_camera_orbit_zoom` and _pan
+    pub metres_per_unit: f32,
+    /// 0 < min <= max; max INFINITY allowed
+    pub min_distance: f32,
+    /// 0 < min <= max; max INFINITY allowed
+    pub max_distance: f32,
+    /// within -pi/2 .. pi/2
+    pub min_pitch: f32,
+    /// within -pi/2 .. pi/2
+    pub max_pitch: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct SolverDesc {
+    pub struct_size: Size<SolverDesc>,
+    /// NULL: the C++ runtime's
+    pub allocator: Hook<Allocator>,
+    /// m/s^2; default (0, -9.81, 0)
+    pub gravity: Vec3,
+    /// of one step, 1 .. 1000; default 8
+    pub substeps: u32,
+    /// seconds simulated by each step of `gphys_solver_advance`; 1/60
+    pub fixed_step: f32,
+    /// most steps of one advance; time beyond is dropped; 8
+    pub max_steps: u32,
+}
+
+/// Settings shared by all kinds of bodies.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct BodyDesc {
+    pub struct_size: Size<BodyDesc>,
+    /// kg of the whole body, spread evenly; > 0; default 1
+    pub mass: f32,
+    /// of each particle for collision, metres, >= 0; default 0.01
+    pub radius: f32,
+    /// rate in 1/s: velocities decay as exp(-damping t); >= 0; default 0
+    pub damping: f32,
+    /// Coulomb coefficient against models, >= 0; default 0.5
+    pub friction: f32,
+    /// speed kept in a bounce, 0 .. 1; default 0
+    pub restitution: f32,
+    /// of stretch, metres per newton, >= 0; 0 is inextensible; default 0
+    pub compliance: f32,
+    /// of `GPHYS_CLOTH_BEND` constraints, m/N; default 0.001
+    pub bend_compliance: f32,
+    /// `GPHYS_CLOTH_`...; default SHEAR | BEND
+    pub cloth_flags: u32,
+    /// mask of the models it collides with; 0: none; default all
+    pub layers: u32,
+}
+
+/// Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct BodyInfo {
+    pub kind: BodyKind,
+    pub method: SolveMethod,
+    pub particle_count: u32,
+    pub constraint_count: u32,
+    /// of cloth, for drawing
+    pub triangle_count: u32,
+}
+
+/// One constraint. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct ConstraintInfo {
+    pub id: ConstraintId,
+    pub particle_a: u32,
+    pub particle_b: u32,
+    /// metres
+    pub rest_length: f32,
+    /// metres per newton
+    pub compliance: f32,
+}
+
+/// Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct SolverStats {
+    pub particle_count: u32,
+    /// pinned or attached
+    pub pinned_count: u32,
+    pub constraint_count: u32,
+    /// particle and model pairs that touched in the last step, 4 a particle at most
+    pub contact_count: u32,
+    /// largest |length / rest length - 1| of rigid constraints
+    pub strain_max: f32,
+    /// root mean square of the same
+    pub strain_rms: f32,
+    /// joules
+    pub kinetic_energy: f32,
+    /// joules: of gravity, 0 at the solver's origin, and of stretch
+    pub potential_energy: f32,
+}
+
+/// A particle that touched a model in the last step. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Contact {
+    pub body: BodyId,
+    pub particle: u32,
+    pub model: ModelId,
+    /// the model's
+    pub tag: u32,
+    /// on the model, world space
+    pub point: Vec3,
+    /// unit, from the model to the particle
+    pub normal: Vec3,
+}
+
+// The layouts are those of C, or this does not compile.
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(std::mem::size_of::<Allocator>() == 24);
+    assert!(std::mem::size_of::<TaskRunner>() == 16);
+    assert!(std::mem::size_of::<Vec3>() == 12);
+    assert!(std::mem::size_of::<Quat>() == 16);
+    assert!(std::mem::size_of::<Mat4>() == 64);
+    assert!(std::mem::size_of::<Transform>() == 32);
+    assert!(std::mem::size_of::<Ray>() == 28);
+    assert!(std::mem::size_of::<Segment>() == 24);
+    assert!(std::mem::size_of::<Sphere>() == 16);
+    assert!(std::mem::size_of::<Capsule>() == 28);
+    assert!(std::mem::size_of::<Aabb>() == 24);
+    assert!(std::mem::size_of::<Obb>() == 40);
+    assert!(std::mem::size_of::<Plane>() == 16);
+    assert!(std::mem::size_of::<Triangle>() == 36);
+    assert!(std::mem::size_of::<Frustum>() == 108);
+    assert!(std::mem::size_of::<Hit>() == 52);
+    assert!(std::mem::size_of::<Nearest>() == 28);
+    assert!(std::mem::size_of::<MeshReport>() == 32);
+    assert!(std::mem::size_of::<MeshDesc>() == 16);
+    assert!(std::mem::size_of::<OctreeStats>() == 32);
+    assert!(std::mem::size_of::<OctreeBox>() == 32);
+    assert!(std::mem::size_of::<SceneDesc>() == 40);
+    assert!(std::mem::size_of::<ModelDesc>() == 16);
+    assert!(std::mem::size_of::<ModelInfo>() == 20);
+    assert!(std::mem::size_of::<CameraDesc>() == 40);
+    assert!(std::mem::size_of::<Orbit>() == 60);
+    assert!(std::mem::size_of::<SolverDesc>() == 40);
+    assert!(std::mem::size_of::<BodyDesc>() == 40);
+    assert!(std::mem::size_of::<BodyInfo>() == 20);
+    assert!(std::mem::size_of::<ConstraintInfo>() == 20);
+    assert!(std::mem::size_of::<SolverStats>() == 32);
+    assert!(std::mem::size_of::<Contact>() == 40);
+};
+#[cfg(target_pointer_width = "32")]
+const _: () = {
+    assert!(std::mem::size_of::<Allocator>() == 12);
+    assert!(std::mem::size_of::<TaskRunner>() == 8);
+    assert!(std::mem::size_of::<Vec3>() == 12);
+    assert!(std::mem::size_of::<Quat>() == 16);
+    assert!(std::mem::size_of::<Mat4>() == 64);
+    assert!(std::mem::size_of::<Transform>() == 32);
+    assert!(std::mem::size_of::<Ray>() == 28);
+    assert!(std::mem::size_of::<Segment>() == 24);
+    assert!(std::mem::size_of::<Sphere>() == 16);
+    assert!(std::mem::size_of::<Capsule>() == 28);
+    assert!(std::mem::size_of::<Aabb>() == 24);
+    assert!(std::mem::size_of::<Obb>() == 40);
+    assert!(std::mem::size_of::<Plane>() == 16);
+    assert!(std::mem::size_of::<Triangle>() == 36);
+    assert!(std::mem::size_of::<Frustum>() == 108);
+    assert!(std::mem::size_of::<Hit>() == 52);
+    assert!(std::mem::size_of::<Nearest>() == 28);
+    assert!(std::mem::size_of::<MeshReport>() == 32);
+    assert!(std::mem::size_of::<MeshDesc>() == 8);
+    assert!(std::mem::size_of::<OctreeStats>() == 32);
+    assert!(std::mem::size_of::<OctreeBox>() == 32);
+    assert!(std::mem::size_of::<SceneDesc>() == 20);
+    assert!(std::mem::size_of::<ModelDesc>() == 16);
+    assert!(std::mem::size_of::<ModelInfo>() == 20);
+    assert!(std::mem::size_of::<CameraDesc>() == 28);
+    assert!(std::mem::size_of::<Orbit>() == 60);
+    assert!(std::mem::size_of::<SolverDesc>() == 32);
+    assert!(std::mem::size_of::<BodyDesc>() == 40);
+    assert!(std::mem::size_of::<BodyInfo>() == 20);
+    assert!(std::mem::size_of::<ConstraintInfo>() == 20);
+    assert!(std::mem::size_of::<SolverStats>() == 32);
+    assert!(std::mem::size_of::<Contact>() == 40);
+};
+#[cfg(all(test, target_pointer_width = "64"))]
+#[test]
+fn fields_stand_where_c_has_them() {
+    let s = std::mem::MaybeUninit::<Allocator>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).allocate) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).release) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).user) } as usize - p as usize, 16);
+    let s = std::mem::MaybeUninit::<TaskRunner>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).run) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).user) } as usize - p as usize, 8);
+    let s = std::mem::MaybeUninit::<Vec3>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).x) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).y) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).z) } as usize - p as usize, 8);
+    let s = std::mem::MaybeUninit::<Quat>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).x) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).y) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).z) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).w) } as usize - p as usize, 12);
+    let s = std::mem::MaybeUninit::<Mat4>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).m) } as usize - p as usize, 0);
+    let s = std::mem::MaybeUninit::<Transform>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).position) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).rotation) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).scale) } as usize - p as usize, 28);
+    let s = std::mem::MaybeUninit::<Ray>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).origin) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).direction) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).t_max) } as usize - p as usize, 24);
+    let s = std::mem::MaybeUninit::<Segment>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).a) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).b) } as usize - p as usize, 12);
+    let s = std::mem::MaybeUninit::<Sphere>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).center) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).radius) } as usize - p as usize, 12);
+    let s = std::mem::MaybeUninit::<Capsule>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).a) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).b) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).radius) } as usize - p as usize, 24);
+    let s = std::mem::MaybeUninit::<Aabb>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).min) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max) } as usize - p as usize, 12);
+    let s = std::mem::MaybeUninit::<Obb>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).center) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).half_extents) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).rotation) } as usize - p as usize, 24);
+    let s = std::mem::MaybeUninit::<Plane>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).normal) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).distance) } as usize - p as usize, 12);
+    let s = std::mem::MaybeUninit::<Triangle>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).a) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).b) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).c) } as usize - p as usize, 24);
+    let s = std::mem::MaybeUninit::<Frustum>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).origin) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).planes) } as usize - p as usize, 12);
+    let s = std::mem::MaybeUninit::<Hit>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).t) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).point) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).normal) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle) } as usize - p as usize, 36);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).u) } as usize - p as usize, 40);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).v) } as usize - p as usize, 44);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).flags) } as usize - p as usize, 48);
+    let s = std::mem::MaybeUninit::<Nearest>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).point) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).distance) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle) } as usize - p as usize, 24);
+    let s = std::mem::MaybeUninit::<MeshReport>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle_count) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).degenerate_count) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).first_degenerate) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).out_of_range_count) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).first_out_of_range) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).bad_vertex_count) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).first_bad_vertex) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).open_edge_count) } as usize - p as usize, 28);
+    let s = std::mem::MaybeUninit::<MeshDesc>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).allocator) } as usize - p as usize, 8);
+    let s = std::mem::MaybeUninit::<OctreeStats>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).item_count) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).unbounded_count) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).node_count) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).leaf_count) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).depth) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).rebuilds) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).cost) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).memory_bytes) } as usize - p as usize, 28);
+    let s = std::mem::MaybeUninit::<OctreeBox>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).bounds) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).depth) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).item_count) } as usize - p as usize, 28);
+    let s = std::mem::MaybeUninit::<SceneDesc>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).allocator) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).reserve_models) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).task_runner) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).worker_count) } as usize - p as usize, 32);
+    let s = std::mem::MaybeUninit::<ModelDesc>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).parent) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 12);
+    let s = std::mem::MaybeUninit::<ModelInfo>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).type_) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).parent) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).child_count) } as usize - p as usize, 16);
+    let s = std::mem::MaybeUninit::<CameraDesc>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).allocator) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).handedness) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).depth_range) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).reverse_z) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).viewport_width) } as usize - p as usize, 28);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).viewport_height) } as usize - p as usize, 32);
+    let s = std::mem::MaybeUninit::<Orbit>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).target) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).up) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).distance) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).yaw) } as usize - p as usize, 28);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).pitch) } as usize - p as usize, 32);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).radians_per_unit) } as usize - p as usize, 36);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).metres_per_unit) } as usize - p as usize, 40);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).min_distance) } as usize - p as usize, 44);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_distance) } as usize - p as usize, 48);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).min_pitch) } as usize - p as usize, 52);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_pitch) } as usize - p as usize, 56);
+    let s = std::mem::MaybeUninit::<SolverDesc>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).allocator) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).gravity) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).substeps) } as usize - p as usize, 28);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).fixed_step) } as usize - p as usize, 32);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_steps) } as usize - p as usize, 36);
+    let s = std::mem::MaybeUninit::<BodyDesc>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).mass) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).radius) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).damping) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).friction) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).restitution) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).compliance) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).bend_compliance) } as usize - p as usize, 28);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).cloth_flags) } as usize - p as usize, 32);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 36);
+    let s = std::mem::MaybeUninit::<BodyInfo>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).kind) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).method) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_count) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).constraint_count) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle_count) } as usize - p as usize, 16);
+    let s = std::mem::MaybeUninit::<ConstraintInfo>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).id) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_a) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_b) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).rest_length) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).compliance) } as usize - p as usize, 16);
+    let s = std::mem::MaybeUninit::<SolverStats>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_count) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).pinned_count) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).constraint_count) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).contact_count) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).strain_max) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).strain_rms) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).kinetic_energy) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).potential_energy) } as usize - p as usize, 28);
+    let s = std::mem::MaybeUninit::<Contact>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).body) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).point) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).normal) } as usize - p as usize, 28);
+}

@@ -1,0 +1,146 @@
+//! The camera and the solver.
+mod common;
+use common::{scene_of_balls, tetrahedron};
+use gamephys::*;
+
+#[test]
+fn a_camera_projects_and_picks() {
+    let (scene, models) = scene_of_balls();
+    let desc = CameraDesc { viewport_width: 640.0, viewport_height: 480.0, ..Default::default() };
+    let mut camera = Camera::new(Some(&desc)).unwrap();
+    camera.look_at([0.0, 0.0, -9.0], [0.0; 3], [0.0, 1.0, 0.0]).unwrap();
+    let points = [[0.0; 3], [1.0, 1.0, 3.0], [0.0, 0.0, -20.0]];
+    let mut pixels = [Vec3::default(); 3];
+    camera.project_batch(&points, &mut pixels).unwrap();
+    assert_eq!(camera.project(points[1]).unwrap(), Some(pixels[1]));
+    assert_eq!(camera.project(points[2]).unwrap(), None);
+    assert_eq!((pixels[0].x, pixels[0].y), (320.0, 240.0));
+    let mut back = [Vec3::default(); 2];
+    camera.unproject_batch(&pixels[..2], &mut back).unwrap();
+    assert_eq!(camera.unproject(pixels[1]).unwrap(), Some(back[1]));
+    assert!((back[1].z - 3.0).abs() < 1e-3);
+
+    let mut rays = vec![Ray::default(); 16 * 12];
+    camera.pick_rays(312, 234, 16, 12, &mut rays).unwrap();
+    assert_eq!(Some(rays[0]), camera.pick_ray(312.5, 234.5).unwrap());
+    assert!(camera.pick_rays(312, 234, 16, 11, &mut rays).is_err());
+    let places: Vec<[f32; 2]> = (0..64).map(|i| [10.0 * i as f32, 7.5 * i as f32]).collect();
+    let mut hits = vec![Hit::default(); places.len()];
+    camera.pick_batch(&scene, &places, ALL_LAYERS, &mut hits).unwrap();
+    for ([x, y], hit) in places.iter().zip(&hits) {
+        assert_eq!(camera.pick(&scene, *x, *y, ALL_LAYERS).unwrap().map_or(0, |hit| hit.model), hit.model);
+    }
+    assert!(hits.iter().any(|hit| models.contains(&hit.model)));
+    assert_eq!(camera.cull(&scene, ALL_LAYERS).unwrap().len(), 30);
+    assert!(camera.pick_rectangle(&scene, 0.0, 0.0, 320.0, 480.0, ALL_LAYERS).unwrap().len() < 30);
+}
+
+#[test]
+fn a_camera_is_placed_and_set() {
+    let mut camera = Camera::new(None).unwrap();
+    let half_turn = Quat::new(0.0, 1.0, 0.0, 0.0);
+    camera.set_transform([1.0, 2.0, 3.0], half_turn).unwrap();
+    assert_eq!(camera.get_transform().unwrap(), (Vec3::new(1.0, 2.0, 3.0), half_turn));
+    let world = camera.get_world_matrix().unwrap();
+    assert_eq!((world.m[0], world.m[13]), (-1.0, 2.0));
+    camera.set_world_matrix(&Mat4::default()).unwrap();
+    assert_eq!(camera.get_view_matrix().unwrap(), Mat4::default());
+    camera.set_perspective(1.0, 0.5, f32::INFINITY).unwrap();
+    assert_eq!(camera.get_corners().unwrap(), None);
+    camera.set_orthographic(2.0, 0.0, 10.0).unwrap();
+    camera.set_viewport(200.0, 100.0).unwrap();
+    let projection = camera.get_projection_matrix().unwrap();
+    assert_eq!((projection.m[0], projection.m[5]), (0.5, 1.0));
+    camera.set_projection(&projection).unwrap();
+    assert_eq!(camera.get_view_projection_matrix().unwrap(), projection);
+    assert_eq!(camera.get_frustum().unwrap().planes.len(), 6);
+    assert_eq!(camera.get_corners().unwrap().unwrap()[6], Vec3::new(2.0, 1.0, 10.0));
+    assert_eq!(camera.set_projection(&Mat4 { m: [0.0; 16] }).unwrap_err().status, Status::ERROR_SINGULAR);
+    camera.set_origin(&[0.0, 1e7, 0.0]).unwrap();
+    assert_eq!(camera.get_origin().unwrap()[1], 1e7);
+}
+
+#[test]
+fn a_camera_orbits() {
+    let mut camera = Camera::new(None).unwrap();
+    assert_eq!(camera.get_orbit().unwrap_err().status, Status::ERROR_UNSUPPORTED);
+    camera.set_orbit(&Orbit { radians_per_unit: 0.5, ..Default::default() }).unwrap();
+    camera.orbit_rotate(1.0, -1.0).unwrap();
+    camera.orbit_zoom(4.0).unwrap();
+    camera.orbit_pan(1.0, 0.0).unwrap();
+    camera.orbit_update().unwrap();
+    let orbit = camera.get_orbit().unwrap();
+    assert_eq!((orbit.yaw, orbit.pitch, orbit.distance), (0.5, -0.5, 6.0));
+    assert_eq!(orbit.target.x, 1.0);
+}
+
+#[test]
+fn bodies_are_made_moved_and_removed() {
+    let mut solver = Solver::new(Some(&SolverDesc { substeps: 4, ..Default::default() })).unwrap();
+    solver.set_substeps(8).unwrap();
+    solver.set_gravity([0.0, -10.0, 0.0]).unwrap();
+    let body = solver.add_particles(&[[0.0; 3], [0.0, 0.0, 1.0], [0.0, 0.0, 3.0]], None).unwrap();
+    solver.set_positions(body, 1, &[[0.0, 1.0, 2.0]]).unwrap();
+    solver.set_velocities(body, 0, &[[1.0, 0.0, 0.0]; 3]).unwrap();
+    solver.set_masses(body, 2, &[4.0]).unwrap();
+    solver.set_radii(body, 0, &[0.1, 0.1]).unwrap();
+    solver.set_forces(body, 2, &[[0.0, 40.0, 0.0]]).unwrap();
+    solver.set_pinned(body, 0, 1, true).unwrap();
+    solver.step(None, 0.1).unwrap();
+    let (mut positions, mut velocities, mut masses) = ([Vec3::default(); 3], [Vec3::default(); 3], [0.0; 3]);
+    solver.get_positions(body, 0, &mut positions).unwrap();
+    solver.get_velocities(body, 0, &mut velocities).unwrap();
+    solver.get_masses(body, 0, &mut masses).unwrap();
+    assert_eq!((positions[0].x, velocities[0].x, masses[2]), (0.0, 0.0, 4.0));
+    assert!((positions[1].y - 0.95).abs() < 1e-5 && (velocities[1].y + 1.0).abs() < 1e-5);
+    assert!((positions[2].x - 0.1).abs() < 1e-6 && positions[2].y.abs() < 1e-5);
+    assert!(solver.get_positions(body, 1, &mut positions).is_err());
+
+    let cloth = solver
+        .add_cloth_mesh(&tetrahedron(), Some(&Transform::new([9.0, 0.0, 0.0], Quat::default(), 1.0)), None)
+        .unwrap();
+    let info = solver.get_body_info(cloth).unwrap();
+    assert_eq!((info.kind, info.particle_count, info.triangle_count), (BodyKind::CLOTH, 4, 4));
+    assert_eq!(solver.get_triangles(cloth).unwrap().len(), 12);
+    let link = solver.add_distance(body, 1, 2, -1.0, 0.0).unwrap();
+    assert_eq!(solver.get_constraints(body).unwrap()[0].id, link);
+    solver.remove_constraint(body, link).unwrap();
+    assert_eq!(solver.get_stats(body).unwrap().constraint_count, 0);
+    assert_eq!(solver.get_bodies().unwrap(), [body, cloth]);
+    solver.remove_body(cloth).unwrap();
+    assert_eq!(solver.get_body_info(cloth).unwrap_err().status, Status::ERROR_INVALID_ID);
+    solver.set_origin(&[5.0, 0.0, 0.0]).unwrap();
+    assert_eq!(solver.get_origin().unwrap(), [5.0, 0.0, 0.0]);
+}
+
+#[test]
+fn bodies_meet_and_follow_models() {
+    let mut scene = Scene::new(None).unwrap();
+    let ground = scene.add(&Plane::new([0.0, 1.0, 0.0], 0.0), None, None).unwrap();
+    let hook = scene.add(&Sphere::new([0.0, 5.0, 0.0], 0.1), None, None).unwrap();
+    let mut solver = Solver::new(None).unwrap();
+    let desc = BodyDesc { layers: 1, radius: 0.1, ..Default::default() };
+    let drop = solver.add_particles(&[[3.0, 0.2, 0.0]], Some(&desc)).unwrap();
+    let rope =
+        solver.add_rope(&[[0.0, 5.0, 0.0], [0.0, 4.5, 0.0]], 0.0, Some(&BodyDesc { layers: 0, ..desc })).unwrap();
+    solver.add_cloth([0.0, 9.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 3, 3, None).unwrap();
+    solver.attach(&scene, rope, 0, hook, None).unwrap();
+    for _ in 0..30 {
+        let (steps, leftover) = solver.advance(Some(&scene), 1.0 / 60.0).unwrap();
+        assert!(steps <= 2 && (0.0..1.0).contains(&leftover));
+    }
+    let contacts = solver.get_contacts().unwrap();
+    assert!(contacts.iter().any(|c| c.body == drop && c.model == ground && c.normal.y == 1.0), "{contacts:?}");
+    scene.set_transform(hook, &Transform::new([2.0, 0.0, 0.0], Quat::default(), 1.0)).unwrap();
+    solver.step(Some(&scene), 0.01).unwrap();
+    let mut end = [Vec3::default()];
+    solver.get_positions(rope, 0, &mut end).unwrap();
+    assert!((end[0].x - 2.0).abs() < 1e-5);
+    solver.detach(rope, 0).unwrap();
+    assert_eq!(solver.detach(rope, 0).unwrap_err().status, Status::ERROR_INVALID_ARGUMENT);
+}
+
+#[test]
+fn the_version_is_that_of_the_header() {
+    assert_eq!(version().0, 1);
+}

@@ -1,0 +1,265 @@
+//! The scene: batches against single calls, lists, changes, errors, memory, threads.
+mod common;
+use common::{scene_of_balls, some_rays, tetrahedron};
+use gamephys::*;
+use std::ffi::c_void;
+use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering};
+
+const FAR: f32 = f32::INFINITY;
+
+#[test]
+fn batches_answer_as_single_calls_do() {
+    let (scene, _) = scene_of_balls();
+    let rays = some_rays();
+    let mut hits = vec![Hit::default(); rays.len()];
+    scene.raycast_batch(&rays, ALL_LAYERS, &mut hits).unwrap();
+    let mut any = vec![0; rays.len()];
+    scene.raycast_any_batch(&rays, ALL_LAYERS, &mut any).unwrap();
+    let all = scene.raycast_all_batch(&rays, ALL_LAYERS).unwrap();
+    let segments: Vec<_> = rays.iter().map(|r| Segment::new(r.origin, [0.0, 0.0, 5.0])).collect();
+    let mut crossed = hits.clone();
+    scene.segment_test_batch(&segments, ALL_LAYERS, &mut crossed).unwrap();
+    let points: Vec<_> = rays.iter().map(|r| r.direction).collect();
+    let mut nearest = vec![Nearest::default(); rays.len()];
+    scene.nearest_batch(&points, FAR, ALL_LAYERS, &mut nearest).unwrap();
+    let moving: Vec<_> = points.iter().map(|p| Sphere::new(*p, 0.1)).collect();
+    let mut swept = hits.clone();
+    scene.sweep_sphere_batch(&moving, Batch::one(&Vec3::new(0.0, 0.0, 9.0)), ALL_LAYERS, &mut swept).unwrap();
+    let near = scene.overlap_batch(&moving, ALL_LAYERS).unwrap();
+    for i in 0..rays.len() {
+        let nothing = Hit { t: FAR, triangle: NO_TRIANGLE, ..Default::default() };
+        assert_eq!(scene.raycast(&rays[i], ALL_LAYERS).unwrap().unwrap_or(nothing), hits[i]);
+        assert_eq!(scene.raycast_any(&rays[i], ALL_LAYERS).unwrap(), any[i] != 0);
+        assert_eq!(scene.raycast_all(&rays[i], ALL_LAYERS).unwrap(), all[i]);
+        assert_eq!(scene.segment_test(&segments[i], ALL_LAYERS).unwrap().unwrap_or(nothing), crossed[i]);
+        assert_eq!(scene.nearest(points[i], FAR, ALL_LAYERS).unwrap().unwrap(), nearest[i]);
+        assert_eq!(scene.sweep_sphere(&moving[i], [0.0, 0.0, 9.0], ALL_LAYERS).unwrap().unwrap_or(nothing), swept[i]);
+        assert_eq!(scene.overlap(&moving[i], ALL_LAYERS).unwrap(), near[i]);
+    }
+    let met = hits.iter().filter(|hit| hit.model != 0).count();
+    assert!(met > 0 && met < rays.len());
+}
+
+#[test]
+fn a_field_of_each_element_is_a_batch() {
+    #[derive(Clone, Copy, Default)]
+    struct Ship {
+        _name: u32,
+        sight: Ray,
+        seen: Hit,
+        _more: u64,
+    }
+    let (scene, _) = scene_of_balls();
+    let rays = some_rays();
+    let mut expected = vec![Hit::default(); rays.len()];
+    scene.raycast_batch(&rays, ALL_LAYERS, &mut expected).unwrap();
+    let ships: Vec<_> = rays.iter().map(|ray| Ship { sight: *ray, ..Default::default() }).collect();
+    let mut out = ships.clone();
+    scene
+        .raycast_batch(
+            Batch::field(&ships, |ship| &ship.sight),
+            ALL_LAYERS,
+            BatchMut::field(&mut out, |ship| &mut ship.seen),
+        )
+        .unwrap();
+    assert!(out.iter().zip(&expected).all(|(ship, hit)| ship.seen == *hit));
+}
+
+#[test]
+fn a_field_is_at_the_same_place_in_each_element() {
+    let apart = [Box::new(Ray::default()), Box::new(Ray::default())];
+    assert!(std::panic::catch_unwind(|| {
+        Batch::field(&apart, |ray| &**ray);
+    })
+    .is_err());
+    let chosen = [(true, Ray::default(), Ray::default()), (false, Ray::default(), Ray::default())];
+    assert!(std::panic::catch_unwind(|| {
+        Batch::field(&chosen, |c| if c.0 { &c.1 } else { &c.2 });
+    })
+    .is_err());
+    assert!(std::panic::catch_unwind(|| {
+        Batch::field(&chosen[..1], |c| if c.0 { &c.1 } else { &c.2 });
+    })
+    .is_ok());
+}
+
+#[test]
+fn lengths_must_agree() {
+    let (scene, models) = scene_of_balls();
+    let rays = some_rays();
+    let error = scene.raycast_batch(&rays, ALL_LAYERS, &mut [Hit::default(); 3]).unwrap_err();
+    assert_eq!((error.status, error.to_string().contains("200")), (Status::ERROR_INVALID_ARGUMENT, true));
+    assert!(scene
+        .sweep_sphere_batch(&[Sphere::default(); 2], &[[0.0; 3]; 3], ALL_LAYERS, &mut [Hit::default(); 2])
+        .is_err());
+    assert!(scene.raycast_batch(Batch::one(&rays[0]), ALL_LAYERS, &mut [Hit::default()]).is_err());
+    assert!(scene.get_transforms(&models, &mut [Transform::default(); 2]).is_err());
+    scene.raycast_batch(&[], ALL_LAYERS, &mut []).unwrap();
+}
+
+#[test]
+fn lists_have_any_length() {
+    let mut scene = Scene::new(None).unwrap();
+    let mut models = vec![0; 500];
+    scene.add_batch(&vec![Sphere::new([0.0; 3], 1.0); 500], Batch::none(), None, &mut models).unwrap();
+    assert_eq!(scene.get_models().unwrap(), models);
+    let boxes = [Aabb::new([-1.0; 3], [1.0; 3]), Aabb::new([5.0; 3], [6.0; 3]), Aabb::new([0.0; 3], [1.0; 3])];
+    let lists = scene.overlap_batch(&boxes, ALL_LAYERS).unwrap();
+    assert_eq!(lists.offsets, [0, 500, 500, 1000]);
+    assert_eq!(lists[2], models);
+    assert!(lists[1].is_empty());
+    let ray = Ray::new([0.0, 0.0, -5.0], [0.0, 0.0, 1.0], FAR);
+    assert_eq!(scene.raycast_all(&ray, ALL_LAYERS).unwrap().len(), 500);
+    assert!(Scene::new(None).unwrap().get_models().unwrap().is_empty());
+}
+
+#[test]
+fn models_are_moved_described_and_removed() {
+    let mut scene = Scene::new(None).unwrap();
+    let parent = scene.add(&Capsule::new([0.0; 3], [0.0, 1.0, 0.0], 0.25), None, None).unwrap();
+    let desc = ModelDesc { parent, layers: 2, tag: 7, ..Default::default() };
+    let child = scene
+        .add(&Aabb::new([0.0; 3], [1.0; 3]), Some(&Transform::new([2.0, 0.0, 0.0], Quat::default(), 1.0)), Some(&desc))
+        .unwrap();
+    let info = scene.get_info(child).unwrap();
+    assert_eq!((info.type_, info.parent, info.layers, info.tag), (ShapeType::AABB, parent, 2, 7));
+    assert_eq!(scene.get_shape(parent).unwrap(), AnyShape::Capsule(Capsule::new([0.0; 3], [0.0, 1.0, 0.0], 0.25)));
+    scene.set_transform(parent, &Transform::new([0.0, 5.0, 0.0], Quat::default(), 1.0)).unwrap();
+    let mut places = [Transform::default(); 2];
+    scene.get_transforms(&[parent, child], &mut places).unwrap();
+    assert_eq!((places[0].position.y, places[1].position.y), (5.0, 0.0));
+    scene.get_world_transforms(&[parent, child], &mut places).unwrap();
+    assert_eq!(places[1].position, Vec3::new(2.0, 5.0, 0.0));
+    assert_eq!(scene.get_bounds(child).unwrap().unwrap().min, Vec3::new(2.0, 5.0, 0.0));
+    assert_eq!(scene.get_scene_bounds().unwrap().unwrap().max, Vec3::new(3.0, 6.25, 1.0));
+    scene.set_parent(child, 0, true).unwrap();
+    scene.set_transforms(&[child, parent], Batch::one(&Transform::default())).unwrap();
+    scene.set_layers(child, 4).unwrap();
+    scene.set_tag(child, 8).unwrap();
+    let down = Ray::new([0.5, 9.0, 0.5], [0.0, -1.0, 0.0], FAR);
+    assert_eq!(scene.raycast(&down, 4).unwrap().unwrap().tag, 8);
+    assert!(scene.raycast(&down, 2).unwrap().is_none());
+    let frustum = Camera::new(None).unwrap().get_frustum().unwrap();
+    assert_eq!(scene.cull(&frustum, ALL_LAYERS).unwrap(), [parent, child]);
+    scene.set_origin(&[1e9 + 0.5, 0.0, 0.0]).unwrap();
+    assert_eq!(scene.get_origin().unwrap(), [1e9 + 0.5, 0.0, 0.0]);
+    assert_eq!(scene.get_octree_stats().unwrap().item_count, 2);
+    assert!(!scene.get_octree_boxes().unwrap().is_empty());
+    scene.validate().unwrap();
+    scene.remove(child).unwrap();
+    assert!(!scene.has(child) && scene.has(parent));
+    scene.remove_subtree(parent).unwrap();
+    let more = [scene.add(&Sphere::default(), None, None).unwrap(), scene.add(&Sphere::default(), None, None).unwrap()];
+    scene.remove_batch(&more[..1]).unwrap();
+    scene.clear().unwrap();
+    assert!(scene.get_models().unwrap().is_empty() && scene.get_scene_bounds().unwrap().is_none());
+}
+
+#[test]
+fn errors_carry_the_message_of_the_library() {
+    let mut scene = Scene::new(None).unwrap();
+    let error = scene.add(&Sphere::new([0.0; 3], -1.0), None, None).unwrap_err();
+    assert_eq!(error.status, Status::ERROR_INVALID_ARGUMENT);
+    assert!(error.to_string().contains("radius"), "{error}");
+    assert_eq!(scene.remove(12345).unwrap_err().status, Status::ERROR_INVALID_ID);
+    assert_eq!(scene.get_shape(12345).unwrap_err().status, Status::ERROR_INVALID_ID);
+    let mesh = scene.add(&tetrahedron(), None, None).unwrap();
+    assert_eq!(scene.get_shape(mesh).unwrap_err().status, Status::ERROR_UNSUPPORTED);
+    assert_eq!(scene.set_parent(mesh, mesh, false).unwrap_err().status, Status::ERROR_CYCLE);
+    assert_eq!(Status::ERROR_CYCLE.to_string(), "GPHYS_ERROR_CYCLE");
+    let boxed: Box<dyn std::error::Error + Send + Sync> = error.into();
+    assert!(boxed.to_string().contains("radius"));
+}
+
+#[test]
+fn a_mesh_lives_as_long_as_its_models() {
+    let mut scene = Scene::new(None).unwrap();
+    let mesh = tetrahedron();
+    scene.add(&mesh, None, None).unwrap();
+    drop(mesh);
+    assert_eq!(scene.raycast(&Ray::new([0.2, 0.2, -1.0], [0.0, 0.0, 1.0], FAR), ALL_LAYERS).unwrap().unwrap().t, 1.0);
+}
+
+#[test]
+fn threads_may_ask_at_once_and_take_a_scene_along() {
+    let (scene, _) = scene_of_balls();
+    let rays = some_rays();
+    let ask = || {
+        let mut hits = vec![Hit::default(); rays.len()];
+        scene.raycast_batch(&rays, ALL_LAYERS, &mut hits).unwrap();
+        hits
+    };
+    let expected = ask();
+    std::thread::scope(|scope| {
+        let all: Vec<_> = (0..4).map(|_| scope.spawn(ask)).collect();
+        assert!(all.into_iter().all(|thread| thread.join().unwrap() == expected));
+    });
+    std::thread::spawn(move || drop(scene)).join().unwrap();
+}
+
+/// Memory that runs out: as many bytes as are left, and what is held of it.
+struct Ration {
+    left: AtomicIsize,
+    held: AtomicIsize,
+}
+
+unsafe extern "C" fn allocate(user: *mut c_void, size: usize, alignment: usize) -> *mut c_void {
+    let ration = &*(user as *const Ration);
+    if ration.left.fetch_sub(size as isize, Ordering::Relaxed) < size as isize {
+        return std::ptr::null_mut();
+    }
+    ration.held.fetch_add(size as isize, Ordering::Relaxed);
+    std::alloc::alloc(std::alloc::Layout::from_size_align(size, alignment).unwrap()).cast()
+}
+
+unsafe extern "C" fn release(user: *mut c_void, memory: *mut c_void, size: usize, alignment: usize) {
+    let ration = &*(user as *const Ration);
+    ration.held.fetch_sub(size as isize, Ordering::Relaxed);
+    std::alloc::dealloc(memory.cast(), std::alloc::Layout::from_size_align(size, alignment).unwrap());
+}
+
+#[test]
+fn running_out_of_memory_is_an_error_and_leaks_nothing() {
+    let ration = Ration { left: AtomicIsize::new(0), held: AtomicIsize::new(0) };
+    let allocator =
+        Allocator { allocate: Some(allocate), release: Some(release), user: &ration as *const Ration as *mut c_void };
+    let hook = unsafe { Hook::new(&allocator) };
+    let desc = SceneDesc { allocator: hook, ..Default::default() };
+    let mut failed = 0;
+    for left in (0..400_000).step_by(2000) {
+        ration.left.store(left, Ordering::Relaxed);
+        if let Ok(mut scene) = Scene::new(Some(&desc)) {
+            let made = (0..50).map(|_| scene.add(&Sphere::default(), None, None)).filter(|added| added.is_ok()).count();
+            failed += usize::from(made < 50);
+            assert_eq!(scene.get_models().unwrap().len(), made);
+            ration.left.store(1 << 30, Ordering::Relaxed);
+            scene.validate().unwrap();
+        } else {
+            failed += 1;
+        }
+        assert_eq!(ration.held.load(Ordering::Relaxed), 0);
+    }
+    assert!(failed > 0 && failed < 200, "{failed}");
+    ration.left.store(0, Ordering::Relaxed);
+    assert_eq!(Scene::new(Some(&desc)).unwrap_err().status, Status::ERROR_OUT_OF_MEMORY);
+}
+
+unsafe extern "C" fn run(user: *mut c_void, task: Task, context: *mut c_void, count: u32) {
+    (*(user as *const AtomicUsize)).fetch_add(1, Ordering::Relaxed);
+    for index in 0..count {
+        task.expect("a function")(context, index);
+    }
+}
+
+#[test]
+fn work_may_go_to_the_callers_threads() {
+    let calls = AtomicUsize::new(0);
+    let runner = TaskRunner { run: Some(run), user: &calls as *const AtomicUsize as *mut c_void };
+    let desc = SceneDesc { worker_count: 4, task_runner: unsafe { Hook::new(&runner) }, ..Default::default() };
+    let mut scene = Scene::new(Some(&desc)).unwrap();
+    scene.add(&Sphere::new([0.0, 0.0, 5.0], 1.0), None, None).unwrap();
+    let rays = vec![Ray::new([0.0; 3], [0.0, 0.0, 1.0], FAR); 100_000];
+    let mut hits = vec![Hit::default(); rays.len()];
+    scene.raycast_batch(&rays, ALL_LAYERS, &mut hits).unwrap();
+    assert!(hits.iter().all(|hit| hit.t == 4.0) && calls.load(Ordering::Relaxed) > 0);
+}
