@@ -11,9 +11,12 @@ fn main() {
         return;
     }
     let found = Command::new("pkg-config").args(["--libs-only-L", "gamephys"]).output();
-    if let Ok(output) = found {
-        for word in String::from_utf8_lossy(&output.stdout).split_whitespace() {
-            println!("cargo:rustc-link-search=native={}", word.trim_start_matches("-L"));
+    match found {
+        Ok(output) if output.status.success() => {
+            for word in String::from_utf8_lossy(&output.stdout).split_whitespace() {
+                println!("cargo:rustc-link-search=native={}", word.trim_start_matches("-L"));
+            }
         }
+        _ => println!("cargo:warning=pkg-config does not find gamephys: set PKG_CONFIG_PATH or GAMEPHYS_LIBRARY"),
     }
 }
