@@ -22,7 +22,8 @@ case ${1:-} in
         ;;
     --bindings)
         presets=(bindings)
-        packages+=(python3-numpy python3-pip nodejs luajit ruby ruby-ffi)
+        packages+=(python3-numpy python3-pip nodejs luajit ruby ruby-ffi openjdk-17-jdk-headless
+            libjna-java junit4)
         command -v npm >/dev/null || packages+=(npm)
         command -v cargo >/dev/null || packages+=(cargo)
         ;;

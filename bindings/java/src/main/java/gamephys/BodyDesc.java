@@ -1,0 +1,148 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+package gamephys;
+
+import com.sun.jna.Pointer;
+import java.nio.ByteBuffer;
+
+/**
+ * <pre>
+ * Settings shared by all kinds of bodies.
+ * </pre>
+ */
+public final class BodyDesc {
+    private final ByteBuffer memory = Batch.direct(40);
+
+    public BodyDesc() {
+        Low.check(Low.gphys_body_desc_init(pointer(), memory.capacity()));
+    }
+
+    Pointer pointer() {
+        return com.sun.jna.Native.getDirectBufferPointer(memory);
+    }
+
+    /**
+     * <pre>
+     * kg of the whole body, spread evenly; &gt; 0; default 1
+     * </pre>
+     */
+    public BodyDesc mass(float value) {
+        memory.putFloat(4, value);
+        return this;
+    }
+
+    public float mass() {
+        return memory.getFloat(4);
+    }
+
+    /**
+     * <pre>
+     * of each particle for collision, metres, &gt;= 0; default 0.01
+     * </pre>
+     */
+    public BodyDesc radius(float value) {
+        memory.putFloat(8, value);
+        return this;
+    }
+
+    public float radius() {
+        return memory.getFloat(8);
+    }
+
+    /**
+     * <pre>
+     * rate in 1/s: velocities decay as exp(-damping t); &gt;= 0; default 0
+     * </pre>
+     */
+    public BodyDesc damping(float value) {
+        memory.putFloat(12, value);
+        return this;
+    }
+
+    public float damping() {
+        return memory.getFloat(12);
+    }
+
+    /**
+     * <pre>
+     * Coulomb coefficient against models, &gt;= 0; default 0.5
+     * </pre>
+     */
+    public BodyDesc friction(float value) {
+        memory.putFloat(16, value);
+        return this;
+    }
+
+    public float friction() {
+        return memory.getFloat(16);
+    }
+
+    /**
+     * <pre>
+     * speed kept in a bounce, 0 .. 1; default 0
+     * </pre>
+     */
+    public BodyDesc restitution(float value) {
+        memory.putFloat(20, value);
+        return this;
+    }
+
+    public float restitution() {
+        return memory.getFloat(20);
+    }
+
+    /**
+     * <pre>
+     * of stretch, metres per newton, &gt;= 0; 0 is inextensible; default 0
+     * </pre>
+     */
+    public BodyDesc compliance(float value) {
+        memory.putFloat(24, value);
+        return this;
+    }
+
+    public float compliance() {
+        return memory.getFloat(24);
+    }
+
+    /**
+     * <pre>
+     * of GPHYS_CLOTH_BEND constraints, m/N; default 0.001
+     * </pre>
+     */
+    public BodyDesc bendCompliance(float value) {
+        memory.putFloat(28, value);
+        return this;
+    }
+
+    public float bendCompliance() {
+        return memory.getFloat(28);
+    }
+
+    /**
+     * <pre>
+     * GPHYS_CLOTH_...; default SHEAR | BEND
+     * </pre>
+     */
+    public BodyDesc clothFlags(int value) {
+        memory.putInt(32, value);
+        return this;
+    }
+
+    public int clothFlags() {
+        return memory.getInt(32);
+    }
+
+    /**
+     * <pre>
+     * mask of the models it collides with; 0: none; default all
+     * </pre>
+     */
+    public BodyDesc layers(int value) {
+        memory.putInt(36, value);
+        return this;
+    }
+
+    public int layers() {
+        return memory.getInt(36);
+    }
+}

@@ -1,0 +1,382 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+package gamephys;
+
+import java.util.Optional;
+
+/** Constants, and questions about single shapes. */
+public final class Gamephys extends GamephysBase {
+    private Gamephys() {}
+
+    public static final int OK = 0;
+    public static final int NO_HIT = 1;
+    public static final int INCOMPLETE = 2;
+    public static final int UNBOUNDED = 3;
+    public static final int ERROR_INVALID_ARGUMENT = -1;
+    public static final int ERROR_INVALID_ID = -2;
+    public static final int ERROR_STRUCT_SIZE = -3;
+    public static final int ERROR_OUT_OF_MEMORY = -4;
+    public static final int ERROR_CAPACITY = -5;
+    public static final int ERROR_CYCLE = -6;
+    public static final int ERROR_UNSUPPORTED = -7;
+    public static final int ERROR_SINGULAR = -8;
+    public static final int ERROR_INTERNAL = -100;
+    public static final int FRUSTUM_NEAR = 0;
+    public static final int FRUSTUM_FAR = 1;
+    public static final int FRUSTUM_LEFT = 2;
+    public static final int FRUSTUM_RIGHT = 3;
+    public static final int FRUSTUM_BOTTOM = 4;
+    public static final int FRUSTUM_TOP = 5;
+    public static final int HIT_INSIDE = 1;
+    public static final int HIT_BACK = 2;
+    public static final int SHAPE_SPHERE = 1;
+    public static final int SHAPE_CAPSULE = 2;
+    public static final int SHAPE_AABB = 3;
+    public static final int SHAPE_OBB = 4;
+    public static final int SHAPE_PLANE = 5;
+    public static final int SHAPE_TRIANGLE = 6;
+    public static final int SHAPE_FRUSTUM = 7;
+    public static final int SHAPE_MESH = 8;
+    public static final int SHAPE_RAY = 16;
+    public static final int SHAPE_SEGMENT = 17;
+    public static final int SIDE_OUTSIDE = -1;
+    public static final int SIDE_CROSSING = 0;
+    public static final int SIDE_INSIDE = 1;
+    public static final int DEPTH_ZERO_TO_ONE = 0;
+    public static final int DEPTH_MINUS_ONE_TO_ONE = 1;
+    public static final int PROJECTION_PERSPECTIVE = 0;
+    public static final int PROJECTION_ORTHOGRAPHIC = 1;
+    public static final int PROJECTION_USER = 2;
+    public static final int LEFT_HANDED = 0;
+    public static final int RIGHT_HANDED = 1;
+    public static final int CLOTH_SHEAR = 1;
+    public static final int CLOTH_BEND = 2;
+    public static final int BODY_PARTICLES = 1;
+    public static final int BODY_ROPE = 2;
+    public static final int BODY_CLOTH = 3;
+    public static final int SOLVE_FREE = 0;
+    public static final int SOLVE_DIRECT = 1;
+    public static final int SOLVE_GRAPH = 2;
+    public static final int VERSION_MAJOR = 1;
+    public static final int VERSION_MINOR = 0;
+    public static final int VERSION_PATCH = 0;
+    public static final float MAX_COORDINATE = 1000000000000000.0f;
+    public static final int NO_TRIANGLE = 0xffffffff;
+    public static final int ALL_LAYERS = 0xffffffff;
+
+    /**
+     * <pre>
+     * Whether the shape fulfils the ranges beside its struct.
+     * &#64;return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+     * </pre>
+     */
+    public static void validate(Shape shape) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_validate(shape.kind(), Low.shape(shape, scratch, 1));
+        Low.keep(shape);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
+     * &#64;return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
+     *         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+     * </pre>
+     */
+    public static Optional<Aabb> bounds(Shape shape) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_bounds(shape.kind(), Low.shape(shape, scratch, 1), scratch.slot(2));
+        Low.keep(shape);
+        return Low.found(status) ? Optional.of(Aabb.read(scratch.memory, Scratch.at(2))) : Optional.empty();
+    }
+
+    /**
+     * <pre>
+     * Whether the point is within tolerance metres of the shape (solid or surface).
+     * With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+     * axes are those of its rotation in double precision).
+     * &#64;param tolerance  &gt;= 0
+     * &#64;param out_contains  0 or 1
+     * </pre>
+     */
+    public static boolean contains(Shape shape, Vec3 point, float tolerance) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_contains(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, point), tolerance, scratch.slot(4));
+        Low.keep(shape);
+        Low.check(status);
+        return scratch.getInt(4) != 0;
+    }
+
+    /** The same with defaults. */
+    public static boolean contains(Shape shape, Vec3 point) {
+        return contains(shape, point, 0);
+    }
+
+    /**
+     * <pre>
+     * Whether the point is within tolerance metres of the shape (solid or surface).
+     * With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
+     * axes are those of its rotation in double precision).
+     * &#64;param tolerance  &gt;= 0
+     * &#64;param out_contains  0 or 1
+     * </pre>
+     */
+    public static Batch<Integer> containsBatch(Shape shape, Batch<Vec3> points, float tolerance, Batch<Integer> out) {
+        Scratch scratch = Scratch.get();
+        int count = Low.common(points.common());
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_shape_contains_batch(shape.kind(), Low.shape(shape, scratch, 1), points.pointer(), points.stride(), count, tolerance, room.pointer(), Layout.INT.bytes());
+        Low.keep(shape, points, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public static Batch<Integer> containsBatch(Shape shape, Batch<Vec3> points, float tolerance) {
+        return containsBatch(shape, points, tolerance, (Batch<Integer>) null);
+    }
+
+    /** The same with defaults. */
+    public static Batch<Integer> containsBatch(Shape shape, Batch<Vec3> points) {
+        return containsBatch(shape, points, 0, (Batch<Integer>) null);
+    }
+
+    /**
+     * <pre>
+     * The point of the shape that is closest to the given point: the point itself inside a solid.
+     * Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
+     * coordinate difference. If several are equally close, one of them,
+     * always the same. For a ray, t is limited by t_max.
+     * &#64;return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+     * </pre>
+     */
+    public static Optional<Nearest> closestPoint(Shape shape, Vec3 point) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_closest_point(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, point), scratch.slot(3));
+        Low.keep(shape);
+        return Low.found(status) ? Optional.of(Nearest.read(scratch.memory, Scratch.at(3))) : Optional.empty();
+    }
+
+    /**
+     * <pre>
+     * The same for count points. An element for which there is none gets distance INFINITY.
+     * </pre>
+     */
+    public static Batch<Nearest> closestPointBatch(Shape shape, Batch<Vec3> points, Batch<Nearest> out) {
+        Scratch scratch = Scratch.get();
+        int count = Low.common(points.common());
+        Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
+        int status = Low.gphys_shape_closest_point_batch(shape.kind(), Low.shape(shape, scratch, 1), points.pointer(), points.stride(), count, room.pointer(), Nearest.LAYOUT.bytes());
+        Low.keep(shape, points, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public static Batch<Nearest> closestPointBatch(Shape shape, Batch<Vec3> points) {
+        return closestPointBatch(shape, points, (Batch<Nearest>) null);
+    }
+
+    /** What segmentClosestPoints returns. */
+    public record SegmentClosestPointsResult(Vec3 a, Vec3 b, float distance) {}
+
+    /**
+     * <pre>
+     * The closest points of two segments and their distance. Parallel segments have many: the first
+     * along a, always the same. out_a, out_b, out_distance may each be NULL.
+     * </pre>
+     */
+    public static SegmentClosestPointsResult segmentClosestPoints(Segment a, Segment b) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_segment_closest_points(scratch.put(0, a), scratch.put(1, b), scratch.slot(2), scratch.slot(3), scratch.slot(4));
+        Low.check(status);
+        return new SegmentClosestPointsResult(Vec3.read(scratch.memory, Scratch.at(2)), Vec3.read(scratch.memory, Scratch.at(3)), scratch.getFloat(4));
+    }
+
+    /**
+     * <pre>
+     * Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
+     * triangle, frustum and mesh, in either order.
+     * A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
+     * Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
+     * precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
+     * &#64;return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+     * </pre>
+     */
+    public static boolean overlaps(Shape a, Shape b) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_overlaps(a.kind(), Low.shape(a, scratch, 1), b.kind(), Low.shape(b, scratch, 3), scratch.slot(4));
+        Low.keep(a, b);
+        Low.check(status);
+        return scratch.getInt(4) != 0;
+    }
+
+    /**
+     * <pre>
+     * Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0.
+     * </pre>
+     */
+    public static Batch<Integer> overlapsBatch(Shapes a, Shapes b, Batch<Integer> out) {
+        int count = Low.common(a.common(), b.common());
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_shape_overlaps_batch(a.kind(), a.pointer(), a.stride(), b.kind(), b.pointer(), b.stride(), count, room.pointer(), Layout.INT.bytes());
+        Low.keep(a, b, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public static Batch<Integer> overlapsBatch(Shapes a, Shapes b) {
+        return overlapsBatch(a, b, (Batch<Integer>) null);
+    }
+
+    /** What classifyPlane returns. */
+    public record ClassifyPlaneResult(int side, float signedDistance) {}
+
+    /**
+     * <pre>
+     * Classify a sphere, capsule, AABB, OBB or triangle against a plane.
+     * &#64;param out_signed_distance  of the shape's nearest point to the plane: &gt; 0 in front, &lt; 0
+     *                             behind, 0 when crossing; may be NULL
+     * </pre>
+     */
+    public static ClassifyPlaneResult classifyPlane(Shape shape, Plane plane) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_classify_plane(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, plane), scratch.slot(3), scratch.slot(4));
+        Low.keep(shape);
+        Low.check(status);
+        return new ClassifyPlaneResult(scratch.getInt(3), scratch.getFloat(4));
+    }
+
+    /**
+     * <pre>
+     * Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
+     * that no point is shared, inside that the frustum holds the whole shape.
+     * </pre>
+     */
+    public static int classifyFrustum(Shape shape, Frustum frustum) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_classify_frustum(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, frustum), scratch.slot(3));
+        Low.keep(shape);
+        Low.check(status);
+        return scratch.getInt(3);
+    }
+
+    /**
+     * <pre>
+     * First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
+     * Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
+     * shared edge or vertex always meets one of the triangles there.
+     * Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
+     * and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
+     * smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * </pre>
+     */
+    public static Optional<Hit> raycast(Shape shape, Ray ray) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_raycast(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, ray), scratch.slot(3));
+        Low.keep(shape);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
+    }
+
+    /**
+     * <pre>
+     * The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
+     * element.  &#64;return GPHYS_OK
+     * </pre>
+     */
+    public static Batch<Hit> raycastBatch(Shape shape, Batch<Ray> rays, Batch<Hit> out) {
+        Scratch scratch = Scratch.get();
+        int count = Low.common(rays.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_shape_raycast_batch(shape.kind(), Low.shape(shape, scratch, 1), rays.pointer(), rays.stride(), count, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(shape, rays, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public static Batch<Hit> raycastBatch(Shape shape, Batch<Ray> rays) {
+        return raycastBatch(shape, rays, (Batch<Hit>) null);
+    }
+
+    /**
+     * <pre>
+     * First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
+     * A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+     * then is met from no direction, the normal is zero.
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * </pre>
+     */
+    public static Optional<Hit> segmentTest(Shape shape, Segment segment) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_segment_test(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, segment), scratch.slot(3));
+        Low.keep(shape);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
+    }
+
+    /**
+     * <pre>
+     * First contact of a sphere that moves by displacement (which may be zero) with a sphere,
+     * capsule, AABB, OBB, plane, triangle, frustum or mesh.
+     * &#64;param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
+     *                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
+     *                 and where the centre itself is in a solid, the normal is opposite to the
+     *                 displacement (zero if that is zero).
+     * Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
+     * Cost: a frustum, approached step by step, takes about 10 us.
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * </pre>
+     */
+    public static Optional<Hit> sweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_shape_sweep_sphere(shape.kind(), Low.shape(shape, scratch, 1), scratch.put(2, sphere), scratch.put(3, displacement), scratch.slot(4));
+        Low.keep(shape);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(4))) : Optional.empty();
+    }
+
+    /**
+     * <pre>
+     * The eight corners, each the intersection of three planes: near then far, each in the order
+     * left-bottom, right-bottom, right-top, left-top.
+     * &#64;return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+     * </pre>
+     */
+    public static Optional<java.util.List<Vec3>> frustumCorners(Frustum frustum) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_frustum_corners(scratch.put(0, frustum), scratch.slot(1));
+        return Low.found(status) ? Optional.of(scratch.list(1, 8, Vec3.LAYOUT)) : Optional.empty();
+    }
+
+    /**
+     * <pre>
+     * The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
+     * origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
+     * &#64;param reverse_z  0: near has the low depth; 1: near has the high depth
+     * &#64;return GPHYS_ERROR_SINGULAR if the matrix has no volume
+     * </pre>
+     */
+    public static Frustum frustumFromMatrix(Mat4 viewProjection, int depthRange, boolean reverseZ) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_frustum_from_matrix(scratch.put(0, viewProjection), depthRange, reverseZ ? 1 : 0, scratch.slot(3));
+        Low.check(status);
+        return Frustum.read(scratch.memory, Scratch.at(3));
+    }
+
+    /**
+     * <pre>
+     * Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
+     * &#64;param vertices       vertex_count elements of 3 floats
+     * &#64;param vertex_stride  bytes between vertices, at least 12
+     * &#64;param indices        index_count numbers, three for each triangle
+     * </pre>
+     */
+    public static MeshReport meshCheck(Batch<Float> vertices, Batch<Integer> indices) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_mesh_check(vertices.pointer(), vertices.stride(12), vertices.size(3), indices.pointer(), indices.size(), scratch.slot(5));
+        Low.keep(vertices, indices);
+        Low.check(status);
+        return MeshReport.read(scratch.memory, Scratch.at(5));
+    }
+}

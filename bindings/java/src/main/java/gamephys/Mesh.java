@@ -1,0 +1,142 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+package gamephys;
+
+import com.sun.jna.Pointer;
+import java.util.Optional;
+
+/**
+ * <pre>
+ * Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
+ * segments or points that they are, and counted in the report. 0 triangles are allowed.
+ * &#64;param desc  may be NULL
+ * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
+ *         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+ * Cost: O(n log n), about 1 us per triangle.
+ * </pre>
+ */
+public final class Mesh extends Owned implements Shape {
+    public Mesh(Batch<Float> vertices, Batch<Integer> indices, MeshDesc desc) {
+        super(create(vertices, indices, desc), Low::gphys_mesh_destroy);
+    }
+
+    public Mesh(Batch<Float> vertices, Batch<Integer> indices) {
+        super(create(vertices, indices, (MeshDesc) null), Low::gphys_mesh_destroy);
+    }
+
+    private static Pointer create(Batch<Float> vertices, Batch<Integer> indices, MeshDesc desc) {
+        return Low.create(made -> Low.gphys_mesh_create(desc == null ? null : desc.pointer(), vertices.pointer(), vertices.stride(12), vertices.size(3), indices.pointer(), indices.size(), made));
+    }
+
+    /**
+     * <pre>
+     * What the mesh was built from.
+     * </pre>
+     */
+    public MeshReport getReport() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_mesh_get_report(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return MeshReport.read(scratch.memory, Scratch.at(1));
+    }
+
+    /**
+     * <pre>
+     * Copy the vertices out; in their original order.
+     * </pre>
+     */
+    public Batch<Vec3> getVertices() {
+        return Low.list(Vec3.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_mesh_get_vertices(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Copy the indices out; in their original order.
+     * </pre>
+     */
+    public Batch<Integer> getIndices() {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_mesh_get_indices(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
+     * Kept when the array is too small: the first ones.  &#64;return GPHYS_OK (also for 0 hits)
+     * </pre>
+     */
+    public Batch<Hit> raycastAll(Ray ray) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Hit.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_mesh_raycast_all(opened(), scratch.put(1, ray), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Whether a ray hits anything; cheaper than the closest hit.
+     * </pre>
+     */
+    public boolean raycastAny(Ray ray) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_mesh_raycast_any(opened(), scratch.put(1, ray), scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(2) != 0;
+    }
+
+    /**
+     * <pre>
+     * Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+     * ascending. Kept when the array is too small: the lowest.
+     * </pre>
+     */
+    public Batch<Integer> overlap(Shape shape) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_mesh_overlap(opened(), shape.kind(), Low.shape(shape, scratch, 2), room, capacity, total);
+                Low.keep(this, shape);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Cost: O(nodes).
+     * </pre>
+     */
+    public OctreeStats getOctreeStats() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_mesh_get_octree_stats(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return OctreeStats.read(scratch.memory, Scratch.at(1));
+    }
+
+    /**
+     * <pre>
+     * Boxes of the tree, each parent before its children. Kept when too many: the first.
+     * </pre>
+     */
+    public Batch<OctreeBox> getOctreeBoxes() {
+        return Low.list(OctreeBox.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_mesh_get_octree_boxes(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    @Override
+    public int kind() {
+        return Gamephys.SHAPE_MESH;
+    }
+}

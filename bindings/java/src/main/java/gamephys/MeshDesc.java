@@ -1,0 +1,28 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+package gamephys;
+
+import com.sun.jna.Pointer;
+import java.nio.ByteBuffer;
+
+/** Settings: the library's defaults, until one is changed. */
+public final class MeshDesc {
+    private final ByteBuffer memory = Batch.direct(Low.pick(16, 8));
+
+    public MeshDesc() {
+        Low.check(Low.gphys_mesh_desc_init(pointer(), memory.capacity()));
+    }
+
+    Pointer pointer() {
+        return com.sun.jna.Native.getDirectBufferPointer(memory);
+    }
+
+    /**
+     * <pre>
+     * NULL: the C++ runtime's
+     * </pre>
+     */
+    public MeshDesc allocator(Pointer value) {
+        pointer().setPointer(Low.pick(8, 4), value);
+        return this;
+    }
+}

@@ -1,0 +1,60 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+package gamephys;
+
+import com.sun.jna.Pointer;
+import java.nio.ByteBuffer;
+
+/** Settings: the library's defaults, until one is changed. */
+public final class ModelDesc {
+    private final ByteBuffer memory = Batch.direct(16);
+
+    public ModelDesc() {
+        Low.check(Low.gphys_model_desc_init(pointer(), memory.capacity()));
+    }
+
+    Pointer pointer() {
+        return com.sun.jna.Native.getDirectBufferPointer(memory);
+    }
+
+    /**
+     * <pre>
+     * 0: none
+     * </pre>
+     */
+    public ModelDesc parent(int value) {
+        memory.putInt(4, value);
+        return this;
+    }
+
+    public int parent() {
+        return memory.getInt(4);
+    }
+
+    /**
+     * <pre>
+     * a query with mask m sees the model if layers &amp; m; default 1
+     * </pre>
+     */
+    public ModelDesc layers(int value) {
+        memory.putInt(8, value);
+        return this;
+    }
+
+    public int layers() {
+        return memory.getInt(8);
+    }
+
+    /**
+     * <pre>
+     * any number of the caller's, returned with each hit; 0
+     * </pre>
+     */
+    public ModelDesc tag(int value) {
+        memory.putInt(12, value);
+        return this;
+    }
+
+    public int tag() {
+        return memory.getInt(12);
+    }
+}

@@ -1,0 +1,709 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+package gamephys;
+
+import com.sun.jna.Pointer;
+import java.util.Optional;
+
+/**
+ * <pre>
+ * With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
+ * adding and moving many models, share their work among n threads; the results have the same bits
+ * for every n. Without a task_runner n - 1 threads are started here and joined by
+ * gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
+ * work. They take no signals but faults, and the floating-point settings of the thread that
+ * created them. In a child of fork they are gone: calls there run on one thread.
+ * &#64;param desc  may be NULL
+ * &#64;return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+ * </pre>
+ */
+public final class Scene extends SceneBase {
+    public Scene(SceneDesc desc) {
+        super(create(desc), Low::gphys_scene_destroy);
+    }
+
+    public Scene() {
+        super(create((SceneDesc) null), Low::gphys_scene_destroy);
+    }
+
+    private static Pointer create(SceneDesc desc) {
+        return Low.create(made -> Low.gphys_scene_create(desc == null ? null : desc.pointer(), made));
+    }
+
+    /**
+     * <pre>
+     * Move the point of the world that all coordinates of the scene count from, those that it is given
+     * and those that it returns. Models stay where they are in the world: the positions of those without
+     * a parent become what they are from there, kept in double precision and rounded to float32 once,
+     * however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
+     * and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
+     * &#64;param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
+     * Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
+     * on. Queries cost nothing more.
+     * </pre>
+     */
+    public void setOrigin(double[] origin) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_set_origin(opened(), scratch.put(1, origin, 3));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Where in the world the scene's coordinates count from.
+     * </pre>
+     */
+    public double[] getOrigin() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_get_origin(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.doubles(1, 3);
+    }
+
+    /**
+     * <pre>
+     * Add a model.
+     * &#64;param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
+     * &#64;param shape      in the model's own coordinates
+     * &#64;param transform  local; NULL is the identity
+     * &#64;param desc       NULL: no parent, layer 1, tag 0
+     * &#64;return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
+     *         GPHYS_ERROR_CAPACITY
+     * Cost: O(log n) amortised.
+     * </pre>
+     */
+    public int add(Shape shape, Transform transform, ModelDesc desc) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_add(opened(), shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, transform), desc == null ? null : desc.pointer(), scratch.slot(5));
+        Low.keep(this, shape, desc);
+        Low.check(status);
+        return scratch.getInt(5);
+    }
+
+    /** The same with defaults. */
+    public int add(Shape shape, Transform transform) {
+        return add(shape, transform, (ModelDesc) null);
+    }
+
+    /** The same with defaults. */
+    public int add(Shape shape) {
+        return add(shape, (Transform) null, (ModelDesc) null);
+    }
+
+    /**
+     * <pre>
+     * Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
+     * needs shape_stride 0). transforms may be NULL. out_models has count elements.
+     * </pre>
+     */
+    public Batch<Integer> addBatch(Shapes shapes, Batch<Transform> transforms, ModelDesc desc, Batch<Integer> out) {
+        int count = Low.common(shapes.common(), Batch.common(transforms));
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_scene_add_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), count, desc == null ? null : desc.pointer(), room.pointer());
+        Low.keep(this, shapes, transforms, desc, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> addBatch(Shapes shapes, Batch<Transform> transforms, ModelDesc desc) {
+        return addBatch(shapes, transforms, desc, (Batch<Integer>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> addBatch(Shapes shapes, Batch<Transform> transforms) {
+        return addBatch(shapes, transforms, (ModelDesc) null, (Batch<Integer>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> addBatch(Shapes shapes) {
+        return addBatch(shapes, (Batch<Transform>) null, (ModelDesc) null, (Batch<Integer>) null);
+    }
+
+    /**
+     * <pre>
+     * Remove a model. Its children stay where they are in the world and lose their parent.
+     * </pre>
+     */
+    public void remove(int model) {
+        int status = Low.gphys_scene_remove(opened(), model);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID.
+     * </pre>
+     */
+    public void removeBatch(Batch<Integer> models) {
+        int count = Low.common(models.common());
+        int status = Low.gphys_scene_remove_batch(opened(), models.pointer(), count);
+        Low.keep(this, models);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Remove a model and all its descendants.
+     * </pre>
+     */
+    public void removeSubtree(int model) {
+        int status = Low.gphys_scene_remove_subtree(opened(), model);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Remove all. Ids given out before stay invalid.
+     * </pre>
+     */
+    public void clear() {
+        int status = Low.gphys_scene_clear(opened());
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID.
+     * </pre>
+     */
+    public boolean has(int model) {
+        int status = Low.gphys_scene_has(opened(), model);
+        Low.keep(this);
+        return Low.answered(status, Gamephys.ERROR_INVALID_ID);
+    }
+
+    /**
+     * <pre>
+     * Ids of all models, ascending. Kept when too many: the lowest.
+     * </pre>
+     */
+    public Batch<Integer> getModels() {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_get_models(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Kind, parent, layers, tag and number of children of a model.
+     * </pre>
+     */
+    public ModelInfo getInfo(int model) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_get_info(opened(), model, scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return ModelInfo.read(scratch.memory, Scratch.at(2));
+    }
+
+    /**
+     * <pre>
+     * World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+     * </pre>
+     */
+    public Optional<Aabb> getBounds(int model) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_get_bounds(opened(), model, scratch.slot(2));
+        Low.keep(this);
+        return Low.found(status) ? Optional.of(Aabb.read(scratch.memory, Scratch.at(2))) : Optional.empty();
+    }
+
+    /**
+     * <pre>
+     * World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out.
+     * </pre>
+     */
+    public Optional<Aabb> getSceneBounds() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_get_scene_bounds(opened(), scratch.slot(1));
+        Low.keep(this);
+        return Low.found(status) ? Optional.of(Aabb.read(scratch.memory, Scratch.at(1))) : Optional.empty();
+    }
+
+    /**
+     * <pre>
+     * Change which queries see a model, or what its hits report. Children are not affected.
+     * </pre>
+     */
+    public void setLayers(int model, int layers) {
+        int status = Low.gphys_scene_set_layers(opened(), model, layers);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Change which queries see a model, or what its hits report. Children are not affected.
+     * </pre>
+     */
+    public void setTag(int model, int tag) {
+        int status = Low.gphys_scene_set_tag(opened(), model, tag);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Hang a model below another one, or below none (0).
+     * &#64;param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
+     *                    changed so that the world transform stays (within float32 rounding)
+     * &#64;return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+     * </pre>
+     */
+    public void setParent(int model, int parent, boolean keepWorld) {
+        int status = Low.gphys_scene_set_parent(opened(), model, parent, keepWorld ? 1 : 0);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.
+     * </pre>
+     */
+    public void setTransform(int model, Transform transform) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_set_transform(opened(), model, scratch.put(2, transform));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /** The same with defaults. */
+    public void setTransform(int model) {
+        setTransform(model, (Transform) null);
+    }
+
+    /**
+     * <pre>
+     * Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+     * that moves when few move, O(n) when many do.
+     * </pre>
+     */
+    public void setTransforms(Batch<Integer> models, Batch<Transform> transforms) {
+        int count = Low.common(models.common(), transforms.common());
+        int status = Low.gphys_scene_set_transforms(opened(), models.pointer(), transforms.pointer(), transforms.stride(), count);
+        Low.keep(this, models, transforms);
+        Low.check(status);
+    }
+
+    /** The same with defaults. */
+    public void setTransforms(Batch<Integer> models) {
+        setTransforms(models, (Batch<Transform>) null);
+    }
+
+    /**
+     * <pre>
+     * Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+     * that moves when few move, O(n) when many do.
+     * </pre>
+     */
+    public Batch<Transform> getTransforms(Batch<Integer> models, Batch<Transform> out) {
+        int count = Low.common(models.common());
+        Batch<Transform> room = Batch.room(Transform.LAYOUT, count, out);
+        int status = Low.gphys_scene_get_transforms(opened(), models.pointer(), count, room.pointer(), Transform.LAYOUT.bytes());
+        Low.keep(this, models, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Transform> getTransforms(Batch<Integer> models) {
+        return getTransforms(models, (Batch<Transform>) null);
+    }
+
+    /**
+     * <pre>
+     * Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
+     * that moves when few move, O(n) when many do.
+     * </pre>
+     */
+    public Batch<Transform> getWorldTransforms(Batch<Integer> models, Batch<Transform> out) {
+        int count = Low.common(models.common());
+        Batch<Transform> room = Batch.room(Transform.LAYOUT, count, out);
+        int status = Low.gphys_scene_get_world_transforms(opened(), models.pointer(), count, room.pointer(), Transform.LAYOUT.bytes());
+        Low.keep(this, models, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Transform> getWorldTransforms(Batch<Integer> models) {
+        return getWorldTransforms(models, (Batch<Transform>) null);
+    }
+
+    /**
+     * <pre>
+     * Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * </pre>
+     */
+    public Optional<Hit> raycast(Ray ray, int layers) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_raycast(opened(), scratch.put(1, ray), layers, scratch.slot(3));
+        Low.keep(this);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> raycast(Ray ray) {
+        return raycast(ray, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * Closest model on a ray; the fields are exact as in gphys_shape_raycast.
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * </pre>
+     */
+    public Batch<Hit> raycastBatch(Batch<Ray> rays, int layers, Batch<Hit> out) {
+        int count = Low.common(rays.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_scene_raycast_batch(opened(), rays.pointer(), rays.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, rays, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> raycastBatch(Batch<Ray> rays, int layers) {
+        return raycastBatch(rays, layers, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> raycastBatch(Batch<Ray> rays) {
+        return raycastBatch(rays, Gamephys.ALL_LAYERS, (Batch<Hit>) null);
+    }
+
+    /**
+     * <pre>
+     * Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+     * </pre>
+     */
+    public boolean raycastAny(Ray ray, int layers) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_raycast_any(opened(), scratch.put(1, ray), layers, scratch.slot(3));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(3) != 0;
+    }
+
+    /** The same with defaults. */
+    public boolean raycastAny(Ray ray) {
+        return raycastAny(ray, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+     * </pre>
+     */
+    public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, int layers, Batch<Integer> out) {
+        int count = Low.common(rays.common());
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_scene_raycast_any_batch(opened(), rays.pointer(), rays.stride(), count, layers, room.pointer(), Layout.INT.bytes());
+        Low.keep(this, rays, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, int layers) {
+        return raycastAnyBatch(rays, layers, (Batch<Integer>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> raycastAnyBatch(Batch<Ray> rays) {
+        return raycastAnyBatch(rays, Gamephys.ALL_LAYERS, (Batch<Integer>) null);
+    }
+
+    /**
+     * <pre>
+     * Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
+     * the first.
+     * </pre>
+     */
+    public Batch<Hit> raycastAll(Ray ray, int layers) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Hit.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_raycast_all(opened(), scratch.put(1, ray), layers, room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> raycastAll(Ray ray) {
+        return raycastAll(ray, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+     * &#64;param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
+     *                     room. Where a ray's range crosses capacity, its first hits are written.
+     * What stands in out_hits behind the last hit afterwards is unspecified.
+     * &#64;return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity
+     * </pre>
+     */
+    public Ragged<Hit> raycastAllBatch(Batch<Ray> rays, int layers) {
+        int count = Low.common(rays.common());
+        return Low.ragged(Hit.LAYOUT, count, (room, capacity, offsets) -> {
+                int status = Low.gphys_scene_raycast_all_batch(opened(), rays.pointer(), rays.stride(), count, layers, room, capacity, offsets);
+                Low.keep(this, rays);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Ragged<Hit> raycastAllBatch(Batch<Ray> rays) {
+        return raycastAllBatch(rays, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * Closest model along a segment from a to b, both included; t in 0..1.
+     * </pre>
+     */
+    public Optional<Hit> segmentTest(Segment segment, int layers) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_segment_test(opened(), scratch.put(1, segment), layers, scratch.slot(3));
+        Low.keep(this);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> segmentTest(Segment segment) {
+        return segmentTest(segment, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * Closest model along a segment from a to b, both included; t in 0..1.
+     * </pre>
+     */
+    public Batch<Hit> segmentTestBatch(Batch<Segment> segments, int layers, Batch<Hit> out) {
+        int count = Low.common(segments.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_scene_segment_test_batch(opened(), segments.pointer(), segments.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, segments, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> segmentTestBatch(Batch<Segment> segments, int layers) {
+        return segmentTestBatch(segments, layers, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> segmentTestBatch(Batch<Segment> segments) {
+        return segmentTestBatch(segments, Gamephys.ALL_LAYERS, (Batch<Hit>) null);
+    }
+
+    /**
+     * <pre>
+     * Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+     * ascending. Kept when too many: the lowest.
+     * </pre>
+     */
+    public Batch<Integer> overlap(Shape shape, int layers) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_overlap(opened(), shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                Low.keep(this, shape);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> overlap(Shape shape) {
+        return overlap(shape, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * Offsets as in gphys_scene_raycast_all_batch.
+     * </pre>
+     */
+    public Ragged<Integer> overlapBatch(Shapes shapes, int layers) {
+        int count = Low.common(shapes.common());
+        return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
+                int status = Low.gphys_scene_overlap_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), count, layers, room, capacity, offsets);
+                Low.keep(this, shapes);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Ragged<Integer> overlapBatch(Shapes shapes) {
+        return overlapBatch(shapes, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
+     * own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
+     * per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
+     * too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
+     * as scratch memory to order them.
+     * </pre>
+     */
+    public Batch<Integer> cull(Frustum frustum, int layers) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_cull(opened(), scratch.put(1, frustum), layers, room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> cull(Frustum frustum) {
+        return cull(frustum, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * The model nearest to a point, and its closest point.
+     * &#64;param max_distance  &gt;= 0, INFINITY allowed; a model at exactly this distance counts
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * </pre>
+     */
+    public Optional<Nearest> nearest(Vec3 point, float maxDistance, int layers) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_nearest(opened(), scratch.put(1, point), maxDistance, layers, scratch.slot(4));
+        Low.keep(this);
+        return Low.found(status) ? Optional.of(Nearest.read(scratch.memory, Scratch.at(4))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Nearest> nearest(Vec3 point, float maxDistance) {
+        return nearest(point, maxDistance, Gamephys.ALL_LAYERS);
+    }
+
+    /** The same with defaults. */
+    public Optional<Nearest> nearest(Vec3 point) {
+        return nearest(point, Float.POSITIVE_INFINITY, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * The model nearest to a point, and its closest point.
+     * &#64;param max_distance  &gt;= 0, INFINITY allowed; a model at exactly this distance counts
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * </pre>
+     */
+    public Batch<Nearest> nearestBatch(Batch<Vec3> points, float maxDistance, int layers, Batch<Nearest> out) {
+        int count = Low.common(points.common());
+        Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
+        int status = Low.gphys_scene_nearest_batch(opened(), points.pointer(), points.stride(), count, maxDistance, layers, room.pointer(), Nearest.LAYOUT.bytes());
+        Low.keep(this, points, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Nearest> nearestBatch(Batch<Vec3> points, float maxDistance, int layers) {
+        return nearestBatch(points, maxDistance, layers, (Batch<Nearest>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Nearest> nearestBatch(Batch<Vec3> points, float maxDistance) {
+        return nearestBatch(points, maxDistance, Gamephys.ALL_LAYERS, (Batch<Nearest>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Nearest> nearestBatch(Batch<Vec3> points) {
+        return nearestBatch(points, Float.POSITIVE_INFINITY, Gamephys.ALL_LAYERS, (Batch<Nearest>) null);
+    }
+
+    /**
+     * <pre>
+     * First model that a sphere touches while it moves by displacement; t in 0..1.
+     * Fields as in gphys_shape_sweep_sphere.
+     * </pre>
+     */
+    public Optional<Hit> sweepSphere(Sphere sphere, Vec3 displacement, int layers) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_sweep_sphere(opened(), scratch.put(1, sphere), scratch.put(2, displacement), layers, scratch.slot(4));
+        Low.keep(this);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(4))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> sweepSphere(Sphere sphere, Vec3 displacement) {
+        return sweepSphere(sphere, displacement, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * <pre>
+     * First model that a sphere touches while it moves by displacement; t in 0..1.
+     * Fields as in gphys_shape_sweep_sphere.
+     * </pre>
+     */
+    public Batch<Hit> sweepSphereBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, int layers, Batch<Hit> out) {
+        int count = Low.common(spheres.common(), displacements.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_scene_sweep_sphere_batch(opened(), spheres.pointer(), spheres.stride(), displacements.pointer(), displacements.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, spheres, displacements, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> sweepSphereBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, int layers) {
+        return sweepSphereBatch(spheres, displacements, layers, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> sweepSphereBatch(Batch<Sphere> spheres, Batch<Vec3> displacements) {
+        return sweepSphereBatch(spheres, displacements, Gamephys.ALL_LAYERS, (Batch<Hit>) null);
+    }
+
+    /**
+     * <pre>
+     * Cost: O(nodes).
+     * </pre>
+     */
+    public OctreeStats getOctreeStats() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_get_octree_stats(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return OctreeStats.read(scratch.memory, Scratch.at(1));
+    }
+
+    /**
+     * <pre>
+     * Boxes of the tree, each parent before its children. Kept when too many: the first.
+     * </pre>
+     */
+    public Batch<OctreeBox> getOctreeBoxes() {
+        return Low.list(OctreeBox.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_get_octree_boxes(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Check the scene's own structure: every model once in the tree, every box around its content,
+     * parents and children in agreement, free slots free. For tests; O(n).
+     * &#64;return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+     * </pre>
+     */
+    public void validate() {
+        int status = Low.gphys_scene_validate(opened());
+        Low.keep(this);
+        Low.check(status);
+    }
+}

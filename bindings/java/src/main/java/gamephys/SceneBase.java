@@ -1,0 +1,21 @@
+package gamephys;
+
+import com.sun.jna.Pointer;
+import java.util.function.Consumer;
+
+/** What Scene has beside the methods that its declarations give. */
+public abstract sealed class SceneBase extends Owned permits Scene {
+    SceneBase(Pointer pointer, Consumer<Pointer> destroy) {
+        super(pointer, destroy);
+    }
+
+    /** The shape of a model in its own coordinates; those of meshes are an exception. */
+    public Shape getShape(int model) {
+        Scratch scratch = Scratch.get();
+        Layout<? extends Shape> layout = Shapes.layoutOf(((Scene) this).getInfo(model).type());
+        int status = Low.gphys_scene_get_shape(opened(), model, scratch.slot(0), layout.bytes());
+        Low.keep(this);
+        Low.check(status);
+        return layout.reader().read(scratch.memory, Scratch.at(0));
+    }
+}

@@ -1,0 +1,486 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+package gamephys;
+
+import com.sun.jna.Pointer;
+import java.util.Optional;
+
+/**
+ * <pre>
+ * &#64;param desc  may be NULL
+ * </pre>
+ */
+public final class Solver extends Owned {
+    public Solver(SolverDesc desc) {
+        super(create(desc), Low::gphys_solver_destroy);
+    }
+
+    public Solver() {
+        super(create((SolverDesc) null), Low::gphys_solver_destroy);
+    }
+
+    private static Pointer create(SolverDesc desc) {
+        return Low.create(made -> Low.gphys_solver_create(desc == null ? null : desc.pointer(), made));
+    }
+
+    /**
+     * <pre>
+     * Move the point of the world that the coordinates of all particles count from; see
+     * gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
+     * step and an attachment need a scene of the same origin, else they return
+     * GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles).
+     * </pre>
+     */
+    public void setOrigin(double[] origin) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_set_origin(opened(), scratch.put(1, origin, 3));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Where in the world the particles' coordinates count from.
+     * </pre>
+     */
+    public double[] getOrigin() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_origin(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.doubles(1, 3);
+    }
+
+    /**
+     * <pre>
+     * m/s^2, from the next step on.
+     * </pre>
+     */
+    public void setGravity(Vec3 gravity) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_set_gravity(opened(), scratch.put(1, gravity));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * 1 .. 1000. More substeps: smaller errors, proportionally more time.
+     * </pre>
+     */
+    public void setSubsteps(int substeps) {
+        int status = Low.gphys_solver_set_substeps(opened(), substeps);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Add particles without constraints.
+     * &#64;param desc  may be NULL
+     * &#64;param positions  count elements, count &gt;= 1
+     * </pre>
+     */
+    public int addParticles(Batch<Vec3> positions, BodyDesc desc) {
+        Scratch scratch = Scratch.get();
+        int count = Low.common(positions.common());
+        int status = Low.gphys_solver_add_particles(opened(), desc == null ? null : desc.pointer(), positions.pointer(), positions.stride(), count, scratch.slot(5));
+        Low.keep(this, desc, positions);
+        Low.check(status);
+        return scratch.getInt(5);
+    }
+
+    /** The same with defaults. */
+    public int addParticles(Batch<Vec3> positions) {
+        return addParticles(positions, (BodyDesc) null);
+    }
+
+    /**
+     * <pre>
+     * Add a rope through the given points, one particle at each.
+     * &#64;param count  &gt;= 2
+     * &#64;param link_length  rest length of each link in metres; 0: as placed
+     * </pre>
+     */
+    public int addRope(Batch<Vec3> positions, float linkLength, BodyDesc desc) {
+        Scratch scratch = Scratch.get();
+        int count = Low.common(positions.common());
+        int status = Low.gphys_solver_add_rope(opened(), desc == null ? null : desc.pointer(), positions.pointer(), positions.stride(), count, linkLength, scratch.slot(6));
+        Low.keep(this, desc, positions);
+        Low.check(status);
+        return scratch.getInt(6);
+    }
+
+    /** The same with defaults. */
+    public int addRope(Batch<Vec3> positions, float linkLength) {
+        return addRope(positions, linkLength, (BodyDesc) null);
+    }
+
+    /** The same with defaults. */
+    public int addRope(Batch<Vec3> positions) {
+        return addRope(positions, 0, (BodyDesc) null);
+    }
+
+    /**
+     * <pre>
+     * Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
+     * corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+     * &#64;param columns, rows  &gt;= 2
+     * </pre>
+     */
+    public int addCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, int columns, int rows, BodyDesc desc) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_add_cloth(opened(), desc == null ? null : desc.pointer(), scratch.put(2, corner), scratch.put(3, edgeU), scratch.put(4, edgeV), columns, rows, scratch.slot(7));
+        Low.keep(this, desc);
+        Low.check(status);
+        return scratch.getInt(7);
+    }
+
+    /** The same with defaults. */
+    public int addCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, int columns, int rows) {
+        return addCloth(corner, edgeU, edgeV, columns, rows, (BodyDesc) null);
+    }
+
+    /**
+     * <pre>
+     * Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+     * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+     * &#64;param transform  places the mesh; may be NULL
+     * </pre>
+     */
+    public int addClothMesh(Mesh mesh, Transform transform, BodyDesc desc) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_add_cloth_mesh(opened(), desc == null ? null : desc.pointer(), mesh.opened(), scratch.put(3, transform), scratch.slot(4));
+        Low.keep(this, desc, mesh);
+        Low.check(status);
+        return scratch.getInt(4);
+    }
+
+    /** The same with defaults. */
+    public int addClothMesh(Mesh mesh, Transform transform) {
+        return addClothMesh(mesh, transform, (BodyDesc) null);
+    }
+
+    /** The same with defaults. */
+    public int addClothMesh(Mesh mesh) {
+        return addClothMesh(mesh, (Transform) null, (BodyDesc) null);
+    }
+
+    /**
+     * <pre>
+     * Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
+     * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+     * &#64;param transform  places the mesh; may be NULL
+     * </pre>
+     */
+    public void removeBody(int body) {
+        int status = Low.gphys_solver_remove_body(opened(), body);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Ids of all bodies, ascending. Kept when too many: the lowest.
+     * </pre>
+     */
+    public Batch<Integer> getBodies() {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_bodies(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * What a body is made of and how it is solved.
+     * </pre>
+     */
+    public BodyInfo getBodyInfo(int body) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_body_info(opened(), body, scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return BodyInfo.read(scratch.memory, Scratch.at(2));
+    }
+
+    /**
+     * <pre>
+     * Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.
+     * </pre>
+     */
+    public Batch<Integer> getTriangles(int body) {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_triangles(opened(), body, room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Metres.
+     * </pre>
+     */
+    public Batch<Vec3> getPositions(int body, int first, int count, Batch<Vec3> out) {
+        Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
+        int status = Low.gphys_solver_get_positions(opened(), body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Vec3> getPositions(int body, int first, int count) {
+        return getPositions(body, first, count, (Batch<Vec3>) null);
+    }
+
+    /**
+     * <pre>
+     * Moves particles there at once and without collision on the way; velocities stay as they are.
+     * </pre>
+     */
+    public void setPositions(int body, int first, Batch<Vec3> positions) {
+        int count = Low.common(positions.common());
+        int status = Low.gphys_solver_set_positions(opened(), body, first, count, positions.pointer(), positions.stride());
+        Low.keep(this, positions);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * m/s
+     * </pre>
+     */
+    public Batch<Vec3> getVelocities(int body, int first, int count, Batch<Vec3> out) {
+        Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
+        int status = Low.gphys_solver_get_velocities(opened(), body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Vec3> getVelocities(int body, int first, int count) {
+        return getVelocities(body, first, count, (Batch<Vec3>) null);
+    }
+
+    /**
+     * <pre>
+     * m/s
+     * </pre>
+     */
+    public void setVelocities(int body, int first, Batch<Vec3> velocities) {
+        int count = Low.common(velocities.common());
+        int status = Low.gphys_solver_set_velocities(opened(), body, first, count, velocities.pointer(), velocities.stride());
+        Low.keep(this, velocities);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * kg, &gt; 0. A pinned particle keeps its mass for the time when it is released.
+     * </pre>
+     */
+    public Batch<Float> getMasses(int body, int first, int count, Batch<Float> out) {
+        Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
+        int status = Low.gphys_solver_get_masses(opened(), body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Float> getMasses(int body, int first, int count) {
+        return getMasses(body, first, count, (Batch<Float>) null);
+    }
+
+    /**
+     * <pre>
+     * kg, &gt; 0. A pinned particle keeps its mass for the time when it is released.
+     * </pre>
+     */
+    public void setMasses(int body, int first, Batch<Float> masses) {
+        int count = Low.common(masses.common());
+        int status = Low.gphys_solver_set_masses(opened(), body, first, count, masses.pointer(), masses.stride());
+        Low.keep(this, masses);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Collision radius, metres, &gt;= 0.
+     * </pre>
+     */
+    public void setRadii(int body, int first, Batch<Float> radii) {
+        int count = Low.common(radii.common());
+        int status = Low.gphys_solver_set_radii(opened(), body, first, count, radii.pointer(), radii.stride());
+        Low.keep(this, radii);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Forces in newtons that act beside gravity, from now on until set again.
+     * </pre>
+     */
+    public void setForces(int body, int first, Batch<Vec3> forces) {
+        int count = Low.common(forces.common());
+        int status = Low.gphys_solver_set_forces(opened(), body, first, count, forces.pointer(), forces.stride());
+        Low.keep(this, forces);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+     * gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+     * </pre>
+     */
+    public void setPinned(int body, int first, int count, boolean pinned) {
+        int status = Low.gphys_solver_set_pinned(opened(), body, first, count, pinned ? 1 : 0);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Fix a particle to a model: it follows the model's transform in each step, and is released when
+     * the model is gone. Steps must then be given this scene.
+     * &#64;param local_point  in the model's coordinates; NULL: where the particle is now
+     * </pre>
+     */
+    public void attach(Scene scene, int body, int particle, int model, Vec3 localPoint) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_attach(opened(), scene.opened(), body, particle, model, scratch.put(5, localPoint));
+        Low.keep(this, scene);
+        Low.check(status);
+    }
+
+    /** The same with defaults. */
+    public void attach(Scene scene, int body, int particle, int model) {
+        attach(scene, body, particle, model, (Vec3) null);
+    }
+
+    /**
+     * <pre>
+     * Release an attached particle.
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached
+     * </pre>
+     */
+    public void detach(int body, int particle) {
+        int status = Low.gphys_solver_detach(opened(), body, particle);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Hold two different particles of a body at a distance.
+     * &#64;param rest_length  metres, &gt;= 0; negative: the present distance
+     * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+     * </pre>
+     */
+    public int addDistance(int body, int particleA, int particleB, float restLength, float compliance) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_add_distance(opened(), body, particleA, particleB, restLength, compliance, scratch.slot(6));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(6);
+    }
+
+    /** The same with defaults. */
+    public int addDistance(int body, int particleA, int particleB, float restLength) {
+        return addDistance(body, particleA, particleB, restLength, 0);
+    }
+
+    /**
+     * <pre>
+     * Hold two different particles of a body at a distance.
+     * &#64;param rest_length  metres, &gt;= 0; negative: the present distance
+     * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+     * </pre>
+     */
+    public void removeConstraint(int body, int constraint) {
+        int status = Low.gphys_solver_remove_constraint(opened(), body, constraint);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+     * </pre>
+     */
+    public Batch<ConstraintInfo> getConstraints(int body) {
+        return Low.list(ConstraintInfo.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_constraints(opened(), body, room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
+     * than 25 ms.
+     * &#64;param scene  to collide with and to follow attachments; NULL: none. Not modified.
+     * &#64;param dt     1e-6 .. 0.5
+     * Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+     * substeps, and a scene query for particles near models.
+     * </pre>
+     */
+    public void step(Scene scene, float dt) {
+        int status = Low.gphys_solver_step(opened(), scene == null ? null : scene.opened(), dt);
+        Low.keep(this, scene);
+        Low.check(status);
+    }
+
+    /** What advance returns. */
+    public record AdvanceResult(int steps, float leftover) {}
+
+    /**
+     * <pre>
+     * Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
+     * frame, so the motion does not depend on the frame rate.
+     * &#64;param frame_time    seconds, &gt;= 0
+     * &#64;param out_steps     steps made; may be NULL
+     * &#64;param out_leftover  0 &lt;= fraction of a step still owed &lt; 1, to blend drawings; may be NULL
+     * </pre>
+     */
+    public AdvanceResult advance(Scene scene, float frameTime) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_advance(opened(), scene == null ? null : scene.opened(), frameTime, scratch.slot(3), scratch.slot(4));
+        Low.keep(this, scene);
+        Low.check(status);
+        return new AdvanceResult(scratch.getInt(3), scratch.getFloat(4));
+    }
+
+    /**
+     * <pre>
+     * &#64;param body  0: all bodies together.  Cost: O(particles + constraints).
+     * </pre>
+     */
+    public SolverStats getStats(int body) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_stats(opened(), body, scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return SolverStats.read(scratch.memory, Scratch.at(2));
+    }
+
+    /**
+     * <pre>
+     * Contacts of the last step by body, particle, model. Kept when too many: the first.
+     * </pre>
+     */
+    public Batch<Contact> getContacts() {
+        return Low.list(Contact.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_contacts(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+}

@@ -1,0 +1,419 @@
+import static gamephys.Gamephys.*;
+import static org.junit.Assert.*;
+
+import com.sun.jna.Callback;
+import com.sun.jna.CallbackReference;
+import com.sun.jna.Memory;
+import com.sun.jna.Native;
+import com.sun.jna.Pointer;
+import gamephys.*;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.IntStream;
+import org.junit.Test;
+import org.junit.function.ThrowingRunnable;
+
+/** Every function with an answer that is known, batches against single calls, errors, ownership. */
+public class GamephysTest {
+    static final Vec3 ZERO = new Vec3(0, 0, 0), UP = new Vec3(0, 1, 0);
+    static final Quat STILL = new Quat(0, 0, 0, 1);
+    static final Transform IDENTITY = new Transform(ZERO, STILL, 1);
+    static final Sphere BALL = new Sphere(v(0, 0, 5), 1);
+    static final Ray AHEAD = new Ray(ZERO, v(0, 0, 1), 100);
+
+    static Vec3 v(double x, double y, double z) {
+        return new Vec3((float) x, (float) y, (float) z);
+    }
+
+    static Batch<Vec3> points(Vec3... points) {
+        return Batch.copyOf(Vec3.LAYOUT, List.of(points));
+    }
+
+    static Mesh pyramid(MeshDesc desc) {
+        return new Mesh(
+                Batch.floats(-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1, 0, 2, 0),
+                Batch.ints(0, 1, 2, 0, 2, 3, 1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4), desc);
+    }
+
+    static Mesh pyramid() {
+        return pyramid(null);
+    }
+
+    static void assertVector(Vec3 expected, Vec3 actual, double tolerance) {
+        assertEquals(expected.x(), actual.x(), tolerance);
+        assertEquals(expected.y(), actual.y(), tolerance);
+        assertEquals(expected.z(), actual.z(), tolerance);
+    }
+
+    static String assertFails(int status, ThrowingRunnable call) {
+        GamephysException caught = assertThrows(GamephysException.class, call);
+        assertEquals(status, caught.status());
+        return caught.getMessage();
+    }
+
+    @Test
+    public void shapes() {
+        validate(BALL);
+        assertEquals(new Aabb(v(-1, -1, 4), v(1, 1, 6)), bounds(BALL).orElseThrow());
+        assertTrue(bounds(new Plane(UP, 0)).isEmpty());
+        Shape moved = transform(new Aabb(ZERO, v(2, 2, 2)), new Transform(v(1, 0, 0), STILL, 1));
+        assertEquals(v(2, 1, 1), ((Obb) moved).center());
+        assertTrue(contains(BALL, v(0, 0, 4)));
+        assertFalse(contains(BALL, v(0, 0, 3.5)));
+        assertTrue(contains(BALL, v(0, 0, 3.5), 0.5f));
+        assertEquals(List.of(1, 0), containsBatch(BALL, points(v(0, 0, 5), v(0, 0, 3))));
+        assertEquals(4, closestPoint(BALL, ZERO).orElseThrow().distance(), 0);
+        assertEquals(3, closestPointBatch(BALL, points(ZERO, v(0, 0, 9))).get(1).distance(), 0);
+        assertEquals(new SegmentClosestPointsResult(v(1, 0, 0), v(1, 3, 0), 3),
+                segmentClosestPoints(new Segment(ZERO, v(2, 0, 0)), new Segment(v(1, 3, -1), v(1, 3, 1))));
+        assertTrue(overlaps(BALL, new Aabb(ZERO, v(1, 1, 4))));
+        assertFalse(overlaps(BALL, new Aabb(ZERO, v(1, 1, 3))));
+        assertEquals(List.of(1, 0), overlapsBatch(
+                Shapes.of(List.of(new Sphere(ZERO, 1), new Sphere(v(0, 9, 0), 1))), Shapes.of(new Plane(UP, 0))));
+        assertEquals(new ClassifyPlaneResult(SIDE_INSIDE, 4), classifyPlane(BALL, new Plane(v(0, 0, 1), 0)));
+        Ray aside = new Ray(v(0, 3, 0), v(0, 0, 1), 9);
+        assertEquals(4, raycast(BALL, AHEAD).orElseThrow().t(), 0);
+        assertTrue(raycast(BALL, aside).isEmpty());
+        Batch<Hit> hits = raycastBatch(BALL, Batch.copyOf(Ray.LAYOUT, List.of(AHEAD, aside)));
+        assertEquals(4, hits.get(0).t(), 0);
+        assertEquals(Float.POSITIVE_INFINITY, hits.get(1).t(), 0);
+        assertEquals(0.5, segmentTest(BALL, new Segment(ZERO, v(0, 0, 8))).orElseThrow().t(), 0);
+        assertEquals(0.3, sweepSphere(BALL, new Sphere(ZERO, 1), v(0, 0, 10)).orElseThrow().t(), 1e-6);
+    }
+
+    @Test
+    public void frusta() {
+        Camera camera = new Camera();
+        Frustum frustum = camera.getFrustum();
+        assertEquals(SIDE_INSIDE, classifyFrustum(BALL, frustum));
+        List<Vec3> corners = frustumCorners(frustum).orElseThrow();
+        assertEquals(8, corners.size());
+        assertEquals(1000, corners.get(7).z(), 0.01);
+        assertVector(camera.getCorners().orElseThrow().get(3), corners.get(3), 1e-5);
+        Frustum again = frustumFromMatrix(camera.getViewProjectionMatrix(), DEPTH_ZERO_TO_ONE, false);
+        assertEquals(SIDE_OUTSIDE, classifyFrustum(new Sphere(v(0, 0, -5), 1), again));
+    }
+
+    @Test
+    public void meshes() {
+        MeshReport report = meshCheck(Batch.floats(0, 0, 0, 1, 0, 0, 0, 1, 0), Batch.ints(0, 1, 7));
+        assertEquals(1, report.triangleCount());
+        assertEquals(1, report.outOfRangeCount());
+        Mesh mesh = pyramid();
+        assertEquals(0, mesh.getReport().openEdgeCount());
+        assertEquals(v(0, 2, 0), mesh.getVertices().get(4));
+        assertEquals(List.of(0, 3, 4), mesh.getIndices().subList(15, 18));
+        Ray down = new Ray(v(0.3, 5, 0.2), v(0, -1, 0), 10);
+        Batch<Hit> hits = mesh.raycastAll(down);
+        assertEquals(2, hits.size());
+        assertEquals(5, hits.get(1).t(), 0);
+        assertTrue(mesh.raycastAny(down));
+        assertEquals(4, mesh.overlap(new Sphere(v(0, 2, 0), 0.1f)).size());
+        assertEquals(6, mesh.getOctreeStats().itemCount());
+        assertEquals(0, mesh.getOctreeBoxes().get(0).depth());
+        assertEquals(hits.get(0).triangle(), raycast(mesh, down).orElseThrow().triangle());
+    }
+
+    @Test
+    public void models() {
+        Scene scene = new Scene(new SceneDesc().reserveModels(4).workerCount(2));
+        int model = scene.add(BALL, null, new ModelDesc().tag(7));
+        Batch<Integer> two = scene.addBatch(Shapes.of(List.of(new Sphere(v(9, 0, 0), 1), new Sphere(v(9, 5, 0), 2))),
+                Batch.shared(Transform.LAYOUT, IDENTITY));
+        assertTrue(scene.has(model) && scene.has(two.get(1)));
+        assertFalse(scene.has(12345));
+        assertEquals(3, scene.getModels().size());
+        assertEquals(7, scene.getInfo(model).tag());
+        assertEquals(new Sphere(v(9, 5, 0), 2), scene.getShape(two.get(1)));
+        assertEquals(10, scene.getBounds(two.get(0)).orElseThrow().max().x(), 0);
+        assertEquals(7, scene.getSceneBounds().orElseThrow().max().y(), 0);
+        scene.setLayers(model, 4);
+        scene.setTag(model, 8);
+        assertTrue(scene.raycast(AHEAD, 3).isEmpty());
+        assertEquals(8, scene.raycast(AHEAD, 4).orElseThrow().tag());
+        scene.setParent(two.get(0), model, true);
+        scene.setTransform(model, new Transform(UP, STILL, 1));
+        assertEquals(model, scene.getInfo(two.get(0)).parent());
+        Batch<Integer> ids = Batch.ints(model, two.get(0));
+        assertEquals(List.of(new Transform(UP, STILL, 1), IDENTITY), scene.getTransforms(ids));
+        assertEquals(1, scene.getWorldTransforms(ids).get(1).position().y(), 0);
+        scene.setTransforms(ids, Batch.copyOf(Transform.LAYOUT, List.of(IDENTITY, IDENTITY)));
+        assertEquals(0, scene.getWorldTransforms(ids).get(1).position().y(), 0);
+        scene.validate();
+        scene.removeSubtree(model);
+        assertFalse(scene.has(two.get(0)));
+        scene.remove(two.get(1));
+        scene.removeBatch(scene.addBatch(Shapes.of(List.of(BALL, BALL, BALL))));
+        assertTrue(scene.getSceneBounds().isEmpty());
+        scene.add(BALL);
+        scene.clear();
+        assertEquals(0, scene.getModels().size());
+        scene.setOrigin(new double[] {1e9 + 0.5, 0, 0});
+        assertArrayEquals(new double[] {1e9 + 0.5, 0, 0}, scene.getOrigin(), 0);
+    }
+
+    static Hit orMiss(java.util.Optional<Hit> hit, Hit batched) {
+        assertEquals(hit.isEmpty(), batched.model() == 0);
+        return hit.orElse(batched);
+    }
+
+    @Test
+    public void batchesAnswerAsSingleCallsDo() {
+        Scene scene = new Scene();
+        for (int i = 0; i < 30; ++i) scene.add(new Sphere(v(3 * Math.sin(i), 3 * Math.cos(2 * i), i / 3.0), 0.7f));
+        int count = 200, met = 0;
+        Vec3 start = v(0, 0, -5);
+        Batch<Vec3> directions = Batch.allocate(Vec3.LAYOUT, count);
+        Batch<Ray> rays = Batch.allocate(Ray.LAYOUT, count);
+        Batch<Segment> segments = Batch.allocate(Segment.LAYOUT, count);
+        Batch<Sphere> spheres = Batch.allocate(Sphere.LAYOUT, count);
+        for (int i = 0; i < count; ++i) {
+            Vec3 d = v(Math.sin(i) / 2, Math.cos(3 * i) / 2, 1);
+            directions.set(i, d);
+            rays.set(i, new Ray(start, d, Float.POSITIVE_INFINITY));
+            segments.set(i, new Segment(start, v(10 * d.x(), 10 * d.y(), 5)));
+            spheres.set(i, new Sphere(start, 0.2f));
+        }
+        Batch<Hit> hits = scene.raycastBatch(rays), tested = scene.segmentTestBatch(segments);
+        Batch<Hit> swept = scene.sweepSphereBatch(spheres, directions);
+        Batch<Nearest> nearest = scene.nearestBatch(directions);
+        Batch<Integer> any = scene.raycastAnyBatch(rays);
+        Ragged<Hit> all = scene.raycastAllBatch(rays);
+        for (int i = 0; i < count; ++i) {
+            assertEquals(orMiss(scene.raycast(rays.get(i)), hits.get(i)), hits.get(i));
+            assertEquals(orMiss(scene.segmentTest(segments.get(i)), tested.get(i)), tested.get(i));
+            assertEquals(orMiss(scene.sweepSphere(spheres.get(i), directions.get(i)), swept.get(i)), swept.get(i));
+            assertEquals(scene.nearest(directions.get(i)).orElseThrow(), nearest.get(i));
+            assertEquals(scene.raycastAny(rays.get(i)), any.get(i) == 1);
+            assertEquals(scene.raycastAll(rays.get(i)), all.get(i));
+            met += any.get(i);
+        }
+        assertTrue(met > 0 && met < count);
+
+        // The caller's own memory, in and out.
+        ByteBuffer memory = ByteBuffer.allocateDirect(4 + 52 * count).order(ByteOrder.nativeOrder()).position(4);
+        Batch<Hit> room = Batch.of(Hit.LAYOUT, memory);
+        assertSame(room, scene.raycastBatch(Batch.of(Ray.LAYOUT, rays.buffer()), ALL_LAYERS, room));
+        assertEquals(hits, room);
+        assertEquals(hits.get(0).model(), memory.getInt(4));
+    }
+
+    @Test
+    public void listsOfAnyLength() {
+        Scene scene = new Scene();
+        Batch<Integer> models = scene.addBatch(Shapes.of(Batch.allocate(Sphere.LAYOUT, 500))); // more than the first guess has room for
+        assertEquals(models, scene.getModels());
+        Ragged<Integer> found =
+                scene.overlapBatch(Shapes.of(List.of(new Aabb(v(-1, -1, -1), v(1, 1, 1)), new Aabb(v(5, 5, 5), v(6, 6, 6)))));
+        assertEquals(List.of(0, 500, 500), found.offsets());
+        assertEquals(models, found.get(0));
+        assertEquals(List.of(), found.get(1));
+        assertEquals(0, scene.overlap(BALL).size());
+        assertEquals(500, scene.raycastAll(AHEAD).size());
+        assertEquals(500, scene.getOctreeStats().itemCount());
+        assertTrue(scene.getOctreeBoxes().size() > 1);
+    }
+
+    @Test
+    public void cameras() {
+        Camera camera = new Camera();
+        camera.lookAt(v(0, 0, -10), ZERO, UP);
+        camera.setPerspective(1, 0.1f, 100);
+        Vec3 pixel = camera.project(ZERO).orElseThrow();
+        assertVector(v(400, 300, pixel.z()), pixel, 1e-2);
+        assertTrue(camera.project(v(0, 0, -20)).isEmpty());
+        Batch<Vec3> pixels = camera.projectBatch(points(ZERO, v(1, 1, 1)));
+        assertVector(v(1, 1, 1), camera.unprojectBatch(pixels).get(1), 1e-2);
+        assertVector(v(1, 1, 1), camera.unproject(pixels.get(1)).orElseThrow(), 1e-2);
+        assertVector(v(0, 0, 1), camera.pickRay(400, 300).orElseThrow().direction(), 1e-5);
+        assertEquals(12, camera.pickRays(0, 0, 4, 3).size());
+
+        Scene scene = new Scene();
+        int model = scene.add(BALL);
+        assertEquals(model, camera.pick(scene, 400, 300).orElseThrow().model());
+        assertTrue(camera.pick(scene, 1, 1).isEmpty());
+        assertEquals(0, camera.pickBatch(scene, Batch.floats(400, 300, 1, 1)).get(1).model());
+        assertEquals(List.of(model), camera.pickRectangle(scene, 0, 0, 800, 600));
+        assertEquals(List.of(model), camera.cull(scene));
+        assertEquals(List.of(model), scene.cull(camera.getFrustum()));
+
+        camera.setViewport(200, 100);
+        camera.setOrthographic(10, 0.1f, 100);
+        Mat4 projection = camera.getProjectionMatrix();
+        assertEquals(0.2, projection.m().get(5), 1e-6);
+        camera.setProjection(projection);
+        assertEquals(-10, camera.getWorldMatrix().m().get(14), 0);
+        assertEquals(10, camera.getViewMatrix().m().get(14), 1e-5);
+        camera.setWorldMatrix(new Mat4(List.of(1f, 0f, 0f, 0f, 0f, 1f, 0f, 0f, 0f, 0f, 1f, 0f, 4f, 5f, 6f, 1f)));
+        assertEquals(new Camera.TransformResult(v(4, 5, 6), STILL), camera.getTransform());
+        camera.setTransform(v(1, 2, 3), new Quat(0, 1, 0, 0));
+        assertEquals(v(1, 2, 3), camera.getTransform().position());
+        camera.setOrigin(new double[] {1, 0, 0});
+        assertEquals(1, camera.getOrigin()[0], 0);
+    }
+
+    @Test
+    public void orbit() {
+        Camera camera = new Camera();
+        assertFails(ERROR_UNSUPPORTED, camera::getOrbit);
+        camera.setOrbit(defaultOrbit());
+        camera.orbitRotate(0.5f, 0.25f);
+        camera.orbitZoom(1);
+        camera.orbitPan(2, 0);
+        camera.orbitUpdate();
+        Orbit orbit = camera.getOrbit();
+        assertVector(v(0.5, 0.25, 9), v(orbit.yaw(), orbit.pitch(), orbit.distance()), 1e-5);
+        assertEquals(2, Math.abs(orbit.target().x()), 1e-3);
+    }
+
+    @Test
+    public void particles() {
+        Scene scene = new Scene();
+        Solver solver = new Solver(new SolverDesc().substeps(4).gravity(v(0, -1, 0)));
+        solver.setGravity(v(0, -10, 0));
+        solver.setSubsteps(5);
+        int free = solver.addParticles(points(v(0, 5, 0), v(1, 5, 0)));
+        solver.setVelocities(free, 1, points(v(3, 0, 0)));
+        solver.step(scene, 0.1f);
+        assertVector(v(0, -1, 0), solver.getVelocities(free, 0, 1).get(0), 1e-5);
+        assertVector(v(1.3, 4.95, 0), solver.getPositions(free, 1, 1).get(0), 1e-5);
+        solver.setMasses(free, 0, Batch.floats(2, 4));
+        assertEquals(List.of(2f, 4f), solver.getMasses(free, 0, 2));
+        solver.setForces(free, 0, points(v(0, 20, 0), v(0, 40, 0))); // weightless
+        solver.step(null, 0.1f);
+        assertVector(v(0, -1, 0), solver.getVelocities(free, 0, 1).get(0), 1e-5);
+
+        int plane = scene.add(new Plane(UP, 0));
+        solver.setRadii(free, 0, Batch.floats(0.5f, 0.5f));
+        solver.setPositions(free, 0, points(v(0, 0.6, 0), v(9, 0.6, 0)));
+        solver.setForces(free, 0, points(ZERO, ZERO));
+        for (int i = 0; i < 30; ++i) solver.step(scene, 0.02f);
+        assertEquals(0.5, solver.getPositions(free, 0, 1).get(0).y(), 1e-3);
+        Batch<Contact> contacts = solver.getContacts();
+        assertEquals(2, contacts.size());
+        assertEquals(plane, contacts.get(0).model());
+        assertEquals(UP, contacts.get(0).normal());
+        solver.setOrigin(new double[] {0, 1, 0});
+        assertEquals(1, solver.getOrigin()[1], 0);
+        assertEquals(-0.5, solver.getPositions(free, 0, 1).get(0).y(), 1e-3);
+    }
+
+    @Test
+    public void ropeAndCloth() {
+        Scene scene = new Scene();
+        Solver solver = new Solver();
+        int rope = solver.addRope(points(v(0, 8, 0), v(1, 8, 0), v(2, 8, 0)), 0, new BodyDesc().mass(3));
+        assertEquals(BODY_ROPE, solver.getBodyInfo(rope).kind());
+        solver.setPinned(rope, 0, 1, true);
+        int tie = solver.addDistance(rope, 0, 2, -1);
+        assertEquals(new ConstraintInfo(tie, 0, 2, 2, 0), solver.getConstraints(rope).get(2));
+        solver.removeConstraint(rope, tie);
+        assertEquals(2, solver.getConstraints(rope).size());
+        int hook = scene.add(new Sphere(ZERO, 0.1f), new Transform(v(0, 8, 0), STILL, 1), new ModelDesc().layers(2));
+        solver.attach(scene, rope, 0, hook, ZERO);
+        scene.setTransform(hook, new Transform(v(0, 9, 0), STILL, 1));
+        Solver.AdvanceResult advanced = solver.advance(scene, 0.025f);
+        assertEquals(1, advanced.steps());
+        assertEquals(0.5, advanced.leftover(), 1e-5);
+        assertEquals(9, solver.getPositions(rope, 0, 1).get(0).y(), 1e-5);
+        assertEquals(1, solver.getStats(rope).pinnedCount());
+        solver.detach(rope, 0);
+        assertFails(ERROR_INVALID_ARGUMENT, () -> solver.detach(rope, 0));
+
+        int cloth = solver.addCloth(v(0, 3, 0), v(1, 0, 0), v(0, 0, 1), 3, 3);
+        assertEquals(24, solver.getTriangles(cloth).size());
+        int shirt = solver.addClothMesh(pyramid(), IDENTITY);
+        assertEquals(5, solver.getBodyInfo(shirt).particleCount());
+        solver.removeBody(cloth);
+        assertEquals(List.of(rope, shirt), solver.getBodies());
+    }
+
+    @Test
+    public void errorsHaveTheLibrarysMessage() {
+        Scene scene = new Scene();
+        assertTrue(assertFails(ERROR_INVALID_ARGUMENT, () -> scene.add(new Sphere(ZERO, -1))).contains("radius"));
+        assertFails(ERROR_INVALID_ID, () -> scene.remove(12345));
+        assertFails(ERROR_UNSUPPORTED, () -> transform(pyramid(), IDENTITY));
+        int model = scene.add(pyramid());
+        assertFails(ERROR_UNSUPPORTED, () -> scene.getShape(model));
+        Batch<Ray> one = Batch.allocate(Ray.LAYOUT, 1);
+        assertThrows(IllegalArgumentException.class, () -> scene.raycastBatch(one, 1, Batch.allocate(Hit.LAYOUT, 2)));
+        assertThrows(IllegalArgumentException.class, () -> scene.sweepSphereBatch(Batch.allocate(Sphere.LAYOUT, 2), points(UP)));
+        assertThrows(IllegalArgumentException.class, () -> Batch.of(Ray.LAYOUT, ByteBuffer.allocateDirect(30)));
+        assertThrows(IllegalArgumentException.class, () -> Batch.of(Ray.LAYOUT, ByteBuffer.allocate(28)));
+        assertThrows(IllegalArgumentException.class, () -> Shapes.of(List.of(BALL, new Plane(UP, 0))));
+        assertThrows(IllegalArgumentException.class, () -> new Mesh(Batch.floats(0, 0), Batch.ints()));
+        assertThrows(IllegalArgumentException.class, () -> scene.setOrigin(new double[2]));
+        assertThrows(IndexOutOfBoundsException.class, () -> one.get(1));
+        assertEquals("GPHYS_NO_HIT", statusName(NO_HIT));
+        assertTrue(version().matches("\\d+\\.\\d+\\.\\d+"));
+    }
+
+    @Test
+    public void useAfterCloseIsAnException() {
+        Scene scene = new Scene();
+        Mesh mesh = pyramid();
+        scene.add(mesh);
+        mesh.close();
+        mesh.close();
+        assertThrows(IllegalStateException.class, () -> scene.add(mesh));
+        assertThrows(IllegalStateException.class, () -> Shapes.of(mesh));
+        assertThrows(IllegalStateException.class, () -> raycast(mesh, AHEAD));
+        assertTrue(scene.raycast(new Ray(v(0.1, 5, 0.1), v(0, -1, 0), 10)).isPresent()); // the model holds it
+        scene.close();
+        assertThrows(IllegalStateException.class, scene::getModels);
+        assertThrows(IllegalStateException.class, () -> new Camera().pick(scene, 0, 0));
+    }
+
+    public interface Allocate extends Callback {
+        Pointer call(Pointer user, long size, long alignment);
+    }
+
+    public interface Release extends Callback {
+        void call(Pointer user, Pointer memory, long size, long alignment);
+    }
+
+    /** The functions of an allocator see what is taken and given back. */
+    @Test
+    public void theCollectorFrees() throws InterruptedException {
+        Map<Pointer, Memory> taken = new ConcurrentHashMap<>();
+        Allocate allocate = (user, size, alignment) -> {
+            Memory memory = new Memory(size + alignment);
+            Pointer start = memory.align((int) alignment);
+            taken.put(start, memory);
+            return start;
+        };
+        Release release = (user, memory, size, alignment) -> taken.remove(memory);
+        Memory allocator = new Memory(3L * Native.POINTER_SIZE);
+        allocator.setPointer(0, CallbackReference.getFunctionPointer(allocate));
+        allocator.setPointer(Native.POINTER_SIZE, CallbackReference.getFunctionPointer(release));
+        allocator.setPointer(2L * Native.POINTER_SIZE, null);
+        pyramid(new MeshDesc().allocator(allocator)).close();
+        assertEquals(Map.of(), taken);
+        for (int i = 0; i < 10; ++i) new Scene(new SceneDesc().allocator(allocator)).add(BALL);
+        assertFalse(taken.isEmpty());
+        for (int i = 0; i < 500 && !taken.isEmpty(); ++i) { // the cleaner has a thread of its own
+            System.gc();
+            Thread.sleep(10);
+        }
+        assertEquals(Map.of(), taken);
+        assertNotNull(allocate);
+        assertNotNull(release);
+    }
+
+    /** Queries of one scene may run at once. */
+    @Test
+    public void threadsMayAskAtOnce() {
+        Scene scene = new Scene();
+        for (int i = 0; i < 100; ++i) scene.add(new Sphere(v(0, 0, 3 * i), 1));
+        assertTrue(IntStream.range(0, 20000).parallel().allMatch(i -> {
+            Ray ray = new Ray(v(0, 0, 3 * (i % 100) - 1.25), v(0, 0, 1), 100);
+            return scene.raycast(ray).orElseThrow().t() == 0.25f;
+        }));
+        assertEquals(new ArrayList<>(scene.getModels()).size(), 100);
+    }
+}
