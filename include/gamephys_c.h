@@ -1131,6 +1131,27 @@ typedef struct gphys_contact {
 GPHYS_API gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact* out_contacts,
                                                  uint32_t capacity, uint32_t* out_total);
 
+/** Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+ *  that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
+ *  @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
+ *                    for the same release of the library and machines of the same byte order; it may
+ *                    be stored, but not changed.
+ *  @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+ *  Cost: O(particles + constraints), some 50 words for each. */
+GPHYS_API gphys_status gphys_solver_get_snapshot(const gphys_solver* solver, uint32_t* out_words, uint32_t capacity,
+                                                 uint32_t* out_total);
+/** Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
+ *  time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
+ *  too, is as it was.
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
+ *          byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
+ *  Cost: as gphys_solver_get_snapshot; allocates. */
+GPHYS_API gphys_status gphys_solver_restore(gphys_solver* solver, const uint32_t* words, uint32_t count);
+/** A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
+ *  different ones differ with near certainty (not against an adversary). Compare it between machines
+ *  that simulate the same, to see when they part. Cost: O(particles + constraints). */
+GPHYS_API gphys_status gphys_solver_get_hash(const gphys_solver* solver, uint32_t out_hash[2]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -389,6 +389,40 @@ static void test_step_and_settings(void** state) {
     assert_true(fabsf(leftover - 0.2f) < 1e-3f);
 }
 
+static void test_snapshots(void** state) {
+    fixture* f = *state;
+    uint32_t words[4096], again[4096], total = 0, hash[2] = {7, 7}, later[2] = {7, 7};
+    memset(words, 0, sizeof words);
+    assert_int_equal(gphys_solver_get_hash(NULL, hash), BAD);
+    assert_int_equal(gphys_solver_get_hash(f->solver, NULL), BAD);
+    assert_int_equal(hash[0], 7);
+    assert_int_equal(gphys_solver_get_snapshot(NULL, words, 4096, &total), BAD);
+    assert_int_equal(gphys_solver_get_snapshot(f->solver, NULL, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_snapshot(f->solver, words, 4096, NULL), BAD);
+    assert_int_equal(gphys_solver_get_snapshot(f->solver, NULL, 0, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(gphys_solver_get_snapshot(f->solver, words, total - 1, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(words[0], 0);
+    assert_int_equal(gphys_solver_get_snapshot(f->solver, words, 4096, &total), GPHYS_OK);
+    assert_int_equal(words[total], 0);
+    assert_int_equal(gphys_solver_get_hash(f->solver, hash), GPHYS_OK);
+    assert_int_equal(gphys_solver_remove_body(f->solver, f->rope), GPHYS_OK);
+    assert_int_equal(gphys_solver_restore(NULL, words, total), BAD);
+    assert_int_equal(gphys_solver_restore(f->solver, NULL, total), BAD);
+    assert_int_equal(gphys_solver_restore(f->solver, words, total - 1), BAD);
+    assert_int_equal(gphys_solver_restore(f->solver, words, total + 1), BAD);
+    words[total - 1] ^= 1;
+    assert_int_equal(gphys_solver_restore(f->solver, words, total), BAD);
+    words[total - 1] ^= 1;
+    assert_int_equal(gphys_solver_get_hash(f->solver, later), GPHYS_OK);
+    assert_true(memcmp(hash, later, sizeof hash) != 0);
+    assert_int_equal(gphys_solver_restore(f->solver, words, total), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_hash(f->solver, later), GPHYS_OK);
+    assert_memory_equal(hash, later, sizeof hash);
+    assert_int_equal(gphys_solver_get_snapshot(f->solver, again, 4096, &total), GPHYS_OK);
+    assert_memory_equal(words, again, 4 * (size_t)total);
+    assert_int_equal(gphys_solver_remove_body(f->solver, f->rope), GPHYS_OK);
+}
+
 static void an_origin_is_checked_kept_and_returned(void** state) {
     const double origin[3] = {1e9, -2e9, 0.125}, bad[3] = {0, 0, 2e15};
     double now[3] = {7, 7, 7};
@@ -420,6 +454,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_pins_and_attachments, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_constraints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_snapshots, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

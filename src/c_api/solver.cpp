@@ -14,9 +14,7 @@ namespace {
 constexpr size_t solver_desc_size = sizeof(gphys_solver_desc);  // of release 1.0
 constexpr size_t body_desc_size = sizeof(gphys_body_desc);
 
-constexpr uint32_t most_substeps = 1000;
-constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
-constexpr uint32_t most_particles = (1u << 24) - 1;          // as many as constraints
+constexpr uint32_t most_particles = (1u << 24) - 1;  // as many as constraints
 
 constexpr gphys_solver_desc default_solver_desc{sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8};
 constexpr gphys_body_desc default_body_desc{
@@ -247,6 +245,29 @@ gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene
         // Rounding to float must not make a whole step of it.
         if (out_leftover) *out_leftover = std::min(static_cast<float>(leftover), std::nextafterf(1, 0));
         return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_hash(const gphys_solver* solver, uint32_t out_hash[2]) {
+    GPHYS_REQUIRE(solver && out_hash, "solver or out_hash is null");
+    uint32_t hash[2];
+    unwrap(solver)->hash(hash);
+    std::memcpy(out_hash, hash, sizeof hash);
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_get_snapshot(const gphys_solver* solver, uint32_t* out_words, uint32_t capacity,
+                                       uint32_t* out_total) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(check_list(out_words, capacity, out_total));
+    return unwrap(solver)->snapshot(out_words, capacity, *out_total);
+}
+
+gphys_status gphys_solver_restore(gphys_solver* solver, const uint32_t* words, uint32_t count) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_REQUIRE(words, "words is null");
+        return unwrap(solver)->restore(words, count);
     });
 }
 

@@ -68,6 +68,15 @@ public:
     uint32_t slots() const { return static_cast<uint32_t>(entries_.size()); }
     uint32_t size() const { return live_; }
 
+    /// For archives (solver/archive.h) to write a table or to read it; what was read is to be checked.
+    template <class Archive, class Table>
+    static void visit(Archive& archive, Table& table) {
+        archive.array(table.entries_);
+        archive.value(table.live_);
+        archive.value(table.free_);
+        archive.value(table.oldest_);
+        archive.value(table.newest_);
+    }
     /// What is wrong with the queue of free slots, or nullptr.
     const char* defect() const;
 

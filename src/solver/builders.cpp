@@ -1,7 +1,7 @@
 // Bodies come and go. A body is complete before the solver takes it in, so a failure on the way
 // leaves the solver as it was.
-#include "mesh/mesh.h"
 #include "foundation/strided.h"
+#include "mesh/mesh.h"
 #include "solver/solver.h"
 
 namespace gphys {
@@ -54,14 +54,14 @@ gphys_status too_many() { return fail(GPHYS_ERROR_CAPACITY, "more than 2^24 - 1 
 }  // namespace
 
 gphys_status Solver::insert(Body&& body, gphys_body_id& out) {
-    if (!ids_.reserve(1)) return too_many();
-    reserve_more(bodies_, 1);
-    const gphys_body_id id = ids_.add();
+    if (!state_.ids.reserve(1)) return too_many();
+    reserve_more(state_.bodies, 1);
+    const gphys_body_id id = state_.ids.add();
     const uint32_t slot = IdTable::slot_of(id);
-    if (slot == bodies_.size()) {
-        bodies_.push_back(std::move(body));
+    if (slot == state_.bodies.size()) {
+        state_.bodies.push_back(std::move(body));
     } else {
-        bodies_[slot] = std::move(body);
+        state_.bodies[slot] = std::move(body);
     }
     out = id;
     return GPHYS_OK;
@@ -175,18 +175,18 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
 gphys_status Solver::remove(gphys_body_id id) {
     const gphys_status status = check(id);
     if (status != GPHYS_OK) return status;
-    ids_.remove(id);
-    bodies_[IdTable::slot_of(id)] = Body(&memory);
+    state_.ids.remove(id);
+    state_.bodies[IdTable::slot_of(id)] = Body(&memory);
     return GPHYS_OK;
 }
 
 gphys_status Solver::check(gphys_body_id id) const {
-    return ids_.has(id) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "body: no such body, or no longer");
+    return state_.ids.has(id) ? GPHYS_OK : fail(GPHYS_ERROR_INVALID_ID, "body: no such body, or no longer");
 }
 
 void Solver::list(Smallest<gphys_body_id>& out) const {
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (ids_.live(slot)) out.add(ids_.id(slot));
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (state_.ids.live(slot)) out.add(state_.ids.id(slot));
     }
 }
 

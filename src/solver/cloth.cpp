@@ -157,7 +157,11 @@ void begin_cloth(Body& body, Vec3 gravity) {
         const float weight = free ? static_cast<float>(relative) : 0;
         std::fill_n(&cloth.mass[i], 3, weight);
     }
-    cloth.at[4 * size_t{body.size()} + 4] = 1;  // the two that do not move are a metre apart
+    // The two that do not move are a metre apart again: limits on the first of them shift it by a hair.
+    for (Vector<float>* values : {&cloth.at, &cloth.moved, &cloth.velocity, &cloth.velocity_before}) {
+        std::fill(values->begin() + 4 * static_cast<std::ptrdiff_t>(body.size()), values->end(), 0.0f);
+    }
+    cloth.at[4 * size_t{body.size()} + 4] = 1;
 }
 
 void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {

@@ -89,6 +89,9 @@ gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
+/// Links of the longest chain.
+uint32_t longest_chain(const Plan& plan);
+
 /// Parts of it: plan_chains.cpp, reach_limits.cpp and plan_cloth.cpp.
 void plan_direct_chains(Body& body);
 void plan_chain_families(Body& body);

@@ -44,13 +44,13 @@ void add_link(Plan& plan, const DistanceConstraint& constraint, uint32_t particl
     ++plan.chains.back().link_count;
 }
 
+}  // namespace
+
 uint32_t longest_chain(const Plan& plan) {
     uint32_t longest = 0;
     for (const Chain& chain : plan.chains) longest = std::max(longest, chain.link_count);
     return longest;
 }
-
-}  // namespace
 
 /// Chains are what is left of a graph without branches and rings: at most two constraints meet at
 /// a particle, and walking from all free ends passes every constraint (twice, from both ends).

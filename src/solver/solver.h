@@ -13,6 +13,7 @@
 //   plan_cloth.cpp      chains and limits, packed for the kernels
 //   collision.cpp       particles against the scene
 //   stats.cpp           strain, energy, contacts
+//   snapshot.cpp        the whole state as words, and back; its hash
 #pragma once
 
 #include "foundation/results.h"
@@ -26,6 +27,20 @@ struct SolverSettings {
     uint32_t substeps = 8;
     double fixed_step = 1.0 / 60;
     uint32_t max_steps = 8;
+};
+constexpr uint32_t most_substeps = 1000;
+constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
+
+/// All that the next step depends on, apart from the scene: what a snapshot holds.
+struct SolverState {
+    explicit SolverState(std::pmr::memory_resource* memory) : ids(memory), bodies(memory), seen(memory) {}
+
+    SolverSettings settings;
+    Vec3 origin;      // in the world, of all coordinates
+    double owed = 0;  // seconds that advance has not simulated yet
+    IdTable ids;
+    Vector<Body> bodies;       // by slot
+    Vector<PlacedModel> seen;  // models near the bodies, where they stood at the last step
 };
 
 /// By body, particle, model.
@@ -41,17 +56,17 @@ struct ConstraintOrder {
 
 class Solver {
 public:
-    Solver(const gphys_allocator* hooks, const SolverSettings& settings) : memory(hooks), settings_(settings) {}
+    Solver(const gphys_allocator* hooks, const SolverSettings& settings) : memory(hooks) { state_.settings = settings; }
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
     Memory memory;
 
-    void set_gravity(Vec3 gravity) { settings_.gravity = gravity; }
-    void set_substeps(uint32_t substeps) { settings_.substeps = substeps; }
+    void set_gravity(Vec3 gravity) { state_.settings.gravity = gravity; }
+    void set_substeps(uint32_t substeps) { state_.settings.substeps = substeps; }
     /// All particles stay where they are in the world; false if one leaves the range of coordinates.
     bool set_origin(Vec3 origin);
-    Vec3 origin() const { return origin_; }
+    Vec3 origin() const { return state_.origin; }
 
     // Bodies. Values have been checked. Whatever fails, by status or std::bad_alloc, changes nothing.
 
@@ -70,8 +85,8 @@ public:
     gphys_status check(gphys_body_id body) const;
     void list(Smallest<gphys_body_id>& out) const;
     /// Of a valid id.
-    Body& body(gphys_body_id id) { return bodies_[IdTable::slot_of(id)]; }
-    const Body& body(gphys_body_id id) const { return bodies_[IdTable::slot_of(id)]; }
+    Body& body(gphys_body_id id) { return state_.bodies[IdTable::slot_of(id)]; }
+    const Body& body(gphys_body_id id) const { return state_.bodies[IdTable::slot_of(id)]; }
 
     /// May throw std::bad_alloc before anything has moved, not after.
     void step(const Scene* scene, double dt);
@@ -82,18 +97,21 @@ public:
     gphys_solver_stats stats(gphys_body_id body) const;
     void contacts(Smallest<gphys_contact, ContactOrder>& out) const;
 
+    // snapshot.cpp
+    void hash(uint32_t (&out)[2]) const;
+    /// GPHYS_INCOMPLETE, and nothing written, if it does not fit.
+    gphys_status snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const;
+    /// Throws std::bad_alloc. Whatever fails changes nothing.
+    gphys_status restore(const uint32_t* words, uint32_t count);
+
 private:
     gphys_status insert(Body&& body, gphys_body_id& out);
     void prepare(const Scene* scene, double dt);
     void look_around(const Scene& scene, double dt);
 
-    SolverSettings settings_;
-    Vec3 origin_;      // in the world, of all coordinates
-    double owed_ = 0;  // seconds that advance has not simulated yet
-    IdTable ids_{&memory};
-    Vector<Body> bodies_{&memory};  // by slot
-    /// Models near the bodies, where they stood at the last step, and those of them that moved since.
-    Vector<PlacedModel> seen_{&memory}, next_seen_{&memory}, moved_{&memory};
+    SolverState state_{&memory};
+    /// Models near the bodies as they stand, and those of state_.seen that moved since.
+    Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};
 };
 
 // state.cpp: one body.
@@ -101,6 +119,8 @@ void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3*
 void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
 void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses, uint32_t stride);
 void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
+/// Enter a constraint that is there among the links of its particles.
+void join_links(Body& body, uint32_t slot);
 bool is_attached(const Body& body, uint32_t particle);
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
 /// rest < 0: the present distance.

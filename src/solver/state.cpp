@@ -20,11 +20,17 @@ void change_links(Body& body, uint32_t slot, int by) {
         body.links[p].degree += static_cast<uint32_t>(by);
         body.links[p].slots ^= slot;
     }
+}
+
+void change_constraints(Body& body, uint32_t slot, int by) {
+    change_links(body, slot, by);
     body.plan.chains_current = false;
     interrupt(body);
 }
 
 }  // namespace
+
+void join_links(Body& body, uint32_t slot) { change_links(body, slot, 1); }
 
 void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride) {
     const Strided<gphys_vec3> from(positions, stride);
@@ -84,13 +90,13 @@ void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
 }
 
 bool Solver::set_origin(Vec3 origin) {
-    const Vec3 shift = origin_ - origin;
-    for (const Body& b : bodies_) {
+    const Vec3 shift = state_.origin - origin;
+    for (const Body& b : state_.bodies) {
         for (const Vec3 p : b.position) {
             if (max_component(abs(p + shift)) > GPHYS_MAX_COORDINATE) return false;
         }
     }
-    for (Body& b : bodies_) {
+    for (Body& b : state_.bodies) {
         for (Vector<Vec3>* places : {&b.position, &b.predicted, &b.start, &b.earlier}) {
             for (Vec3& p : *places) p += shift;
         }
@@ -99,8 +105,8 @@ bool Solver::set_origin(Vec3 origin) {
         }
         for (Attachment& attachment : b.attachments) attachment.begin += shift, attachment.end += shift;
     }
-    for (PlacedModel& seen : seen_) seen.world.position = narrow(widen(seen.world.position) + shift);
-    origin_ = origin;
+    for (PlacedModel& seen : state_.seen) seen.world.position = narrow(widen(seen.world.position) + shift);
+    state_.origin = origin;
     return true;
 }
 
@@ -114,7 +120,7 @@ gphys_status add_distance(Body& body, uint32_t a, uint32_t b, double rest, doubl
     const uint32_t slot = IdTable::slot_of(out);
     if (slot == body.constraints.size()) body.constraints.emplace_back();
     body.constraints[slot] = {a, b, rest < 0 ? distance(body.position[a], body.position[b]) : rest, compliance};
-    change_links(body, slot, 1);
+    change_constraints(body, slot, 1);
     return GPHYS_OK;
 }
 
@@ -122,7 +128,7 @@ gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
     if (!body.constraint_ids.has(id)) {
         return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
     }
-    change_links(body, IdTable::slot_of(id), -1);
+    change_constraints(body, IdTable::slot_of(id), -1);
     body.constraint_ids.remove(id);
     body.rest_position.clear();
     return GPHYS_OK;

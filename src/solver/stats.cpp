@@ -44,10 +44,10 @@ float to_float(double value) {
 gphys_solver_stats Solver::stats(gphys_body_id id) const {
     Totals totals;
     if (id != 0) {
-        add(body(id), settings_.gravity, totals);
+        add(body(id), state_.settings.gravity, totals);
     } else {
-        for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-            if (ids_.live(slot)) add(bodies_[slot], settings_.gravity, totals);
+        for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+            if (state_.ids.live(slot)) add(state_.bodies[slot], state_.settings.gravity, totals);
         }
     }
     const double strain_rms = totals.rigid > 0 ? std::sqrt(totals.strain_squared / totals.rigid) : 0;
@@ -62,13 +62,13 @@ gphys_solver_stats Solver::stats(gphys_body_id id) const {
 }
 
 void Solver::contacts(Smallest<gphys_contact, ContactOrder>& out) const {
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (!ids_.live(slot)) continue;
-        const Vector<Touch>& touches = bodies_[slot].touches;
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (!state_.ids.live(slot)) continue;
+        const Vector<Touch>& touches = state_.bodies[slot].touches;
         for (size_t i = 0; i < touches.size(); ++i) {
             const Touch& t = touches[i];
             const uint32_t particle = static_cast<uint32_t>(i / touches_per_particle);
-            if (t.model != 0) out.add({ids_.id(slot), particle, t.model, t.tag, t.point, t.normal});
+            if (t.model != 0) out.add({state_.ids.id(slot), particle, t.model, t.tag, t.point, t.normal});
         }
     }
 }

@@ -137,9 +137,9 @@ void reserve_history(Body& body) {
 
 /// Everything that may fail for want of memory, before anything moves.
 void Solver::prepare(const Scene* scene, double dt) {
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (!ids_.live(slot)) continue;
-        Body& body = bodies_[slot];
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (!state_.ids.live(slot)) continue;
+        Body& body = state_.bodies[slot];
         aim_attachments(body, scene);
         update_plan(body);
         reserve_history(body);
@@ -155,13 +155,13 @@ void Solver::prepare(const Scene* scene, double dt) {
 
 /// Note where the models near the bodies stand, and which of them have moved since the last step.
 void Solver::look_around(const Scene& scene, double dt) {
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (!ids_.live(slot) || bodies_[slot].settings.layers == 0) continue;
-        const Body& body = bodies_[slot];
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (!state_.ids.live(slot) || state_.bodies[slot].settings.layers == 0) continue;
+        const Body& body = state_.bodies[slot];
         double fastest = 0;
         for (const Vec3& velocity : body.velocity) fastest = std::max(fastest, length_squared(velocity));
         // Twice as far as a particle may come in this step: a model that it can meet in the next.
-        const double margin = 2 * dt * (std::sqrt(fastest) + dt * length(settings_.gravity));
+        const double margin = 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity));
         scene.for_each_in_box(swept_box(body, body.position, body.position, margin), body.settings.layers,
                               [&](gphys_model_id model) {
                                   next_seen_.push_back({model, scene.world(model)});
@@ -170,7 +170,7 @@ void Solver::look_around(const Scene& scene, double dt) {
     std::sort(next_seen_.begin(), next_seen_.end());
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
     next_seen_.erase(std::unique(next_seen_.begin(), next_seen_.end(), same), next_seen_.end());
-    for (const PlacedModel& seen : seen_) {
+    for (const PlacedModel& seen : state_.seen) {
         if (!scene.has(seen.model)) continue;
         const gphys_transform& now = scene.world(seen.model);
         if (std::memcmp(&now, &seen.world, sizeof now) != 0) moved_.push_back(seen);
@@ -179,32 +179,32 @@ void Solver::look_around(const Scene& scene, double dt) {
 
 void Solver::step(const Scene* scene, double dt) {
     prepare(scene, dt);
-    for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
-        if (!ids_.live(slot)) continue;
-        Body& body = bodies_[slot];
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (!state_.ids.live(slot)) continue;
+        Body& body = state_.bodies[slot];
         std::fill(body.touches.begin(), body.touches.end(), Touch{});
-        const uint32_t substeps = substeps_of(body, dt, settings_.substeps);
+        const uint32_t substeps = substeps_of(body, dt, state_.settings.substeps);
         const double h = dt / substeps;
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, settings_.gravity);
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, state_.settings.gravity);
         for (uint32_t i = 1; i <= substeps; ++i) {
             const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
             const Surroundings around{scene, &moved_, dt, begin, end};
-            move(body, around, settings_.gravity, h);
+            move(body, around, state_.settings.gravity, h);
         }
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body);
     }
-    seen_.swap(next_seen_);
+    state_.seen.swap(next_seen_);
 }
 
 void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover) {
-    owed_ += frame_time;
+    state_.owed += frame_time;
     // Frames and steps came as float32, so six steps of a 60th may be a hair longer than a tenth: a
     // millionth of a step is not waited for.
-    const double due = std::floor(owed_ / settings_.fixed_step + 1e-6);
-    steps = static_cast<uint32_t>(std::min<double>(due, settings_.max_steps));
-    for (uint32_t i = 0; i < steps; ++i) step(scene, settings_.fixed_step);
-    owed_ = std::max(0.0, owed_ - due * settings_.fixed_step);
-    leftover = owed_ / settings_.fixed_step;
+    const double due = std::floor(state_.owed / state_.settings.fixed_step + 1e-6);
+    steps = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
+    for (uint32_t i = 0; i < steps; ++i) step(scene, state_.settings.fixed_step);
+    state_.owed = std::max(0.0, state_.owed - due * state_.settings.fixed_step);
+    leftover = state_.owed / state_.settings.fixed_step;
 }
 
 }  // namespace gphys

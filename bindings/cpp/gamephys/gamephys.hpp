@@ -934,6 +934,37 @@ public:
         return list<Contact>([&](Contact* out_contacts, uint32_t capacity, uint32_t* total) { return gphys_solver_get_contacts(handle(), out_contacts, capacity, total); });
     }
 
+    // Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+    // that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
+    // @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
+    //                   for the same release of the library and machines of the same byte order; it may
+    //                   be stored, but not changed.
+    // @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+    // Cost: O(particles + constraints), some 50 words for each.
+    std::vector<uint32_t> get_snapshot() const {
+        return list<uint32_t>([&](uint32_t* out_words, uint32_t capacity, uint32_t* total) { return gphys_solver_get_snapshot(handle(), out_words, capacity, total); });
+    }
+
+    // Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
+    // time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
+    // too, is as it was.
+    // @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
+    //         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
+    // Cost: as gphys_solver_get_snapshot; allocates.
+    void restore(Span<const uint32_t> words) {
+        const uint32_t count = common_size({words.sizes()});
+        check(gphys_solver_restore(handle(), words.data, count));
+    }
+
+    // A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
+    // different ones differ with near certainty (not against an adversary). Compare it between machines
+    // that simulate the same, to see when they part. Cost: O(particles + constraints).
+    std::array<uint32_t, 2> get_hash() const {
+        std::array<uint32_t, 2> out_hash{};
+        check(gphys_solver_get_hash(handle(), out_hash.data()));
+        return out_hash;
+    }
+
 };
 
 // Whether the shape fulfils the ranges beside its struct.

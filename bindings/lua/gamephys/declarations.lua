@@ -195,6 +195,9 @@ gphys_status gphys_solver_step(gphys_solver *solver, const gphys_scene *scene, f
 gphys_status gphys_solver_advance(gphys_solver *solver, const gphys_scene *scene, float frame_time, uint32_t *out_steps, float *out_leftover);
 gphys_status gphys_solver_get_stats(const gphys_solver *solver, gphys_body_id body, gphys_solver_stats *out_stats);
 gphys_status gphys_solver_get_contacts(const gphys_solver *solver, gphys_contact *out_contacts, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_get_snapshot(const gphys_solver *solver, uint32_t *out_words, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_restore(gphys_solver *solver, const uint32_t *words, uint32_t count);
+gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_hash);
 ]],
     constants = {
         OK = 0,

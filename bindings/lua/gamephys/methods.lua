@@ -931,6 +931,40 @@ function Solver:get_contacts()
     end)
 end
 
+--- Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+--- that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
+--- @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
+---                   for the same release of the library and machines of the same byte order; it may
+---                   be stored, but not changed.
+--- @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+--- Cost: O(particles + constraints), some 50 words for each.
+function Solver:get_snapshot()
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_solver_get_snapshot(opened(self), out, capacity, total)
+    end)
+end
+
+--- Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
+--- time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
+--- too, is as it was.
+--- @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
+---         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
+--- Cost: as gphys_solver_get_snapshot; allocates.
+function Solver:restore(words)
+    local words, words_count, words_stride = to_array(uint32_t, words)
+    local count = common(words_count)
+    check(C.gphys_solver_restore(opened(self), words, count))
+end
+
+--- A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
+--- different ones differ with near certainty (not against an adversary). Compare it between machines
+--- that simulate the same, to see when they part. Cost: O(particles + constraints).
+function Solver:get_hash()
+    local out_hash = uint32_t.array(2)
+    check(C.gphys_solver_get_hash(opened(self), out_hash))
+    return out_hash
+end
+
 --- Whether the shape fulfils the ranges beside its struct.
 --- @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
 function gp.validate(shape)

@@ -796,6 +796,35 @@ class Solver(Object):
         """Contacts of the last step by body, particle, model. Kept when too many: the first."""
         return list_of(low.gphys_solver_get_contacts, (self._handle,), low.contact_dtype)
 
+    def get_snapshot(self) -> np.ndarray:
+        """Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+        that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
+        @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
+                          for the same release of the library and machines of the same byte order; it may
+                          be stored, but not changed.
+        @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+        Cost: O(particles + constraints), some 50 words for each."""
+        return list_of(low.gphys_solver_get_snapshot, (self._handle,), "<u4")
+
+    def restore(self, words: ArrayLike) -> None:
+        """Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
+        time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
+        too, is as it was.
+        @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
+                byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
+        Cost: as gphys_solver_get_snapshot; allocates."""
+        words_ = array_of(words, "<u4")
+        count = common_length(words_)
+        check(low.gphys_solver_restore(self._handle, words_.address, count))
+
+    def get_hash(self) -> np.ndarray:
+        """A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
+        different ones differ with near certainty (not against an adversary). Compare it between machines
+        that simulate the same, to see when they part. Cost: O(particles + constraints)."""
+        out_hash = np.empty(2, "<u4")
+        check(low.gphys_solver_get_hash(self._handle, out_hash.ctypes.data))
+        return out_hash
+
 
 Shape = Union[low.Sphere, low.Capsule, low.Aabb, low.Obb, low.Plane, low.Triangle, low.Frustum, Mesh, low.Ray, low.Segment]
 

@@ -1102,6 +1102,42 @@ impl Solver {
         list(|out_contacts, capacity, total| unsafe { sys::gphys_solver_get_contacts(self.handle.as_ptr(), out_contacts, capacity, total) })
     }
 
+    /// Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+    /// that `gphys_solver_advance` still owes. The scene, workers and allocator are not in it.
+    /// * `out_words`: the snapshot; written as a whole, or not at all when capacity is too small. It is
+    ///   for the same release of the library and machines of the same byte order; it may
+    ///   be stored, but not changed.
+    ///
+    /// Returns `GPHYS_INCOMPLETE` when *out_total > capacity; `GPHYS_ERROR_CAPACITY` beyond 2^32 - 1 words
+    ///
+    /// Cost: O(particles + constraints), some 50 words for each.
+    pub fn get_snapshot(&self) -> Result<Vec<u32>> {
+        list(|out_words, capacity, total| unsafe { sys::gphys_solver_get_snapshot(self.handle.as_ptr(), out_words, capacity, total) })
+    }
+
+    /// Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
+    /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
+    /// too, is as it was.
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for words that are no snapshot, damaged, of another version or
+    /// byte order; `GPHYS_ERROR_OUT_OF_MEMORY`. Either way the solver is as before.
+    ///
+    /// Cost: as `gphys_solver_get_snapshot`; allocates.
+    pub fn restore(&mut self, words: &[u32]) -> Result<()> {
+        let words = Batch::from(words);
+        let count = common_length(&[words.length])?;
+        check(unsafe { sys::gphys_solver_restore(self.handle.as_ptr(), words.data, count) })
+    }
+
+    /// A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
+    /// different ones differ with near certainty (not against an adversary). Compare it between machines
+    /// that simulate the same, to see when they part. Cost: O(particles + constraints).
+    pub fn get_hash(&self) -> Result<[u32; 2]> {
+        let mut out_hash = [u32::default(); 2];
+        check(unsafe { sys::gphys_solver_get_hash(self.handle.as_ptr(), out_hash.as_mut_ptr()) })?;
+        Ok(out_hash)
+    }
+
 }
 
 /// Whether the shape fulfils the ranges beside its struct.

@@ -174,5 +174,8 @@ module Gamephys
     attach_function :gphys_solver_advance, [:pointer, :pointer, :float, :pointer, :pointer], :int32
     attach_function :gphys_solver_get_stats, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_contacts, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_snapshot, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_restore, [:pointer, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_hash, [:pointer, :pointer], :int32
   end
 end

@@ -889,6 +889,39 @@ module Gamephys
     def get_contacts
       Low.list(Contact) { |out, capacity, total| Low.gphys_solver_get_contacts(opened, out, capacity, total) }
     end
+
+    # Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+    # that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
+    # @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
+    #                   for the same release of the library and machines of the same byte order; it may
+    #                   be stored, but not changed.
+    # @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+    # Cost: O(particles + constraints), some 50 words for each.
+    def get_snapshot
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_snapshot(opened, out, capacity, total) }
+    end
+
+    # Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
+    # time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
+    # too, is as it was.
+    # @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
+    #         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
+    # Cost: as gphys_solver_get_snapshot; allocates.
+    def restore(words)
+      words = Low.array(UInt32, words)
+      count = Low.common(words)
+      Low.check(Low.gphys_solver_restore(opened, words.pointer, count))
+      nil
+    end
+
+    # A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
+    # different ones differ with near certainty (not against an adversary). Compare it between machines
+    # that simulate the same, to see when they part. Cost: O(particles + constraints).
+    def get_hash
+      out_hash = UInt32.room(2)
+      Low.check(Low.gphys_solver_get_hash(opened, out_hash))
+      UInt32.unpack_all(out_hash, 2)
+    end
   end
 
   # Whether the shape fulfils the ranges beside its struct.

@@ -155,4 +155,7 @@ class LowFunctions {
     static native int gphys_solver_advance(Pointer solver, Pointer scene, float frameTime, Pointer outSteps, Pointer outLeftover);
     static native int gphys_solver_get_stats(Pointer solver, int body, Pointer outStats);
     static native int gphys_solver_get_contacts(Pointer solver, Pointer outContacts, int capacity, Pointer outTotal);
+    static native int gphys_solver_get_snapshot(Pointer solver, Pointer outWords, int capacity, Pointer outTotal);
+    static native int gphys_solver_restore(Pointer solver, Pointer words, int count);
+    static native int gphys_solver_get_hash(Pointer solver, Pointer outHash);
 }

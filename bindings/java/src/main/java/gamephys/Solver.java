@@ -483,4 +483,55 @@ public final class Solver extends Owned {
                 return status;
             });
     }
+
+    /**
+     * <pre>
+     * Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+     * that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
+     * &#64;param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
+     *                   for the same release of the library and machines of the same byte order; it may
+     *                   be stored, but not changed.
+     * &#64;return GPHYS_INCOMPLETE when *out_total &gt; capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+     * Cost: O(particles + constraints), some 50 words for each.
+     * </pre>
+     */
+    public Batch<Integer> getSnapshot() {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_snapshot(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
+     * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
+     * too, is as it was.
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
+     *         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
+     * Cost: as gphys_solver_get_snapshot; allocates.
+     * </pre>
+     */
+    public void restore(Batch<Integer> words) {
+        int count = Low.common(words.common());
+        int status = Low.gphys_solver_restore(opened(), words.pointer(), count);
+        Low.keep(this, words);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
+     * different ones differ with near certainty (not against an adversary). Compare it between machines
+     * that simulate the same, to see when they part. Cost: O(particles + constraints).
+     * </pre>
+     */
+    public int[] getHash() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_hash(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.ints(1, 2);
+    }
 }

@@ -1,0 +1,120 @@
+// The state of a solver as a row of 32-bit words, for snapshots and their hashes. What is listed once,
+// as visit(archive, state) in snapshot.cpp, is written, hashed and read in the same order:
+//
+//   archive.value(x)   one value, a multiple of four bytes
+//   archive.flag(b)    a bool
+//   archive.array(v)   the number of elements, then the elements
+//
+// Words are in the machine's own byte order; structs among them must have no padding.
+#pragma once
+
+#include <cstring>
+#include <type_traits>
+
+#include "foundation/memory.h"
+
+namespace gphys {
+
+/// A 64-bit hash of words: each is mixed in by a multiplication that loses nothing (odd) and a shift
+/// that brings the high bits down; no change of a single word keeps the hash.
+class WordHash {
+public:
+    static constexpr uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 / golden ratio: no pattern in its bits
+
+    void put(const void* from, size_t words) {
+        const char* bytes = static_cast<const char*>(from);
+        for (size_t i = 0; i < words; ++i) {
+            uint32_t word;
+            std::memcpy(&word, bytes + 4 * i, 4);
+            hash_ = (hash_ ^ word) * golden;
+            hash_ ^= hash_ >> 32;
+        }
+    }
+    uint64_t value() const { return hash_; }
+
+private:
+    uint64_t hash_ = golden;
+};
+
+struct WordCount {
+    uint64_t words = 0;
+
+    void put(const void*, size_t more) { words += more; }
+};
+
+struct WordCopy {
+    uint32_t* to;
+
+    void put(const void* from, size_t words) {
+        if (words == 0) return;  // and `from` may be null
+        std::memcpy(to, from, 4 * words);
+        to += words;
+    }
+};
+
+/// Gives words to one of the above.
+template <class Sink>
+class Writer {
+public:
+    explicit Writer(Sink& sink) : sink_(sink) {}
+
+    template <class T>
+    void value(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
+        sink_.put(&value, sizeof(T) / 4);
+    }
+    void flag(bool flag) { value(uint32_t{flag}); }
+    template <class T>
+    void array(const Vector<T>& elements) {
+        static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
+        value(static_cast<uint32_t>(elements.size()));
+        sink_.put(elements.data(), elements.size() * (sizeof(T) / 4));
+    }
+
+private:
+    Sink& sink_;
+};
+
+/// Takes words. Once they have run out, or were no state's, everything that is left reads as nothing.
+class Reader {
+public:
+    Reader(const uint32_t* words, size_t count) : next_(words), left_(count) {}
+
+    template <class T>
+    void value(T& value) {
+        take(&value, sizeof(T) / 4);
+    }
+    void flag(bool& flag) {
+        uint32_t word = 0;
+        value(word);
+        if (word > 1) left_ = 0, good_ = false;
+        flag = word == 1;
+    }
+    template <class T>
+    void array(Vector<T>& elements) {
+        uint32_t size = 0;
+        value(size);
+        if (size > left_ / (sizeof(T) / 4)) size = 0, left_ = 0, good_ = false;
+        elements.resize(size);
+        take(elements.data(), size * (sizeof(T) / 4));
+    }
+
+    bool good() const { return good_; }
+    /// Whether all was taken, and nothing else wanted.
+    bool finished() const { return good_ && left_ == 0; }
+
+private:
+    void take(void* to, size_t words) {
+        if (words > left_) left_ = 0, good_ = false;
+        if (!good_ || words == 0) return;
+        std::memcpy(to, next_, 4 * words);
+        next_ += words;
+        left_ -= words;
+    }
+
+    const uint32_t* next_;
+    size_t left_;
+    bool good_ = true;
+};
+
+}  // namespace gphys

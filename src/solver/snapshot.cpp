@@ -1,0 +1,170 @@
+// All that the next step depends on, taken out as words and put back.
+//
+// A snapshot is a header and the words of the state. What follows from others (the links of
+// particles, the packed batches of cloth) is not in it but made again; what depends on the past is:
+// the plan of cloth comes from where its particles were when it was made, the tensions of a rope are
+// the first guess of the next.
+#include "solver/archive.h"
+#include "solver/snapshot_check.h"
+
+namespace gphys {
+namespace {
+
+struct Header {
+    uint32_t magic, format, words;
+    uint32_t hash[2];  // of the words that follow
+};
+constexpr uint32_t header_words = sizeof(Header) / 4;
+constexpr uint32_t magic = 0x6770686e;
+constexpr uint32_t swapped_magic = 0x6e687067;
+// Of the list below: to be raised when it changes.
+constexpr uint32_t format = 1;
+
+// Copied as they lie in memory, so they must have no padding.
+static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 24 && sizeof(Attachment) == 80);
+static_assert(sizeof(Touch) == 32 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 && sizeof(ReachLimit) == 16);
+
+/// Body and Plan are const when they are written.
+template <class Archive, class Plan>
+void visit_plan(Archive& archive, Plan& plan) {
+    archive.value(plan.method);
+    archive.flag(plan.chains_current);
+    archive.flag(plan.reach_current);
+    archive.array(plan.chains);
+    archive.array(plan.families);
+    archive.array(plan.particles);
+    archive.array(plan.rest);
+    archive.array(plan.compliance);
+    archive.array(plan.tension);
+    archive.array(plan.reach_limits);
+}
+
+template <class Archive, class Body>
+void visit_body(Archive& archive, Body& body) {
+    archive.value(body.kind);
+    archive.value(body.settings.damping);
+    archive.value(body.settings.friction);
+    archive.value(body.settings.restitution);
+    archive.value(body.settings.layers);
+    archive.array(body.position);
+    archive.array(body.velocity);
+    archive.array(body.force);
+    archive.array(body.mass);
+    archive.array(body.inverse_mass);
+    archive.array(body.radius);
+    archive.array(body.attachments);
+    IdTable::visit(archive, body.constraint_ids);
+    archive.array(body.constraints);
+    archive.array(body.rest_position);
+    archive.array(body.triangles);
+    archive.array(body.start);
+    archive.array(body.start_velocity);
+    archive.value(body.earlier_step);
+    archive.array(body.touches);
+    archive.array(body.cloth.moved);
+    archive.array(body.cloth.velocity_before);
+    visit_plan(archive, body.plan);
+}
+
+template <class Archive, class State>
+void visit_globals(Archive& archive, State& state) {
+    archive.value(state.settings.gravity);
+    archive.value(state.settings.substeps);
+    archive.value(state.settings.fixed_step);
+    archive.value(state.settings.max_steps);
+    archive.value(state.origin);
+    archive.value(state.owed);
+    IdTable::visit(archive, state.ids);
+    archive.array(state.seen);
+}
+
+template <class Sink>
+void write(Sink& sink, const SolverState& state) {
+    Writer<Sink> archive(sink);
+    visit_globals(archive, state);
+    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
+        if (state.ids.live(slot)) visit_body(archive, state.bodies[slot]);
+    }
+}
+
+/// What is not in a snapshot. Throws std::bad_alloc.
+void complete(Body& body) {
+    body.links.resize(body.size());
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        if (body.constraint_ids.live(slot)) join_links(body, slot);
+    }
+    Plan& plan = body.plan;
+    plan.target = plan.rest;
+    plan.direct_rows.resize(longest_chain(plan) + 1);
+    if (plan.method == GPHYS_SOLVE_GRAPH) pack_cloth(body);
+}
+
+const char* read(Reader& archive, SolverState& state) {
+    visit_globals(archive, state);
+    if (!archive.good()) return cut_short;
+    if (const char* wrong = defect_of_globals(state)) return wrong;
+    for (uint32_t slot = 0; slot < state.ids.slots(); ++slot) {
+        state.bodies.emplace_back(state.bodies.get_allocator().resource());
+        if (!state.ids.live(slot)) continue;
+        Body& body = state.bodies.back();
+        visit_body(archive, body);
+        if (!archive.good()) return cut_short;
+        if (const char* wrong = defect(body)) return wrong;
+        complete(body);
+    }
+    return archive.finished() ? nullptr : cut_short;
+}
+
+void split(uint64_t hash, uint32_t (&out)[2]) {
+    out[0] = static_cast<uint32_t>(hash);
+    out[1] = static_cast<uint32_t>(hash >> 32);
+}
+
+}  // namespace
+
+void Solver::hash(uint32_t (&out)[2]) const {
+    WordHash hash;
+    write(hash, state_);
+    split(hash.value(), out);
+}
+
+gphys_status Solver::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const {
+    WordCount count;
+    write(count, state_);
+    if (count.words > std::numeric_limits<uint32_t>::max() - header_words) {
+        return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have 2^32 words or more");
+    }
+    total = static_cast<uint32_t>(count.words) + header_words;
+    if (total > capacity) return GPHYS_INCOMPLETE;
+    WordCopy copy{out + header_words};
+    write(copy, state_);
+    WordHash hash;
+    hash.put(out + header_words, count.words);
+    Header header{magic, format, total, {}};
+    split(hash.value(), header.hash);
+    std::memcpy(out, &header, sizeof header);
+    return GPHYS_OK;
+}
+
+gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
+    const auto refused = [](const char* why) { return fail(GPHYS_ERROR_INVALID_ARGUMENT, why); };
+    Header header{};
+    std::memcpy(&header, words, 4 * size_t{std::min(count, header_words)});
+    if (count < header_words) return refused("words: too few for a snapshot");
+    if (header.magic == swapped_magic) return refused("words: a snapshot in another byte order");
+    if (header.magic != magic) return refused("words: not a snapshot");
+    if (header.format != format) return refused("words: a snapshot of another version of the library");
+    if (header.words != count) return refused("count: not what the snapshot had");
+    WordHash hash;
+    hash.put(words + header_words, count - header_words);
+    uint32_t found[2];
+    split(hash.value(), found);
+    if (std::memcmp(found, header.hash, sizeof found) != 0) return refused("words: the snapshot is damaged");
+    SolverState restored(&memory);
+    Reader archive(words + header_words, count - header_words);
+    if (const char* wrong = read(archive, restored)) return refused(wrong);
+    state_ = std::move(restored);
+    return GPHYS_OK;
+}
+
+}  // namespace gphys
