@@ -4,6 +4,7 @@
 #include "intersect/heights.h"
 #include "intersect/intersect.h"
 #include "shapes/halfspaces.h"
+#include "shapes/nearest_common_point.h"
 
 namespace gphys {
 
@@ -196,26 +197,34 @@ namespace {
 class NearestFoot {
 public:
     NearestFoot(const Plane (&planes)[6], Vec3 point) : point_(point) {
-        for (int i = 0; i < 6; ++i) planes_[i] = scaled_to_one(planes[i]);
+        for (int i = 0; i < 6; ++i) {
+            planes_[i] = scaled_to_one(planes[i]);
+            size_[i] = length(planes_[i].normal);
+            if (size_[i] > 0) bounding_[bounding_count_++] = i;
+        }
     }
 
-    void try_face(int i) {
-        const Plane& a = planes_[i];
-        add(point_ + a.normal * (depth(a) / length_squared(a.normal)), 1 << i);
+    /// The foot that a search names; false if the polyhedron does not hold it.
+    bool try_likely() {
+        Plane from_point[6];
+        for (int i = 0; i < bounding_count_; ++i) from_point[i] = seen_from_point(bounding_[i]);
+        const CommonPoint likely = nearest_common_point(from_point, bounding_count_);
+        if (likely.outcome != CommonPoint::Outcome::found) return false;
+        int i[3];
+        for (int k = 0; k < likely.plane_count; ++k) i[k] = bounding_[likely.planes[k]];
+        if (likely.plane_count == 1) try_face(i[0]);
+        if (likely.plane_count == 2) try_edge(i[0], i[1]);
+        if (likely.plane_count == 3) try_corner(i[0], i[1], i[2]);
+        return found();
     }
-    void try_edge(int i, int j) {
-        const Plane &a = planes_[i], &b = planes_[j];
-        const Vec3 line = cross(a.normal, b.normal);
-        const double gram = length_squared(line);
-        if (gram == 0) return;
-        // point + u a + v b with both planes' equations fulfilled.
-        const double aa = length_squared(a.normal), bb = length_squared(b.normal), ab = dot(a.normal, b.normal);
-        const double u = (depth(a) * bb - depth(b) * ab) / gram, v = (depth(b) * aa - depth(a) * ab) / gram;
-        add(point_ + a.normal * u + b.normal * v, 1 << i | 1 << j);
-    }
-    void try_corner(int i, int j, int k) {
-        Vec3 corner;
-        if (common_point(planes_[i], planes_[j], planes_[k], corner)) add(corner, 1 << i | 1 << j | 1 << k);
+    void try_all() {
+        for (int i = 0; i < bounding_count_; ++i) {
+            try_face(bounding_[i]);
+            for (int j = i + 1; j < bounding_count_; ++j) {
+                try_edge(bounding_[i], bounding_[j]);
+                for (int k = j + 1; k < bounding_count_; ++k) try_corner(bounding_[i], bounding_[j], bounding_[k]);
+            }
+        }
     }
 
     bool found() const { return square_ < infinity; }
@@ -224,18 +233,29 @@ public:
     Vec3 foot() const { return foot_; }
 
 private:
-    /// How far the point is outside, times the normal's length.
-    double depth(const Plane& plane) const { return plane.distance - dot(plane.normal, point_); }
+    Plane seen_from_point(int i) const {
+        return {planes_[i].normal, planes_[i].distance - dot(planes_[i].normal, point_)};
+    }
+    void try_face(int i) { add(point_ + foot_on(seen_from_point(i)), 1 << i); }
+    void try_edge(int i, int j) {
+        Vec3 foot;
+        if (foot_on(seen_from_point(i), seen_from_point(j), foot)) add(point_ + foot, 1 << i | 1 << j);
+    }
+    void try_corner(int i, int j, int k) {
+        Vec3 corner;
+        if (common_point(planes_[i], planes_[j], planes_[k], corner)) add(corner, 1 << i | 1 << j | 1 << k);
+    }
 
     void add(Vec3 foot, int own_planes) {
         const double square = length_squared(foot - point_);
         if (!(square < square_)) return;
         bool well_inside = true;
+        const double reach = length(foot) + length(point_);
         for (int i = 0; i < 6; ++i) {
             const Plane& plane = planes_[i];
             // Rounding moves a foot by some 2^-50 of its distance; through a corner of more than
             // three planes none may be lost, so 2^-40 is forgiven.
-            const double slack = 0x1p-40 * length(plane.normal) * (length(foot) + length(point_));
+            const double slack = 0x1p-40 * size_[i] * reach;
             const double height = dot(plane.normal, foot) - plane.distance;
             if (own_planes >> i & 1) {
                 // A foot that planes at a small angle left inaccurate proves nothing.
@@ -251,6 +271,8 @@ private:
     }
 
     Plane planes_[6];
+    double size_[6];  // of the normals
+    int bounding_[6], bounding_count_ = 0;
     Vec3 point_, foot_;
     double square_ = infinity;
     bool proves_a_point_ = false;
@@ -264,14 +286,7 @@ bool closest_point(const Frustum& frustum, Vec3 point, Vec3& out) {
         return true;
     }
     NearestFoot nearest(frustum.planes, point - frustum.origin);
-    for (int i = 0; i < 6; ++i) {
-        if (frustum.planes[i].normal == Vec3{}) continue;
-        nearest.try_face(i);
-        for (int j = i + 1; j < 6; ++j) {
-            nearest.try_edge(i, j);
-            for (int k = j + 1; k < 6; ++k) nearest.try_corner(i, j, k);
-        }
-    }
+    if (!nearest.try_likely()) nearest.try_all();
     if (!nearest.found() || (!nearest.proves_a_point() && is_empty(frustum))) return false;
     out = frustum.origin + nearest.foot();
     return true;

@@ -163,11 +163,30 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
     return true;
 }
 
+namespace {
+
+/// Whether a moving sphere stays outside of one plane all the way.
+bool passes_outside(const Frustum& frustum, const Sphere& moving, Vec3 displacement) {
+    const Vec3 from = moving.center - frustum.origin, reach = abs(from) + abs(displacement);
+    for (const Plane& plane : frustum.planes) {
+        const double start = dot(plane.normal, from) - plane.distance;
+        const double end = start + dot(plane.normal, displacement);
+        const double radius = moving.radius * length(plane.normal);
+        // Both are off by less than eight roundings of 2^-53 of what they are summed from.
+        const double margin = radius + 0x1p-48 * (dot(abs(plane.normal), reach) + std::fabs(plane.distance) + radius);
+        if (std::max(start, end) < -margin) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 /// The distance to a convex set is a convex function of time whose slope is the speed along the
 /// normal, so Newton's method from the start never overshoots the first contact (compare van den
 /// Bergen 2004, who bounds the distance in the same way).
 bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(frustum, path(moving, displacement), hit);
+    if (passes_outside(frustum, moving, displacement)) return false;
     Vec3 nearest;
     if (!closest_point(frustum, moving.center, nearest)) return false;
     if (distance(nearest, moving.center) <= moving.radius) {

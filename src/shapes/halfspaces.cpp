@@ -143,7 +143,7 @@ private:
     }
 };
 
-bool Halfspaces::have_common_point() const {
+bool Halfspaces::every_four_meet() const {
     const Minors minors(*this);
     for (int i = 0; i < minors.count; ++i) {
         for (int j = i + 1; j < minors.count; ++j) {
@@ -155,6 +155,40 @@ bool Halfspaces::have_common_point() const {
         }
     }
     return true;
+}
+
+bool Halfspaces::contain(Vec3 point) const {
+    for (int i = 0; i < count_; ++i) {
+        const auto height = [&](auto number) { return height_over<decltype(number)>(halfspace_[i], point); };
+        if (sign_of(height) < 0) return false;
+    }
+    return true;
+}
+
+CommonPoint Halfspaces::likely_common_point() const {
+    const Vec3 from = halfspace_[0].origin;
+    Plane planes[capacity];
+    double size = 0;
+    for (int i = 0; i < count_; ++i) {
+        const Halfspace& h = halfspace_[i];
+        planes[i] = scaled_to_one({h.normal, h.distance + dot(h.normal, h.origin - from)});
+        size = std::max(size, max_component(abs(h.origin - from)) + std::fabs(planes[i].distance));
+    }
+    // A point on the border would be as likely outside by its rounding.
+    for (int i = 0; i < count_; ++i) planes[i].distance += 0x1p-40 * size;
+    return nearest_common_point(planes, count_);
+}
+
+bool Halfspaces::have_common_point() const {
+    if (count_ == 0) return true;
+    const CommonPoint likely = likely_common_point();
+    if (likely.outcome == CommonPoint::Outcome::found && contain(halfspace_[0].origin + likely.point)) return true;
+    if (likely.outcome == CommonPoint::Outcome::none) {
+        Halfspaces few;
+        for (int i = 0; i < likely.plane_count; ++i) few.halfspace_[few.count_++] = halfspace_[likely.planes[i]];
+        if (!few.every_four_meet()) return false;
+    }
+    return every_four_meet();
 }
 
 namespace {

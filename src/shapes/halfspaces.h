@@ -8,7 +8,7 @@
 // is the sign of a determinant. Nothing needs corners, and infinite sets are no special case.
 #pragma once
 
-#include "shapes/shapes.h"
+#include "shapes/nearest_common_point.h"
 
 namespace gphys {
 
@@ -30,6 +30,12 @@ public:
     bool meet(const Triangle& triangle) const;
 
 private:
+    /// Decides the same by Helly's theorem.
+    bool every_four_meet() const;
+    bool contain(Vec3 point) const;
+    /// What they seem to have in common, or not; the point counts from the first one's origin.
+    CommonPoint likely_common_point() const;
+
     friend bool bounds(const Frustum& frustum, Box& out);
     struct Minors;
 

@@ -1,13 +1,12 @@
 // The exact promises beside CGAL's exact kernel: no wrong answer, on grids so small that nearly
 // everything touches, is coplanar, collinear or coincides, and one ulp away from that.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 
-#include "intersect/intersect.h"
-
-#include "test.h"
+#include "cases.h"
+#include "score.h"
 
 using namespace gphys;
 
@@ -140,120 +139,202 @@ TEST_CASE("containment with tolerance 0 is exactly CGAL's") {
 
 namespace {
 
+using Rational = CGAL::Gmpzf;  // of integers and powers of two: all that sums and products of floats need
+
 /// Whether a system of half-spaces has a solution, by CGAL's exact linear programming.
 class Program {
 public:
-    void at_least(Vec3 normal, Vec3 origin, double distance) {
-        for (int k = 0; k < 3; ++k) program_.set_a(k, rows_, CGAL::Gmpq(normal[k]));
-        CGAL::Gmpq right(distance);
-        for (int k = 0; k < 3; ++k) right += CGAL::Gmpq(normal[k]) * CGAL::Gmpq(origin[k]);
+    void at_least(gphys_vec3 normal, gphys_vec3 origin, const Rational& distance) {
+        const float n[3] = {normal.x, normal.y, normal.z}, o[3] = {origin.x, origin.y, origin.z};
+        Rational right = distance;
+        for (int k = 0; k < 3; ++k) {
+            program_.set_a(k, rows_, Rational(n[k]));
+            right += Rational(n[k]) * Rational(o[k]);
+        }
         program_.set_b(rows_++, right);
     }
-    void add(const Frustum& f) {
-        for (const Plane& p : f.planes) at_least(p.normal, f.origin, p.distance);
+    void add(const gphys_frustum& f) {
+        for (const gphys_plane& p : f.planes) at_least(p.normal, f.origin, Rational(p.distance));
     }
-    void add(const Aabb& b) {
-        for (int k = 0; k < 3; ++k) {
-            Vec3 axis;
-            axis[k] = 1;
-            at_least(axis, b.min, 0);
-            at_least(-axis, b.max, 0);
-        }
+    void add(const gphys_aabb& b) {
+        const gphys_vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, against[3] = {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+        for (const gphys_vec3& axis : axes) at_least(axis, b.min, Rational(0));
+        for (const gphys_vec3& axis : against) at_least(axis, b.max, Rational(0));
     }
-    void add(const Plane& p) {
-        at_least(p.normal, {}, p.distance);
-        at_least(-p.normal, {}, -p.distance);
+    void add(const gphys_plane& p) {
+        at_least(p.normal, {}, Rational(p.distance));
+        at_least({-p.normal.x, -p.normal.y, -p.normal.z}, {}, Rational(-p.distance));
     }
-    bool feasible() const { return !CGAL::solve_linear_program(program_, CGAL::Gmpq()).is_infeasible(); }
+    bool feasible() const { return !CGAL::solve_linear_program(program_, Rational()).is_infeasible(); }
 
+private:
     // Free variables x, y, z.
-    CGAL::Quadratic_program<CGAL::Gmpq> program_{CGAL::LARGER, false, CGAL::Gmpq(0), false, CGAL::Gmpq(0)};
+    CGAL::Quadratic_program<Rational> program_{CGAL::LARGER, false, Rational(0), false, Rational(0)};
     int rows_ = 0;
 };
 
+template <class Other>
+bool truth(const gphys_frustum& f, const Other& other) {
+    Program both;
+    both.add(f);
+    both.add(other);
+    return both.feasible();
+}
+
 /// The triangle's points as weights of its corners: non-negative, of sum 1.
-bool reference(const Triangle& t, const Frustum& f) {
-    CGAL::Quadratic_program<CGAL::Gmpq> program(CGAL::LARGER, true, CGAL::Gmpq(0), false, CGAL::Gmpq(0));
-    const Vec3 corner[3] = {t.a, t.b, t.c};
+template <>
+bool truth(const gphys_frustum& f, const gphys_triangle& t) {
+    CGAL::Quadratic_program<Rational> program(CGAL::LARGER, true, Rational(0), false, Rational(0));
+    const gphys_vec3 corner[3] = {t.a, t.b, t.c};
     for (int i = 0; i < 6; ++i) {
+        const gphys_vec3 n = f.planes[i].normal;
         for (int c = 0; c < 3; ++c) {
-            CGAL::Gmpq height(0);
-            for (int k = 0; k < 3; ++k) {
-                height += CGAL::Gmpq(f.planes[i].normal[k]) * (CGAL::Gmpq(corner[c][k]) - CGAL::Gmpq(f.origin[k]));
-            }
-            program.set_a(c, i, height);
+            program.set_a(c, i,
+                          Rational(n.x) * (Rational(corner[c].x) - Rational(f.origin.x)) +
+                              Rational(n.y) * (Rational(corner[c].y) - Rational(f.origin.y)) +
+                              Rational(n.z) * (Rational(corner[c].z) - Rational(f.origin.z)));
         }
-        program.set_b(i, CGAL::Gmpq(f.planes[i].distance));
+        program.set_b(i, Rational(f.planes[i].distance));
     }
-    for (int c = 0; c < 3; ++c) program.set_a(c, 6, CGAL::Gmpq(1));
-    program.set_b(6, CGAL::Gmpq(1));
+    for (int c = 0; c < 3; ++c) program.set_a(c, 6, Rational(1));
+    program.set_b(6, Rational(1));
     program.set_r(6, CGAL::EQUAL);
-    return !CGAL::solve_linear_program(program, CGAL::Gmpq()).is_infeasible();
+    return !CGAL::solve_linear_program(program, Rational()).is_infeasible();
 }
 
 /// Six half-spaces of small integers: boxes, pyramids, wedges, slabs, infinite or empty sets, with
 /// planes that repeat or contradict each other.
-Frustum grid_frustum(test::Random& random) {
-    Frustum f;
-    f.origin = grid_point(random);
+gphys_frustum grid_frustum(test::Random& random) {
+    const auto small = [&](uint32_t count, int least) { return static_cast<float>(int(random.index(count)) + least); };
+    gphys_frustum f{narrow(grid_point(random)),
+                    {{{0, 0, 1}, small(3, 0)},
+                     {{0, 0, -1}, -small(5, 0)},
+                     {{1, 0, 1}, 0},
+                     {{-1, 0, 1}, 0},
+                     {{0, 1, 1}, 0},
+                     {{0, -1, 1}, 0}}};
     const bool pyramid = random.index(2) == 0;
-    const Plane usual[6] = {{{0, 0, 1}, double(random.index(3))},
-                            {{0, 0, -1}, -double(random.index(5))},
-                            {{1, 0, 1}, 0},
-                            {{-1, 0, 1}, 0},
-                            {{0, 1, 1}, 0},
-                            {{0, -1, 1}, 0}};
-    for (int i = 0; i < 6; ++i) {
-        f.planes[i] = usual[i];
+    for (gphys_plane& plane : f.planes) {
         if (pyramid && random.index(8) > 0) continue;
-        Vec3 n;
-        for (int k = 0; k < 3; ++k) n[k] = double(random.index(3)) - 1;
-        if (n == Vec3{}) n.x = 1;
-        f.planes[i] = {n, double(random.index(4)) - 2};
+        do plane.normal = {small(3, -1), small(3, -1), small(3, -1)};
+        while (widen(plane.normal) == Vec3{});
+        plane.distance = small(4, -2);
     }
     if (random.index(4) == 0) f.planes[GPHYS_FRUSTUM_FAR] = {{}, -1};
     return f;
 }
 
+/// That of a camera, as near to others as it is large.
+gphys_frustum camera_frustum(test::Random& random) {
+    const gphys::Mat3 axes = rotation_matrix(widen(random.rotation()));
+    const double width = random.uniform(.1, 1.5), height = random.uniform(.1, 1.5), near = random.uniform(.01, .5);
+    const auto plane = [](Vec3 normal, double distance) {
+        return gphys_plane{narrow(normalized(normal)), static_cast<float>(distance)};
+    };
+    return {
+        narrow(random.direction() * random.uniform(0, 3)),
+        {plane(axes.z, near), plane(-axes.z, -near - random.uniform(.1, 4)), plane(axes.x + axes.z * width, 0),
+         plane(-axes.x + axes.z * width, 0), plane(axes.y + axes.z * height, 0), plane(-axes.y + axes.z * height, 0)}};
+}
+
+gphys_frustum any_frustum(test::Random& random) {
+    return random.index(3) ? grid_frustum(random) : camera_frustum(random);
+}
+
+void make(test::Random& random, gphys_frustum& f) { f = any_frustum(random); }
+void make(test::Random& random, gphys_aabb& b) {
+    const Vec3 p = grid_point(random), q = grid_point(random);
+    b = {narrow(min(p, q)), narrow(max(p, q))};
+}
+void make(test::Random& random, gphys_plane& p) {
+    p = grid_frustum(random).planes[0];
+    p.distance = static_cast<float>(random.index(5)) - 2;
+}
+void make(test::Random& random, gphys_vec3& p) { p = narrow(grid_point(random)); }
+void make(test::Random& random, gphys_triangle& t) {
+    t = {narrow(grid_point(random)), narrow(grid_point(random)), narrow(grid_point(random))};
+}
+
+template <class Other>
+using Overlaps = bool (*)(const gphys_frustum&, const Other&);
+
+template <class Other>
+bool library(const gphys_frustum& f, const Other& other) {
+    int32_t overlaps = -1;
+    REQUIRE(gphys_shape_overlaps(GPHYS_SHAPE_FRUSTUM, &f, test::type_of(other), &other, &overlaps) == GPHYS_OK);
+    return overlaps == 1;
+}
+/// Larger by an ulp on every side.
+template <class Other>
+bool of_a_grown_frustum(const gphys_frustum& frustum, const Other& other) {
+    gphys_frustum f = frustum;
+    for (gphys_plane& plane : f.planes) {
+        if (widen(plane.normal) != Vec3{}) plane.distance = std::nextafterf(plane.distance, -FLT_MAX);
+    }
+    return library(f, other);
+}
+/// As most engines do it: not wholly outside of one plane.
+bool by_planes(const gphys_frustum& f, const gphys_aabb& box) {
+    for (const gphys_plane& p : f.planes) {
+        const Vec3 n = widen(p.normal), low = widen(box.min), high = widen(box.max);
+        const Vec3 far{n.x > 0 ? high.x : low.x, n.y > 0 ? high.y : low.y, n.z > 0 ? high.z : low.z};
+        if (dot(n, far - widen(f.origin)) < p.distance) return false;
+    }
+    return true;
+}
+
+bool contains_point(const gphys_frustum& f, const gphys_vec3& p) { return contains(widen(f), widen(p), 0); }
+bool point_of_a_grown_frustum(const gphys_frustum& f, const gphys_vec3& p) {
+    return contains(widen(f), widen(p), 0) || contains(widen(f), widen(p) + Vec3{1e-7, 0, 0}, 0);
+}
+bool truth_of_point(const gphys_frustum& f, const gphys_vec3& p) { return truth(f, gphys_aabb{p, p}); }
+
+/// A frustum that is not empty has a point nearest to any other.
+bool has_a_nearest(const gphys_frustum& f, const gphys_vec3& p) {
+    Vec3 nearest;
+    return closest_point(widen(f), widen(p), nearest);
+}
+bool always(const gphys_frustum&, const gphys_vec3&) { return true; }
+bool truth_of_nearest(const gphys_frustum& f, const gphys_vec3&) {
+    Program alone;
+    alone.add(f);
+    return alone.feasible();
+}
+
+template <class Other>
+auto examine(const char* name, uint64_t seed, Overlaps<Other> truth) {
+    return [=](Overlaps<Other> overlaps, long count) {
+        test::Random random(test::seed_of_part(seed));
+        test::Score score(name);
+        for (long i = 0; i < count; ++i) {
+            const gphys_frustum f = any_frustum(random);
+            Other other;
+            make(random, other);
+            score.answer(overlaps(f, other), truth(f, other), f, other);
+        }
+        return score;
+    };
+}
+
+template <class Other, class... Spoiled>
+void prove_overlap(const char* name, uint64_t seed, const Spoiled&... spoiled) {
+    test::prove(test::cases(3000, 10000000), examine<Other>(name, seed, truth<Other>), library<Other>,
+                of_a_grown_frustum<Other>, spoiled...);
+}
+
 }  // namespace
 
-TEST_CASE("frusta of any form overlap exactly when a linear program has a solution") {
-    test::Random random(4);
-    int overlapping[4] = {};
-    const int count = 4000;
-    for (int i = 0; i < count; ++i) {
-        const Frustum f = grid_frustum(random), g = grid_frustum(random);
-        const Vec3 p = grid_point(random), q = grid_point(random);
-        const Aabb box{min(p, q), max(p, q)};
-        const Triangle triangle = grid_triangle(random);
-        Plane plane = g.planes[0];
-        plane.distance = double(random.index(5)) - 2;
-        Program with_frustum, with_box, with_plane;
-        with_frustum.add(f);
-        with_frustum.add(g);
-        with_box.add(f);
-        with_box.add(box);
-        with_plane.add(f);
-        with_plane.add(plane);
-        const bool expected[4] = {with_frustum.feasible(), with_box.feasible(), with_plane.feasible(),
-                                  reference(triangle, f)};
-        const Shape other[4] = {g, box, plane, triangle};
-        for (int k = 0; k < 4; ++k) {
-            overlapping[k] += expected[k];
-            if (overlaps(f, other[k]) != expected[k]) FAIL("other " << k << " case " << i);
-        }
-        // A point is a box too.
-        Program point;
-        point.add(f);
-        point.add(Aabb{p, p});
-        REQUIRE(contains(f, p, 0) == point.feasible());
-        Vec3 nearest;
-        Program alone;
-        alone.add(f);
-        REQUIRE(closest_point(f, p, nearest) == alone.feasible());
-    }
-    for (int k : overlapping) {
-        REQUIRE(k > count / 10);
-        REQUIRE(k < count * 9 / 10);
-    }
+TEST_CASE("frusta of any form overlap exactly when a linear program has a solution", "[frustum]") {
+    prove_overlap<gphys_frustum>("overlap frustum-frustum", 91);
+    prove_overlap<gphys_aabb>("overlap frustum-AABB", 92, by_planes);
+    prove_overlap<gphys_plane>("overlap frustum-plane", 93);
+    prove_overlap<gphys_triangle>("overlap frustum-triangle", 94);
+}
+
+TEST_CASE("a point is in a frustum, and has a nearest one there, exactly when a linear program has a solution",
+          "[frustum]") {
+    const long count = test::cases(3000, 10000000);
+    test::prove(count, examine<gphys_vec3>("contains frustum", 95, truth_of_point), contains_point,
+                point_of_a_grown_frustum);
+    test::prove(count, examine<gphys_vec3>("frustum has a nearest point", 96, truth_of_nearest), has_a_nearest, always);
 }
