@@ -14,7 +14,7 @@ from reach.check import called, left_out
 sys.dont_write_bytecode = True
 NAMES = {"c": "C", "cpp": "C++", "python": "Python", "javascript": "JavaScript (Node, koffi)", "lua": "Lua (LuaJIT)",
          "ruby": "Ruby", "java": "Java (JNA)", "rust": "Rust", "go": "Go", "csharp": "C#",
-         "web": "JavaScript (WebAssembly)"}
+         "wasm": "JavaScript (WebAssembly)"}
 CASES = {"scalar": "number", "vec3": "vector", "raycast": "one ray", "raycast_batch": "ray of a batch"}
 TEXT = """# Languages
 

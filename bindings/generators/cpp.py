@@ -1,6 +1,6 @@
 """C++: a header of classes over the C interface. Structs are the C ones under shorter names."""
 from ._calls import arguments, batch_arrays, comment
-from ._names import SHAPES, base_type, calls, camel, creations, element
+from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element
 
 HEADER = """// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 """
@@ -89,7 +89,11 @@ def method(api, call):
     else:
         kind, declared, value = result(api, call)
         lines += declared
-        if f["may_miss"]:
+        if name in ANSWERS:
+            kind = "bool"
+            lines.append(f"const gphys_status status = {name}({', '.join(args)});")
+            lines.append(f"return status != {ANSWERS[name]} && found(status);")
+        elif f["may_miss"]:
             kind = f"std::optional<{kind}>"
             lines.append(f"if (!found({name}({', '.join(args)}))) return std::nullopt;")
         else:
@@ -100,6 +104,33 @@ def method(api, call):
     text += f"{indent}{inline}{kind} {call.name}({parameters(api, call)}){const} {{\n"
     text += "".join(f"{indent}    {line}\n" for line in lines)
     return text + f"{indent}}}\n"
+
+
+# What needs more than its declaration.
+SCENE_EXTRA = """    // A model's shape in its own coordinates; S is that shape's struct, else std::invalid_argument.
+    template <class S>
+    S get_shape(gphys_model_id model) const {
+        S shape{};
+        const gphys_shape_type type = get_info(model).type;
+        if (type != GPHYS_SHAPE_MESH && type != ShapeRef(shape).type) throw std::invalid_argument("a shape of another kind");
+        check(gphys_scene_get_shape(handle(), model, &shape, sizeof shape));
+        return shape;
+    }
+"""
+EXTRA = """// The shape moved; an Aabb becomes an Obb.
+template <class S>
+auto transform(const S& shape, const Transform& by) {
+    std::conditional_t<std::is_same_v<S, Aabb>, Obb, S> moved{};
+    check(gphys_shape_transform(ShapeRef(shape).type, &shape, &by, &moved));
+    return moved;
+}
+// The orbit settings that the library starts from.
+inline Orbit orbit() {
+    Orbit settings;
+    check(gphys_orbit_init(&settings));
+    return settings;
+}
+"""
 
 
 def generate(api):
@@ -123,6 +154,7 @@ def generate(api):
                "    const void* pointer;\n" + body + "    ShapeRef(const Mesh& mesh);\n};\n")
     body = "".join(f"    ShapeSpan(Span<const gphys_{s}> shapes) : type(GPHYS_SHAPE_{s.upper()}), data(shapes.data), "
                    f"stride(shapes.stride), size(shapes.size) {{}}\n" for s in shapes)
+    body += "".join(f"    ShapeSpan(const gphys_{s}& shape) : ShapeSpan(ShapeRef(shape)) {{}}\n" for s in shapes)
     body += ("    template <class C, class T = ElementOf<C>>\n"
              "    ShapeSpan(const C& shapes) : ShapeSpan(Span<const T>(shapes)) {}\n")
     out.append("// An array of shapes of one kind, or one shape that stands for each of them.\nstruct ShapeSpan {\n"
@@ -139,9 +171,12 @@ def generate(api):
                    f"        check({creation.function['name']}({', '.join(arguments(creation, TEMPLATES, str))}));\n"
                    "        own(made);\n    }\n")
         out += [method(api, call) for call in methods if call.owner == handle]
+        if handle == "gphys_scene":
+            out.append(SCENE_EXTRA)
         out.append("};\n")
         if handle == "gphys_mesh":
             out.append("inline ShapeRef::ShapeRef(const Mesh& mesh) : type(GPHYS_SHAPE_MESH), pointer(mesh.handle()) {}\n")
     out += [method(api, call) for call in methods if not call.owner]
+    out.append(EXTRA)
     out.append("} // namespace gamephys\n\n#endif\n")
     return {"cpp/gamephys/gamephys.hpp": "\n".join(out)}

@@ -1,5 +1,5 @@
 """Python: ctypes structs, numpy dtypes, prototypes, and a method for each function."""
-from ._names import SHAPES, base_type, calls, camel, counted_array, creations, element, plain
+from ._names import ANSWERS, SHAPES, base_type, calls, camel, counted_array, creations, element, plain
 
 NUMBERS = {"float": "c_float", "int32_t": "c_int32", "uint32_t": "c_uint32", "size_t": "c_size_t"}
 DTYPES = {"float": "<f4", "double": "<f8", "int32_t": "<i4", "uint32_t": "<u4"}
@@ -157,7 +157,7 @@ def body(api, call, self_handle):
             lines.append(f"{parameters[i - 1]['name']}_, {name}_ = shape_of({name})")
             arguments.append(f"{name}_.address")
         elif role == "in" and p.get("count"):
-            lines.append(f"{name}_ = array_of({name}, {numpy_type(api, element(p))}, {p['count']})")
+            lines.append(f"{name}_ = numbers_of({name}, {numpy_type(api, element(p))}, {p['count']})")
             arguments.append(f"{name}_.address")
         elif role == "in":
             lines.append(f"{name}_ = value_of({name}, low.{camel(element(p))})")
@@ -237,6 +237,9 @@ def method(api, call, indent, first):
         helper = "ragged_of" if offsets else "list_of"
         return text + f"{inner}return {helper}({target}, ({', '.join(arguments)},), {kind}{offsets})\n"
     invoke = f"{target}({', '.join(arguments)})"
+    if f["name"] in ANSWERS:
+        return text.replace("-> None:", "-> bool:") + (f"{inner}status = {invoke}\n"
+                f"{inner}return status != low.{plain(ANSWERS[f['name']])} and found(status)\n")
     if not call.outputs:
         return text + f"{inner}check({invoke})\n"
     result = ", ".join(result_of(api, p) for p in call.outputs)
@@ -255,8 +258,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _low as low
-from ._runtime import (Object, array_of, check, common_length, found, handle_of, list_of, ragged_of, result_array,
-                       shape_of, shapes_of, value_of)
+from ._runtime import (Object, array_of, check, common_length, found, handle_of, list_of, numbers_of, ragged_of,
+                       result_array, shape_of, shapes_of, value_of)
 ''']
     made = creations(api)
     methods = list(calls(api))

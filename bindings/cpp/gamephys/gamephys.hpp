@@ -110,6 +110,15 @@ struct ShapeSpan {
     ShapeSpan(Span<const gphys_frustum> shapes) : type(GPHYS_SHAPE_FRUSTUM), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
     ShapeSpan(Span<const gphys_ray> shapes) : type(GPHYS_SHAPE_RAY), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
     ShapeSpan(Span<const gphys_segment> shapes) : type(GPHYS_SHAPE_SEGMENT), data(shapes.data), stride(shapes.stride), size(shapes.size) {}
+    ShapeSpan(const gphys_sphere& shape) : ShapeSpan(ShapeRef(shape)) {}
+    ShapeSpan(const gphys_capsule& shape) : ShapeSpan(ShapeRef(shape)) {}
+    ShapeSpan(const gphys_aabb& shape) : ShapeSpan(ShapeRef(shape)) {}
+    ShapeSpan(const gphys_obb& shape) : ShapeSpan(ShapeRef(shape)) {}
+    ShapeSpan(const gphys_plane& shape) : ShapeSpan(ShapeRef(shape)) {}
+    ShapeSpan(const gphys_triangle& shape) : ShapeSpan(ShapeRef(shape)) {}
+    ShapeSpan(const gphys_frustum& shape) : ShapeSpan(ShapeRef(shape)) {}
+    ShapeSpan(const gphys_ray& shape) : ShapeSpan(ShapeRef(shape)) {}
+    ShapeSpan(const gphys_segment& shape) : ShapeSpan(ShapeRef(shape)) {}
     template <class C, class T = ElementOf<C>>
     ShapeSpan(const C& shapes) : ShapeSpan(Span<const T>(shapes)) {}
     ShapeSpan(ShapeRef shape) : type(shape.type), data(shape.pointer) {}
@@ -262,8 +271,9 @@ public:
     }
 
     // GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID.
-    void has(gphys_model_id model) const {
-        check(gphys_scene_has(handle(), model));
+    bool has(gphys_model_id model) const {
+        const gphys_status status = gphys_scene_has(handle(), model);
+        return status != GPHYS_ERROR_INVALID_ID && found(status);
     }
 
     // Ids of all models, ascending. Kept when too many: the lowest.
@@ -470,6 +480,16 @@ public:
     // @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
     void validate() const {
         check(gphys_scene_validate(handle()));
+    }
+
+    // A model's shape in its own coordinates; S is that shape's struct, else std::invalid_argument.
+    template <class S>
+    S get_shape(gphys_model_id model) const {
+        S shape{};
+        const gphys_shape_type type = get_info(model).type;
+        if (type != GPHYS_SHAPE_MESH && type != ShapeRef(shape).type) throw std::invalid_argument("a shape of another kind");
+        check(gphys_scene_get_shape(handle(), model, &shape, sizeof shape));
+        return shape;
     }
 
 };
@@ -1142,6 +1162,20 @@ inline MeshReport mesh_check(Span<const float> vertices, Span<const uint32_t> in
     MeshReport out_report{};
     check(gphys_mesh_check(vertices.data, vertices.stride, vertices.size, indices.data, indices.size, &out_report));
     return out_report;
+}
+
+// The shape moved; an Aabb becomes an Obb.
+template <class S>
+auto transform(const S& shape, const Transform& by) {
+    std::conditional_t<std::is_same_v<S, Aabb>, Obb, S> moved{};
+    check(gphys_shape_transform(ShapeRef(shape).type, &shape, &by, &moved));
+    return moved;
+}
+// The orbit settings that the library starts from.
+inline Orbit orbit() {
+    Orbit settings;
+    check(gphys_orbit_init(&settings));
+    return settings;
 }
 
 } // namespace gamephys

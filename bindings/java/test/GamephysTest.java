@@ -10,6 +10,7 @@ import gamephys.*;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -330,6 +331,13 @@ public class GamephysTest {
         assertEquals(5, solver.getBodyInfo(shirt).particleCount());
         solver.removeBody(cloth);
         assertEquals(List.of(rope, shirt), solver.getBodies());
+
+        Batch<Integer> snapshot = solver.getSnapshot();
+        int[] then = solver.getHash();
+        solver.step(scene, 0.01f);
+        assertFalse(Arrays.equals(then, solver.getHash()));
+        solver.restore(snapshot);
+        assertArrayEquals(then, solver.getHash());
     }
 
     @Test

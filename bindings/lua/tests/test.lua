@@ -253,6 +253,11 @@ function tests.solver()
     solver:remove_body(cloth)
     local bodies, left = solver:get_bodies()
     assert(left == 3 and bodies[0] == free)
+    local snapshot, past = solver:get_snapshot(), solver:get_hash()
+    solver:step(scene, 0.01)
+    assert(not same(past, solver:get_hash()))
+    solver:restore(snapshot)
+    assert(same(past, solver:get_hash()))
     solver:set_origin { 0, 1, 0 }
     assert(solver:get_origin()[1] == 1 and near(solver:get_positions(free, 0, 1)[0].y, -0.5, 1e-3))
 end

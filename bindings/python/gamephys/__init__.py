@@ -48,9 +48,5 @@ def _get_shape(self, model: int):
     return shape
 
 
-def _contains(self, model: int) -> bool:
-    return _low.gphys_scene_has(self._handle, model) == _low.OK
-
-
 Scene.get_shape = _get_shape
-Scene.__contains__ = _contains
+Scene.__contains__ = Scene.has

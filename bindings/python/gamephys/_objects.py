@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _low as low
-from ._runtime import (Object, array_of, check, common_length, found, handle_of, list_of, ragged_of, result_array,
-                       shape_of, shapes_of, value_of)
+from ._runtime import (Object, array_of, check, common_length, found, handle_of, list_of, numbers_of, ragged_of,
+                       result_array, shape_of, shapes_of, value_of)
 
 
 
@@ -102,7 +102,7 @@ class Scene(Object):
         @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
         Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
         on. Queries cost nothing more."""
-        origin_ = array_of(origin, "<f8", 3)
+        origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_scene_set_origin(self._handle, origin_.address))
 
     def get_origin(self) -> np.ndarray:
@@ -156,9 +156,10 @@ class Scene(Object):
         """Remove all. Ids given out before stay invalid."""
         check(low.gphys_scene_clear(self._handle))
 
-    def has(self, model: int) -> None:
+    def has(self, model: int) -> bool:
         """GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID."""
-        check(low.gphys_scene_has(self._handle, model))
+        status = low.gphys_scene_has(self._handle, model)
+        return status != low.ERROR_INVALID_ID and found(status)
 
     def get_models(self) -> np.ndarray:
         """Ids of all models, ascending. Kept when too many: the lowest."""
@@ -376,7 +377,7 @@ class Camera(Object):
         """Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
         The camera and the target of its orbit stay where they are in the world. Picking and culling need a
         scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT."""
-        origin_ = array_of(origin, "<f8", 3)
+        origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_camera_set_origin(self._handle, origin_.address))
 
     def get_origin(self) -> np.ndarray:
@@ -599,7 +600,7 @@ class Solver(Object):
         gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
         step and an attachment need a scene of the same origin, else they return
         GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles)."""
-        origin_ = array_of(origin, "<f8", 3)
+        origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_solver_set_origin(self._handle, origin_.address))
 
     def get_origin(self) -> np.ndarray:

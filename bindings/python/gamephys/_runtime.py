@@ -194,6 +194,14 @@ def array_of(things, dtype, width=1):
     return Argument(array.__array_interface__["data"][0], stride, length, array.size, array)
 
 
+def numbers_of(things, dtype, count):
+    """A given number of numbers, such as an origin."""
+    array = np.ascontiguousarray(things, dtype)
+    if array.shape != (count,):
+        raise ValueError(f"expected {count} numbers, got the shape {array.shape}")
+    return Argument(array.__array_interface__["data"][0], array=array)
+
+
 def shape_of(shape):
     """(kind, memory) of a shape."""
     from . import _low, _objects

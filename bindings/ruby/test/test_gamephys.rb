@@ -267,6 +267,13 @@ class TestGamephys < Minitest::Test
     assert_equal 5, solver.get_body_info(shirt).particle_count
     solver.remove_body(cloth)
     assert_equal [rope, shirt], solver.get_bodies.to_a
+
+    snapshot = solver.get_snapshot
+    past = solver.get_hash
+    solver.step(scene, 0.01)
+    refute_equal past, solver.get_hash
+    solver.restore(snapshot)
+    assert_equal past, solver.get_hash
   end
 
   def test_errors_have_the_librarys_message

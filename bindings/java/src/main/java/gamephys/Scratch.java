@@ -50,6 +50,12 @@ final class Scratch {
         return memory.getFloat(at(slot));
     }
 
+    int[] ints(int slot, int count) {
+        int[] values = new int[count];
+        for (int i = 0; i < count; ++i) values[i] = memory.getInt(at(slot) + 4 * i);
+        return values;
+    }
+
     double[] doubles(int slot, int count) {
         double[] values = new double[count];
         for (int i = 0; i < count; ++i) values[i] = memory.getDouble(at(slot) + 8 * i);

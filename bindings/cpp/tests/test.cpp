@@ -1,0 +1,387 @@
+// The C++ headers: every function with an answer that is known, batches against single calls, errors, ownership.
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+using Catch::Approx;
+#else
+#define CATCH_CONFIG_MAIN
+#include <catch2/catch.hpp>
+#endif
+
+#include <gamephys.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+using namespace gamephys;
+
+namespace {
+
+constexpr float INF = std::numeric_limits<float>::infinity();
+const Vec3 zero{0, 0, 0}, up{0, 1, 0};
+const Quat still{0, 0, 0, 1};
+const Transform identity{zero, still, 1};
+const Sphere ball{{0, 0, 5}, 1};
+const Ray ahead{zero, {0, 0, 1}, 100};
+
+template <class T>
+bool same(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool near(const Vec3& a, const Vec3& b, float tolerance = 1e-5f) {
+    return std::abs(a.x - b.x) <= tolerance && std::abs(a.y - b.y) <= tolerance && std::abs(a.z - b.z) <= tolerance;
+}
+
+Mesh pyramid() {
+    const std::vector<float> vertices{-1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1, 0, 2, 0};
+    const std::vector<uint32_t> indices{0, 1, 2, 0, 2, 3, 1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4};
+    const MeshDesc desc = mesh_desc();
+    return Mesh(Span<const float>(vertices.data(), 5, 12), indices, &desc);
+}
+
+template <class Call>
+std::string failure(gphys_status status, Call call) {
+    try {
+        call();
+    } catch (const Error& error) {
+        CHECK(error.status == status);
+        return error.what();
+    }
+    FAIL("an error was expected");
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("shapes") {
+    validate(ball);
+    CHECK(same(*bounds(ball), Aabb{{-1, -1, 4}, {1, 1, 6}}));
+    CHECK_FALSE(bounds(Plane{up, 0}));
+    CHECK(near(transform(Aabb{zero, {2, 2, 2}}, Transform{{1, 0, 0}, still, 1}).center, {2, 1, 1}));
+    CHECK(contains(ball, {0, 0, 4}, 0));
+    CHECK_FALSE(contains(ball, {0, 0, 3.5f}, 0));
+    const std::vector<Vec3> points{{0, 0, 5}, zero};
+    std::vector<int32_t> inside(2);
+    contains_batch(ball, points, 0, inside);
+    CHECK(inside == std::vector<int32_t>{1, 0});
+    CHECK(closest_point(ball, zero)->distance == 4);
+    std::vector<Nearest> nearest(2);
+    closest_point_batch(ball, points, nearest);
+    CHECK(nearest[1].distance == 4);
+    const auto [a, b, distance] = segment_closest_points({zero, {2, 0, 0}}, {{1, 3, -1}, {1, 3, 1}});
+    CHECK((near(a, {1, 0, 0}) && near(b, {1, 3, 0}) && distance == 3));
+    CHECK(overlaps(ball, Aabb{zero, {1, 1, 4}}));
+    CHECK_FALSE(overlaps(ball, Aabb{zero, {1, 1, 3}}));
+    const std::vector<Sphere> balls{{zero, 1}, {{0, 9, 0}, 1}};
+    overlaps_batch(balls, Plane{up, 0}, inside);
+    CHECK(inside == std::vector<int32_t>{1, 0});
+    CHECK(classify_plane(ball, {{0, 0, 1}, 0}) == std::make_tuple(GPHYS_SIDE_INSIDE, 4.0f));
+    CHECK(raycast(ball, ahead)->t == 4);
+    CHECK_FALSE(raycast(ball, {{0, 3, 0}, {0, 0, 1}, 9}));
+    std::vector<Hit> hits(1);
+    raycast_batch(ball, std::vector<Ray>{ahead}, hits);
+    CHECK(hits[0].t == 4);
+    CHECK(segment_test(ball, {zero, {0, 0, 8}})->t == 0.5f);
+    CHECK(sweep_sphere(ball, {zero, 1}, {0, 0, 10})->t == Approx(0.3f));
+}
+
+TEST_CASE("frusta") {
+    const CameraDesc desc = camera_desc();
+    const Camera camera(&desc);
+    const Frustum frustum = camera.get_frustum();
+    CHECK(classify_frustum(ball, frustum) == GPHYS_SIDE_INSIDE);
+    const auto corners = frustum_corners(frustum);
+    CHECK(near((*corners)[3], (*camera.get_corners())[3]));
+    const Frustum again = frustum_from_matrix(camera.get_view_projection_matrix(), GPHYS_DEPTH_ZERO_TO_ONE, false);
+    CHECK(classify_frustum(Sphere{{0, 0, -5}, 1}, again) == GPHYS_SIDE_OUTSIDE);
+}
+
+TEST_CASE("meshes") {
+    const std::vector<float> vertices{0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::vector<uint32_t> indices{0, 1, 7};
+    CHECK(mesh_check(Span<const float>(vertices.data(), 3, 12), indices).out_of_range_count == 1);
+    const Mesh mesh = pyramid();
+    CHECK(mesh.get_report().open_edge_count == 0);
+    CHECK(near(mesh.get_vertices().at(4), {0, 2, 0}));
+    CHECK(mesh.get_indices().size() == 18);
+    const Ray down{{0.3f, 5, 0.2f}, {0, -1, 0}, 10};
+    const std::vector<Hit> hits = mesh.raycast_all(down);
+    REQUIRE(hits.size() == 2);
+    CHECK((hits[0].t < hits[1].t && hits[1].t == 5 && mesh.raycast_any(down)));
+    CHECK(mesh.overlap(Sphere{{0, 2, 0}, 0.1f}).size() == 4);
+    CHECK(mesh.get_octree_stats().item_count == 6);
+    CHECK(mesh.get_octree_boxes().at(0).depth == 0);
+    CHECK(raycast(mesh, down)->triangle == hits[0].triangle);
+}
+
+TEST_CASE("models") {
+    SceneDesc desc = scene_desc();
+    desc.worker_count = 2;
+    Scene scene(&desc);
+    ModelDesc tagged = model_desc();
+    tagged.tag = 7;
+    const uint32_t model = scene.add(ball, nullptr, &tagged);
+    std::vector<gphys_model_id> two(2);
+    scene.add_batch(std::vector<Sphere>{{{9, 0, 0}, 1}, {{9, 5, 0}, 2}}, {}, nullptr, two);
+    CHECK((scene.has(model) && scene.has(two[1]) && !scene.has(12345)));
+    CHECK(scene.get_models().size() == 3);
+    CHECK(scene.get_info(model).tag == 7);
+    CHECK(same(scene.get_shape<Sphere>(two[1]), Sphere{{9, 5, 0}, 2}));
+    CHECK_THROWS_AS(scene.get_shape<Capsule>(two[1]), std::invalid_argument);
+    CHECK(scene.get_bounds(two[0])->max.x == 10);
+    CHECK(scene.get_scene_bounds()->max.y == 7);
+    scene.set_layers(model, 4);
+    scene.set_tag(model, 8);
+    CHECK_FALSE(scene.raycast(ahead, 3));
+    CHECK(scene.raycast(ahead, 4)->tag == 8);
+    scene.set_parent(two[0], model, true);
+    scene.set_transform(model, {up, still, 1});
+    CHECK(scene.get_info(two[0]).parent == model);
+    const std::vector<gphys_model_id> ids{model, two[0]};
+    std::vector<Transform> places(2);
+    scene.get_transforms(ids, places);
+    CHECK((places[0].position.y == 1 && places[1].position.y == 0));
+    scene.get_world_transforms(ids, places);
+    CHECK(places[1].position.y == 1);
+    scene.set_transforms(ids, std::vector<Transform>{identity, identity});
+    scene.get_world_transforms(ids, places);
+    CHECK(places[1].position.y == 0);
+    scene.validate();
+    scene.remove_subtree(model);
+    CHECK_FALSE(scene.has(two[0]));
+    scene.remove_batch(std::vector<gphys_model_id>{two[1]});
+    CHECK_FALSE(scene.get_scene_bounds());
+    scene.remove(scene.add(ball));
+    scene.add(ball);
+    scene.clear();
+    CHECK(scene.get_models().empty());
+    scene.set_origin({1e9 + 0.5, 0, 0});
+    CHECK(scene.get_origin() == std::array<double, 3>{1e9 + 0.5, 0, 0});
+}
+
+TEST_CASE("batches answer as single calls do") {
+    Scene scene;
+    const auto at = [](float i) { return Vec3{3 * std::sin(i), 3 * std::cos(2 * i), i / 3}; };
+    for (int i = 0; i < 30; ++i) scene.add(Sphere{at(static_cast<float>(i)), 0.7f});
+    const size_t count = 200;
+    std::vector<Vec3> directions(count);
+    std::vector<Ray> rays(count);
+    std::vector<Segment> segments(count);
+    const std::vector<Sphere> spheres(count, Sphere{{0, 0, -5}, 0.2f});
+    for (size_t i = 0; i < count; ++i) {
+        const float angle = static_cast<float>(i);
+        directions[i] = {std::sin(angle) / 2, std::cos(3 * angle) / 2, 1};
+        rays[i] = {{0, 0, -5}, directions[i], INF};
+        segments[i] = {{0, 0, -5}, {10 * directions[i].x, 10 * directions[i].y, 5}};
+    }
+    std::vector<Hit> hits(count), tested(count), swept(count);
+    std::vector<Nearest> nearest(count);
+    std::vector<int32_t> any(count);
+    scene.raycast_batch(rays, GPHYS_ALL_LAYERS, hits);
+    scene.segment_test_batch(segments, GPHYS_ALL_LAYERS, tested);
+    scene.sweep_sphere_batch(spheres, directions, GPHYS_ALL_LAYERS, swept);
+    scene.nearest_batch(directions, INF, GPHYS_ALL_LAYERS, nearest);
+    scene.raycast_any_batch(rays, GPHYS_ALL_LAYERS, any);
+    const auto [all, offsets] = scene.raycast_all_batch(rays);
+    const auto agree = [](const Hit& batched, const std::optional<Hit>& single) {
+        return single ? same(*single, batched) : batched.model == 0;
+    };
+    size_t met = 0;
+    for (size_t i = 0; i < count; ++i) {
+        CHECK(agree(hits[i], scene.raycast(rays[i])));
+        CHECK(agree(tested[i], scene.segment_test(segments[i])));
+        CHECK(agree(swept[i], scene.sweep_sphere(spheres[i], directions[i])));
+        CHECK(same(nearest[i], *scene.nearest(directions[i], INF)));
+        CHECK((any[i] != 0) == scene.raycast_any(rays[i]));
+        CHECK(scene.raycast_all(rays[i]).size() == offsets[i + 1] - offsets[i]);
+        met += any[i] != 0;
+    }
+    CHECK((met > 0 && met < count));
+    struct Tagged {
+        uint32_t mark;
+        Hit hit;
+    };
+    std::vector<Tagged> wide(count, {5, {}});
+    scene.raycast_batch(rays, GPHYS_ALL_LAYERS, Span<Hit>(&wide[0].hit, count, sizeof(Tagged)));
+    CHECK((same(wide.back().hit, hits.back()) && wide.back().mark == 5));
+}
+
+TEST_CASE("lists of any length") {
+    Scene scene;
+    std::vector<gphys_model_id> models(500);  // more than the first guess has room for
+    scene.add_batch(std::vector<Sphere>(500, Sphere{zero, 0}), {}, nullptr, models);
+    CHECK(scene.get_models() == models);
+    const auto [found, offsets] =
+        scene.overlap_batch(std::vector<Aabb>{{{-1, -1, -1}, {1, 1, 1}}, {{5, 5, 5}, {6, 6, 6}}});
+    CHECK((found == models && offsets == std::vector<uint32_t>{0, 500, 500}));
+    CHECK(scene.overlap(ball).empty());
+    CHECK(scene.raycast_all(ahead).size() == 500);
+    CHECK(scene.get_octree_stats().item_count == 500);
+    CHECK(scene.get_octree_boxes().size() > 1);
+}
+
+TEST_CASE("camera") {
+    Camera camera;
+    camera.look_at({0, 0, -10}, zero, up);
+    camera.set_perspective(1, 0.1f, 100);
+    const Vec3 pixel = *camera.project(zero);
+    CHECK(near(pixel, {400, 300, pixel.z}, 1e-2f));
+    CHECK_FALSE(camera.project({0, 0, -20}));
+    std::vector<Vec3> points{zero, {1, 1, 1}}, pixels(2);
+    camera.project_batch(points, pixels);
+    camera.unproject_batch(pixels, points);
+    CHECK(near(points[1], {1, 1, 1}, 1e-2f));
+    CHECK(near(*camera.unproject(pixels[1]), {1, 1, 1}, 1e-2f));
+    CHECK(near(camera.pick_ray(400, 300)->direction, {0, 0, 1}));
+    std::vector<Ray> rays(12);
+    camera.pick_rays(0, 0, 4, 3, rays);
+    CHECK(rays[11].direction.z > 0);
+
+    Scene scene;
+    const std::vector<gphys_model_id> one{scene.add(ball)};
+    CHECK(camera.pick(scene, 400, 300)->model == one[0]);
+    CHECK_FALSE(camera.pick(scene, 1, 1));
+    std::vector<Hit> hits(2);
+    const std::vector<float> mice{400, 300, 1, 1};
+    camera.pick_batch(scene, Span<const float>(mice.data(), 2, 8), GPHYS_ALL_LAYERS, hits);
+    CHECK((hits[0].model == one[0] && hits[1].model == 0));
+    CHECK(camera.pick_rectangle(scene, 0, 0, 800, 600) == one);
+    CHECK(camera.cull(scene) == one);
+    CHECK(scene.cull(camera.get_frustum()) == one);
+
+    camera.set_viewport(200, 100);
+    camera.set_orthographic(10, 0.1f, 100);
+    const Mat4 projection = camera.get_projection_matrix();
+    CHECK(projection.m[5] == Approx(0.2f));
+    camera.set_projection(projection);
+    CHECK(camera.get_world_matrix().m[14] == -10);
+    CHECK(camera.get_view_matrix().m[14] == Approx(10));
+    camera.set_world_matrix({{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1}});
+    CHECK(near(std::get<0>(camera.get_transform()), {4, 5, 6}));
+    camera.set_transform({1, 2, 3}, {0, 1, 0, 0});
+    CHECK(near(std::get<0>(camera.get_transform()), {1, 2, 3}));
+    camera.set_origin({1, 0, 0});
+    CHECK(camera.get_origin()[0] == 1);
+}
+
+TEST_CASE("orbit") {
+    Camera camera;
+    failure(GPHYS_ERROR_UNSUPPORTED, [&] { camera.get_orbit(); });
+    camera.set_orbit(gamephys::orbit());
+    camera.orbit_rotate(0.5f, 0.25f);
+    camera.orbit_zoom(1);
+    camera.orbit_pan(2, 0);
+    camera.orbit_update();
+    const Orbit orbit = camera.get_orbit();
+    CHECK(near({orbit.yaw, orbit.pitch, orbit.distance}, {0.5f, 0.25f, 9}));
+    CHECK(std::abs(orbit.target.x) == Approx(2));
+}
+
+TEST_CASE("particles") {
+    Scene scene;
+    SolverDesc desc = solver_desc();
+    desc.substeps = 4;
+    Solver solver(&desc);
+    solver.set_gravity({0, -10, 0});
+    solver.set_substeps(5);
+    const auto free = solver.add_particles(std::vector<Vec3>{{0, 5, 0}, {1, 5, 0}});
+    const auto state = [&](auto get, uint32_t first) {
+        std::vector<Vec3> one(1);
+        (solver.*get)(free, first, 1, one);
+        return one[0];
+    };
+    solver.set_velocities(free, 1, std::vector<Vec3>{{3, 0, 0}});
+    solver.step(&scene, 0.1f);
+    CHECK(near(state(&Solver::get_velocities, 0), {0, -1, 0}));
+    CHECK(near(state(&Solver::get_positions, 1), {1.3f, 4.95f, 0}));
+    solver.set_masses(free, 0, std::vector<float>{2, 4});
+    std::vector<float> masses(2);
+    solver.get_masses(free, 0, 2, masses);
+    CHECK(masses == std::vector<float>{2, 4});
+    solver.set_forces(free, 0, std::vector<Vec3>{{0, 20, 0}, {0, 40, 0}});  // weightless
+    solver.step(nullptr, 0.1f);
+    CHECK(near(state(&Solver::get_velocities, 0), {0, -1, 0}));
+
+    const auto plane = scene.add(Plane{up, 0});
+    solver.set_radii(free, 0, std::vector<float>{0.5f, 0.5f});
+    solver.set_positions(free, 0, std::vector<Vec3>{{0, 0.6f, 0}, {9, 0.6f, 0}});
+    solver.set_forces(free, 0, std::vector<Vec3>{zero, zero});
+    for (int i = 0; i < 30; ++i) solver.step(&scene, 0.02f);
+    CHECK(state(&Solver::get_positions, 0).y == Approx(0.5f).margin(1e-3));
+    const auto contacts = solver.get_contacts();
+    REQUIRE(contacts.size() == 2);
+    CHECK((contacts[0].model == plane && near(contacts[0].normal, up)));
+    solver.set_origin({0, 1, 0});
+    CHECK(solver.get_origin()[1] == 1);
+    CHECK(state(&Solver::get_positions, 0).y == Approx(-0.5f).margin(1e-3));
+}
+
+TEST_CASE("rope and cloth") {
+    Scene scene;
+    Solver solver;
+    const BodyDesc desc = body_desc();
+    const auto rope = solver.add_rope(std::vector<Vec3>{{0, 8, 0}, {1, 8, 0}, {2, 8, 0}}, 0, &desc);
+    CHECK(solver.get_body_info(rope).kind == GPHYS_BODY_ROPE);
+    solver.set_pinned(rope, 0, 1, true);
+    const auto tie = solver.add_distance(rope, 0, 2, -1, 0);
+    CHECK(same(solver.get_constraints(rope).at(2), ConstraintInfo{tie, 0, 2, 2, 0}));
+    solver.remove_constraint(rope, tie);
+    CHECK(solver.get_constraints(rope).size() == 2);
+    ModelDesc unseen = model_desc();
+    unseen.layers = 2;
+    const Transform nail{{0, 8, 0}, still, 1};
+    const auto hook = scene.add(Sphere{zero, 0.1f}, &nail, &unseen);
+    solver.attach(scene, rope, 0, hook, &zero);
+    scene.set_transform(hook, {{0, 9, 0}, still, 1});
+    const auto [steps, leftover] = solver.advance(&scene, 0.025f);
+    CHECK((steps == 1 && leftover == Approx(0.5f)));
+    std::vector<Vec3> end(1);
+    solver.get_positions(rope, 0, 1, end);
+    CHECK(end[0].y == Approx(9));
+    CHECK(solver.get_stats(rope).pinned_count == 1);
+    solver.detach(rope, 0);
+    failure(GPHYS_ERROR_INVALID_ARGUMENT, [&] { solver.detach(rope, 0); });
+
+    const auto cloth = solver.add_cloth({0, 3, 0}, {1, 0, 0}, {0, 0, 1}, 3, 3);
+    CHECK(solver.get_triangles(cloth).size() == 24);
+    const auto shirt = solver.add_cloth_mesh(pyramid(), &identity);
+    CHECK(solver.get_body_info(shirt).particle_count == 5);
+    solver.remove_body(cloth);
+    CHECK(solver.get_bodies() == std::vector<gphys_body_id>{rope, shirt});
+
+    const std::vector<uint32_t> snapshot = solver.get_snapshot();
+    const auto past = solver.get_hash();
+    solver.step(&scene, 0.01f);
+    CHECK(solver.get_hash() != past);
+    solver.restore(snapshot);
+    CHECK(solver.get_hash() == past);
+}
+
+TEST_CASE("errors have the library's message") {
+    Scene scene;
+    CHECK(failure(GPHYS_ERROR_INVALID_ARGUMENT, [&] {
+              scene.add(Sphere{zero, -1});
+          }).find("radius") != std::string::npos);
+    failure(GPHYS_ERROR_INVALID_ID, [&] { scene.remove(12345); });
+    const auto model = scene.add(pyramid());
+    failure(GPHYS_ERROR_UNSUPPORTED, [&] { scene.get_shape<Sphere>(model); });
+    std::vector<Hit> two(2);
+    CHECK_THROWS_AS(scene.raycast_batch(std::vector<Ray>{ahead}, 1, two), std::invalid_argument);
+    CHECK_THROWS_AS(scene.sweep_sphere_batch(std::vector<Sphere>(2), std::vector<Vec3>(1), 1, two),
+                    std::invalid_argument);
+    CHECK(std::string(gphys_status_name(GPHYS_NO_HIT)) == "GPHYS_NO_HIT");
+    CHECK(gphys_version() >> 16 == GPHYS_VERSION_MAJOR);
+}
+
+TEST_CASE("an object that was given up is an error") {
+    Scene scene;
+    Mesh mesh = pyramid();
+    scene.add(mesh);
+    mesh.reset();
+    failure(GPHYS_ERROR_INVALID_ARGUMENT, [&] { scene.add(mesh); });
+    CHECK(scene.raycast({{0.1f, 5, 0.1f}, {0, -1, 0}, 10}));  // the model holds it
+    const Scene other = std::move(scene);
+    CHECK(other.get_models().size() == 1);
+    failure(GPHYS_ERROR_INVALID_ARGUMENT, [&] { scene.get_models(); });
+}

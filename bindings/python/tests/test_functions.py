@@ -1,0 +1,236 @@
+"""Every function of the library with an answer that is known."""
+import math
+import unittest
+
+import gamephys as gp
+import numpy as np
+
+UP, STILL = (0, 1, 0), (0, 0, 0, 1)
+IDENTITY = gp.Transform((0, 0, 0), STILL, 1)
+BALL = gp.Sphere((0, 0, 5), 1)
+AHEAD = gp.Ray((0, 0, 0), (0, 0, 1), 100)
+
+
+def pyramid(desc=None):
+    return gp.Mesh(np.float32([[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1], [0, 2, 0]]),
+                   np.uint32([0, 1, 2, 0, 2, 3, 1, 0, 4, 2, 1, 4, 3, 2, 4, 0, 3, 4]), desc)
+
+
+class Functions(unittest.TestCase):
+    def assert_near(self, value, expected, tolerance=1e-5):
+        np.testing.assert_allclose(list(value), expected, atol=tolerance)
+
+    def test_shapes(self):
+        gp.validate(BALL)
+        self.assertEqual(gp.bounds(BALL), gp.Aabb((-1, -1, 4), (1, 1, 6)))
+        self.assertIsNone(gp.bounds(gp.Plane(UP, 0)))
+        self.assertTrue(gp.contains(BALL, (0, 0, 4)))
+        self.assertFalse(gp.contains(BALL, (0, 0, 3.5)))
+        self.assertEqual(gp.closest_point(BALL, (0, 0, 0)).distance, 4)
+        self.assertEqual(gp.closest_point_batch(BALL, np.float32([[0, 0, 0], [0, 0, 9]]))["distance"].tolist(), [4, 3])
+        a, b, distance = gp.segment_closest_points(((0, 0, 0), (2, 0, 0)), ((1, 3, -1), (1, 3, 1)))
+        self.assertEqual((tuple(a), tuple(b), distance), ((1, 0, 0), (1, 3, 0), 3))
+        self.assertTrue(gp.overlaps(BALL, gp.Aabb((0, 0, 0), (1, 1, 4))))
+        self.assertFalse(gp.overlaps(BALL, gp.Aabb((0, 0, 0), (1, 1, 3))))
+        self.assertEqual(gp.classify_plane(BALL, ((0, 0, 1), 0)), (gp.SIDE_INSIDE, 4))
+        self.assertEqual(gp.raycast(BALL, AHEAD).t, 4)
+        self.assertEqual(gp.raycast_batch(BALL, np.float32([[0, 0, 0, 0, 0, 1, 9], [0, 3, 0, 0, 0, 1, 9]]))["t"].tolist(),
+                         [4, math.inf])
+        self.assertEqual(gp.segment_test(BALL, ((0, 0, 0), (0, 0, 8))).t, 0.5)
+        self.assertAlmostEqual(gp.sweep_sphere(BALL, ((0, 0, 0), 1), (0, 0, 10)).t, 0.3, 6)
+
+    def test_frusta(self):
+        camera = gp.Camera()
+        frustum = camera.get_frustum()
+        self.assertEqual(gp.classify_frustum(BALL, frustum), gp.SIDE_INSIDE)
+        corners = gp.frustum_corners(frustum)
+        self.assert_near(corners[3], camera.get_corners()[3])
+        again = gp.frustum_from_matrix(camera.get_view_projection_matrix(), gp.DEPTH_ZERO_TO_ONE, False)
+        self.assertEqual(gp.classify_frustum(gp.Sphere((0, 0, -5), 1), again), gp.SIDE_OUTSIDE)
+
+    def test_meshes(self):
+        report = gp.mesh_check(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.uint32([0, 1, 7]))
+        self.assertEqual(report.out_of_range_count, 1)
+        mesh = pyramid(gp.MeshDesc())
+        self.assertEqual(mesh.get_vertices()[4].tolist(), [0, 2, 0])
+        self.assertEqual(mesh.get_indices()[15:].tolist(), [0, 3, 4])
+        down = gp.Ray((0.3, 5, 0.2), (0, -1, 0), 10)
+        hits = mesh.raycast_all(down)
+        self.assertEqual(len(hits), 2)
+        self.assertEqual(hits["t"][1], 5)
+        self.assertTrue(mesh.raycast_any(down))
+        self.assertEqual(len(mesh.overlap(gp.Sphere((0, 2, 0), 0.1))), 4)
+        self.assertEqual(mesh.get_octree_stats().item_count, 6)
+        self.assertEqual(mesh.get_octree_boxes()["depth"][0], 0)
+
+    def test_models(self):
+        scene = gp.Scene(gp.SceneDesc(worker_count=2))
+        model = scene.add(BALL, desc=gp.ModelDesc(tag=7))
+        two = scene.add_batch([gp.Sphere((9, 0, 0), 1), gp.Sphere((9, 5, 0), 2)])
+        self.assertTrue(scene.has(model))
+        self.assertFalse(scene.has(12345))
+        self.assertEqual(scene.get_info(model).tag, 7)
+        self.assertEqual(scene.get_bounds(two[0]).max.x, 10)
+        self.assertEqual(scene.get_scene_bounds().max.y, 7)
+        scene.set_layers(model, 4)
+        scene.set_tag(model, 8)
+        self.assertIsNone(scene.raycast(AHEAD, 3))
+        self.assertEqual(scene.raycast(AHEAD, 4).tag, 8)
+        scene.set_parent(two[0], model, True)
+        scene.set_transform(model, (UP, STILL, 1))
+        ids = np.uint32([model, two[0]])
+        self.assertEqual(scene.get_transforms(ids)["position"][:, 1].tolist(), [1, 0])
+        self.assertEqual(scene.get_world_transforms(ids)["position"][:, 1].tolist(), [1, 1])
+        scene.set_transforms(ids, np.frombuffer(bytes(IDENTITY) * 2, gp.transform_dtype))
+        self.assertEqual(scene.get_world_transforms(ids)["position"][1, 1], 0)
+        scene.validate()
+        scene.remove_subtree(model)
+        self.assertNotIn(two[0], scene)
+        scene.remove(two[1])
+        scene.remove_batch(scene.add_batch([BALL] * 3))
+        self.assertIsNone(scene.get_scene_bounds())
+        scene.add(BALL)
+        scene.clear()
+        self.assertEqual(len(scene.get_models()), 0)
+        scene.set_origin((1e9 + 0.5, 0, 0))
+        self.assertEqual(scene.get_origin().tolist(), [1e9 + 0.5, 0, 0])
+
+    def test_batches_of_scenes_answer_as_single_calls_do(self):
+        scene = gp.Scene()
+        for i in range(30):
+            scene.add(gp.Sphere((3 * math.sin(i), 3 * math.cos(2 * i), i / 3), 0.7))
+        i = np.arange(200)
+        directions = np.float32(np.stack([np.sin(i) / 2, np.cos(3 * i) / 2, np.ones(200)], -1))
+        rays = np.zeros(200, gp.ray_dtype)
+        rays["origin"], rays["direction"], rays["t_max"] = [0, 0, -5], directions, np.inf
+        segments = np.zeros(200, gp.segment_dtype)
+        segments["a"], segments["b"] = [0, 0, -5], directions * np.float32([10, 10, 5])
+        balls = np.zeros(200, gp.sphere_dtype)
+        balls["center"], balls["radius"] = [0, 0, -5], 0.2
+        for batch, single in (
+                (scene.segment_test_batch(segments), lambda i: scene.segment_test(segments[i])),
+                (scene.nearest_batch(directions), lambda i: scene.nearest(directions[i])),
+                (scene.sweep_sphere_batch(balls, directions), lambda i: scene.sweep_sphere(balls[i], directions[i]))):
+            for i in range(200):
+                one = single(i)
+                self.assertTrue(batch["model"][i] == 0 if one is None else bytes(one) == batch[i].tobytes())
+        any_hit = scene.raycast_any_batch(rays)
+        self.assertEqual(any_hit.tolist(), [scene.raycast_any(ray) for ray in rays])
+        self.assertTrue(0 < np.count_nonzero(any_hit) < 200)
+        hits, offsets = scene.raycast_all_batch(rays)
+        for i, ray in enumerate(rays):
+            np.testing.assert_array_equal(scene.raycast_all(ray), hits[offsets[i]:offsets[i + 1]])
+        self.assertEqual(scene.get_octree_stats().item_count, 30)
+        self.assertEqual(scene.get_octree_boxes()["depth"][0], 0)
+
+    def test_camera(self):
+        camera = gp.Camera()
+        camera.look_at((0, 0, -10), (0, 0, 0), UP)
+        camera.set_perspective(1, 0.1, 100)
+        pixel = camera.project((0, 0, 0))
+        self.assert_near([pixel.x, pixel.y], [400, 300], 1e-2)
+        self.assertIsNone(camera.project((0, 0, -20)))
+        pixels = camera.project_batch(np.float32([[0, 0, 0], [1, 1, 1]]))
+        self.assert_near(camera.unproject_batch(pixels)[1], [1, 1, 1], 1e-2)
+        self.assert_near(camera.unproject(pixels[1]), [1, 1, 1], 1e-2)
+        self.assertEqual(len(camera.pick_rays(0, 0, 4, 3)), 12)
+        scene = gp.Scene()
+        model = scene.add(BALL)
+        self.assertEqual(camera.pick(scene, 400, 300).model, model)
+        self.assertIsNone(camera.pick(scene, 1, 1))
+        self.assertEqual(scene.cull(camera.get_frustum()).tolist(), [model])
+        camera.set_viewport(200, 100)
+        camera.set_orthographic(10, 0.1, 100)
+        projection = camera.get_projection_matrix()
+        self.assertAlmostEqual(projection.m[5], 0.2, 6)
+        camera.set_projection(projection)
+        self.assertEqual(camera.get_world_matrix().m[14], -10)
+        self.assertAlmostEqual(camera.get_view_matrix().m[14], 10, 5)
+        camera.set_world_matrix((1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1))
+        self.assert_near(camera.get_transform()[0], (4, 5, 6))
+        camera.set_transform((1, 2, 3), (0, 1, 0, 0))
+        self.assert_near(camera.get_transform()[0], (1, 2, 3))
+        camera.set_origin((1, 0, 0))
+        self.assertEqual(camera.get_origin().tolist(), [1, 0, 0])
+
+    def test_orbit(self):
+        camera = gp.Camera()
+        with self.assertRaises(gp.Error):
+            camera.get_orbit()
+        camera.set_orbit(gp.default_orbit())
+        camera.orbit_rotate(0.5, 0.25)
+        camera.orbit_zoom(1)
+        camera.orbit_pan(2, 0)
+        camera.orbit_update()
+        orbit = camera.get_orbit()
+        self.assert_near((orbit.yaw, orbit.pitch, orbit.distance), (0.5, 0.25, 9))
+        self.assertAlmostEqual(abs(orbit.target.x), 2, 3)
+
+    def test_particles(self):
+        scene, solver = gp.Scene(), gp.Solver(gp.SolverDesc(substeps=4))
+        solver.set_gravity((0, -10, 0))
+        solver.set_substeps(5)
+        free = solver.add_particles(np.float32([[0, 5, 0], [1, 5, 0]]))
+        solver.set_velocities(free, 1, np.float32([[3, 0, 0]]))
+        solver.step(scene, 0.1)
+        self.assert_near(solver.get_velocities(free, 0, 1)[0], (0, -1, 0))
+        self.assert_near(solver.get_positions(free, 1, 1)[0], (1.3, 4.95, 0))
+        solver.set_masses(free, 0, np.float32([2, 4]))
+        self.assertEqual(solver.get_masses(free, 0, 2).tolist(), [2, 4])
+        solver.set_forces(free, 0, np.float32([[0, 20, 0], [0, 40, 0]]))  # weightless
+        solver.step(None, 0.1)
+        self.assert_near(solver.get_velocities(free, 0, 1)[0], (0, -1, 0))
+        plane = scene.add(gp.Plane(UP, 0))
+        solver.set_radii(free, 0, np.float32([0.5, 0.5]))
+        solver.set_positions(free, 0, np.float32([[0, 0.6, 0], [9, 0.6, 0]]))
+        solver.set_forces(free, 0, np.zeros((2, 3), np.float32))
+        for _ in range(30):
+            solver.step(scene, 0.02)
+        self.assertAlmostEqual(solver.get_positions(free, 0, 1)[0][1], 0.5, 3)
+        contacts = solver.get_contacts()
+        self.assertEqual(contacts["model"].tolist(), [plane] * 2)
+        self.assertEqual(contacts["normal"][0].tolist(), list(UP))
+        solver.set_origin((0, 1, 0))
+        self.assertEqual(solver.get_origin()[1], 1)
+        self.assertAlmostEqual(solver.get_positions(free, 0, 1)[0][1], -0.5, 3)
+
+    def test_rope_and_cloth(self):
+        scene, solver = gp.Scene(), gp.Solver()
+        rope = solver.add_rope(np.float32([[0, 8, 0], [1, 8, 0], [2, 8, 0]]))
+        self.assertEqual(solver.get_body_info(rope).kind, gp.BODY_ROPE)
+        tie = solver.add_distance(rope, 0, 2, -1)
+        constraints = solver.get_constraints(rope)
+        self.assertEqual((len(constraints), constraints["id"][2], constraints["rest_length"][2]), (3, tie, 2))
+        solver.remove_constraint(rope, tie)
+        self.assertEqual(len(solver.get_constraints(rope)), 2)
+        hook = scene.add(gp.Sphere((0, 0, 0), 0.1), ((0, 8, 0), STILL, 1), gp.ModelDesc(layers=2))
+        solver.attach(scene, rope, 0, hook, (0, 0, 0))
+        scene.set_transform(hook, ((0, 9, 0), STILL, 1))
+        steps, leftover = solver.advance(scene, 0.025)
+        self.assertEqual(steps, 1)
+        self.assertAlmostEqual(leftover, 0.5, 5)
+        self.assertAlmostEqual(solver.get_positions(rope, 0, 1)[0][1], 9, 5)
+        self.assertEqual(solver.get_stats(rope).pinned_count, 1)
+        solver.detach(rope, 0)
+        with self.assertRaises(gp.InvalidArgument):
+            solver.detach(rope, 0)
+        cloth = solver.add_cloth((0, 3, 0), (1, 0, 0), (0, 0, 1), 3, 3)
+        self.assertEqual(len(solver.get_triangles(cloth)), 24)
+        shirt = solver.add_cloth_mesh(pyramid(), IDENTITY)
+        self.assertEqual(solver.get_body_info(shirt).particle_count, 5)
+        solver.remove_body(cloth)
+        self.assertEqual(solver.get_bodies().tolist(), [rope, shirt])
+
+        snapshot, past = solver.get_snapshot(), solver.get_hash()
+        solver.step(scene, 0.01)
+        self.assertNotEqual(solver.get_hash().tolist(), past.tolist())
+        solver.restore(snapshot)
+        self.assertEqual(solver.get_hash().tolist(), past.tolist())
+
+    def test_names(self):
+        self.assertEqual(gp.status_name(gp.NO_HIT), "GPHYS_NO_HIT")
+        self.assertRegex(gp.__version__, r"^\d+\.\d+\.\d+$")
+
+
+if __name__ == "__main__":
+    unittest.main()
