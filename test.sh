@@ -26,6 +26,7 @@ case ${1:-} in
             libjna-java junit4)
         command -v npm >/dev/null || packages+=(npm)
         command -v cargo >/dev/null || packages+=(cargo)
+        command -v go >/dev/null || packages+=(golang-go)
         ;;
     --platforms)
         presets=(i686 aarch64 windows wasm32)

@@ -141,6 +141,22 @@ fn bodies_meet_and_follow_models() {
 }
 
 #[test]
+fn a_solver_goes_on_from_a_snapshot() {
+    let (mut solver, mut twin) = (Solver::new(None).unwrap(), Solver::new(None).unwrap());
+    let body = solver.add_cloth([0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 10, 10, None).unwrap();
+    solver.set_pinned(body, 0, 1, true).unwrap();
+    solver.step(None, 0.01).unwrap();
+    let snapshot = solver.get_snapshot().unwrap();
+    assert_eq!(twin.restore(&snapshot[1..]).unwrap_err().status, Status::ERROR_INVALID_ARGUMENT);
+    twin.restore(&snapshot).unwrap();
+    assert_eq!(twin.get_hash().unwrap(), solver.get_hash().unwrap());
+    solver.step(None, 0.01).unwrap();
+    assert_ne!(twin.get_hash().unwrap(), solver.get_hash().unwrap());
+    twin.step(None, 0.01).unwrap();
+    assert_eq!(twin.get_snapshot().unwrap(), solver.get_snapshot().unwrap());
+}
+
+#[test]
 fn the_version_is_that_of_the_header() {
     assert_eq!(version().0, 1);
 }

@@ -1,0 +1,3 @@
+module gamephys
+
+go 1.18
