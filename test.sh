@@ -22,7 +22,7 @@ case ${1:-} in
         ;;
     --bindings)
         presets=(bindings)
-        packages+=(python3-numpy python3-pip nodejs luajit ruby ruby-ffi openjdk-17-jdk-headless
+        packages+=(python3-numpy python3-pip nodejs emscripten luajit ruby ruby-ffi openjdk-17-jdk-headless
             libjna-java junit4)
         command -v npm >/dev/null || packages+=(npm)
         command -v cargo >/dev/null || packages+=(cargo)
@@ -51,7 +51,7 @@ install_packages "${packages[@]}" || {
     finish
 }
 
-if [ "${1:-}" = --bindings ] && ! (cd bindings/javascript && npm install --no-package-lock --no-audit --no-fund); then
+if [ "${1:-}" = --bindings ] && ! (cd bindings/javascript && npm install --no-package-lock --no-audit --no-fund && ./build_wasm.sh); then
     failed=$((failed + 1))
 fi
 

@@ -27,10 +27,13 @@ function(gamephys_warnings target)
 endfunction()
 
 # gcc 12's vectorizer of straight-line code takes double -> float -> double of two neighbours for
-# no change and drops the rounding (a case of test_math.cpp shows it).
+# no change and drops the rounding (a case of test_math.cpp shows it). That of Emscripten 3.1.6's
+# clang, with SIMD, takes three points that turn for a line (test_shape_rays.c shows it).
 function(gamephys_exact_conversions target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-fno-tree-slp-vectorize>)
+  elseif(EMSCRIPTEN)
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-fno-slp-vectorize>)
   endif()
 endfunction()
 

@@ -1,123 +1,392 @@
-"""JavaScript: what index.js builds its methods from, and the types of TypeScript."""
-import json
-
+"""JavaScript: a reader and a writer for each struct, a class for each handle with a method for each
+function, and the two entries of the package, which differ in how the library's memory is reached.
+The types of TypeScript are in typescript.py."""
 from ._names import SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
 
-NUMBERS = ("float", "double", "int32_t", "uint32_t", "size_t")
+HEAD = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
+VIEWS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32"}
+SIZES = {"float": 4, "double": 8, "int32_t": 4, "uint32_t": 4}
+ARRAYS = ("gphys_vec3", "gphys_quat", "gphys_mat4")  # read as arrays of numbers, written from them too
 
 
-def described(api, call):
-    f = call.function
-    return {
-        "c": f["name"], "owner": camel(call.owner) if call.owner else None, "name": lower_camel(call.name),
-        "inputs": [p["name"] for p in call.inputs], "mayMiss": f["may_miss"],
-        "parameters": [{"name": p["name"], "role": p["role"], "of": base_type(api, element(p)),
-                        **{key: p[key] for key in ("width", "count", "length") if key in p}} for p in f["parameters"]],
-    }
+class Structs:
+    def __init__(self, api):
+        self.api = api
+        self.by_name = {s["name"]: s for s in api["structs"]}
+
+    def base(self, name):
+        return base_type(self.api, name)
+
+    def size(self, name, column):
+        return SIZES.get(self.base(name)) or self.by_name[name]["size"][column]
+
+    def is_desc(self, name):
+        return name.endswith("_desc")
+
+    def is_data(self, name):
+        """Whether nothing in it is a pointer."""
+        return all("*" not in self.base(f["type"]) for f in self.by_name[name]["fields"])
+
+    def numbers(self, name):
+        """How many four-byte numbers, all pointers apart."""
+        return self.size(name, 0) // 4
 
 
-def data(api):
-    made = creations(api)
-    return {
-        "constants": {plain(v["name"]): v["value"] for e in api["enums"] for v in e["values"]}
-        | {plain(n): float(v.rstrip("f")) if "e" in v and not v.startswith("0x") else int(v.rstrip("u"), 0)
-           for n, v in api["constants"].items()},
-        "structs": {s["name"]: {"size": s["size"], "fields": [
-            {"name": f["name"], "of": base_type(api, f["type"]), "count": f["count"], "offset": f["offset"]} for f in s["fields"]]}
-            for s in api["structs"]},
-        "shapes": [s for s in SHAPES if s != "mesh"],
-        "creations": {camel(h): described(api, c) for h, c in made.items()},
-        "calls": [described(api, c) for c in calls(api)],
-        "inits": [f["name"] for f in api["functions"] if f["name"].endswith("_init")],
-        "destroys": {camel(h): f"{h}_destroy" for h in api["handles"]},
-    }
+def indices(struct, field):
+    """Where a field stands, in four-byte numbers, as an expression: it may depend on the pointers' size."""
+    wide, narrow = (offset // 4 for offset in field["offset"])
+    return str(wide) if wide == narrow else f"(v.wide ? {wide} : {narrow})"
 
 
-def typescript(api):
-    def value(of, count=1):
-        base = base_type(api, of)
-        if base in NUMBERS:
-            return "number" if count == 1 else "ArrayLike<number>"
-        if of in ("gphys_vec3", "gphys_quat", "gphys_mat4"):
-            return "ArrayLike<number>"
-        return (camel(of) if "*" not in base else "null") + ("[]" if count > 1 else "")
+def at(index):
+    return "at" if index == "0" else f"at + {index}"
 
-    def given(p):
-        of = element(p)
-        null = " | null" if p.get("nullable") else ""
-        if p["role"] == "handle":
-            return camel(of) + null
-        if p["role"] == "shape":
-            return "Shape"
-        if p["role"] == "array":
-            return ("Shapes | Shape" if of == "void" else "Elements") + null
+
+def reader(structs, struct):
+    def value(field):
+        base, where = structs.base(field["type"]), at(indices(struct, field))
+        if base in VIEWS:
+            view = f"v.{VIEWS[base]}"
+            return f"{view}[{where}]" if field["count"] == 1 else f"Array.from({view}.subarray({where}, {where} + {field['count']}))"
+        if field["count"] == 1:
+            return f"read{camel(base)}(v, {where})"
+        return f"Array.from({{ length: {field['count']} }}, (_, i) => read{camel(base)}(v, {where} + {structs.numbers(base)} * i))"
+
+    name, fields = struct["name"], struct["fields"]
+    if name in ARRAYS:
+        body = value(fields[0]) if len(fields) == 1 else "[" + ", ".join(value(f) for f in fields) + "]"
+    else:
+        body = "({ " + ", ".join(f"{f['name']}: {value(f)}" for f in fields) + " })"
+    return f"export const read{camel(name)} = (v, at) => {body};\n"
+
+
+def write_field(structs, field, index, value):
+    """Statements that write one field at an index: all its elements, if it has several."""
+    base = structs.base(field["type"])
+
+    def store(where, x):
+        if base in VIEWS:
+            return f"v.{VIEWS[base]}[{where}] = number({x}, '{field['name']}');"
+        return f"write{camel(base)}(v, {where}, {x});"
+
+    if field["count"] == 1:
+        return [store(at(index), value)]
+    step = 1 if base in VIEWS else structs.numbers(base)
+    where = at(index) + (f" + {step} * i" if step > 1 else " + i")
+    return [f"const {field['name']} = {value};",
+            f"for (let i = 0; i < {field['count']}; ++i) {store(where, field['name'] + '[i]')}"]
+
+
+def writer(structs, struct):
+    name, fields = struct["name"], struct["fields"]
+    lines = [f"export function write{camel(name)}(v, at, value) {{"]
+    if len(fields) == 1:  # a matrix: its numbers, or an object with them
+        f = fields[0]
+        lines += [f"    {line}" for line in
+                  write_field(structs, f, "0", f"row(value, {f['count']}, '{plain(name)}') ? value : value.{f['name']}")]
+    else:
+        lines.append(f"    const rows = row(value, {len(fields)}, '{plain(name)}');")
+        for i, f in enumerate(fields):
+            lines += [f"    {line}" for line in
+                      write_field(structs, f, indices(struct, f), f"rows ? value[{i}] : value.{f['name']}")]
+    return "\n".join(lines) + "\n}\n"
+
+
+def desc_writer(structs, struct):
+    """Fields by name over the library's defaults, which are there already."""
+    name = struct["name"]
+    lines = [f"export function write{camel(name)}(v, at, value) {{", "    for (const name in value) {", "        switch (name) {"]
+    for f in struct["fields"]:
+        if "*" in f["type"] or f["name"] == "struct_size":
+            continue
+        [store] = write_field(structs, f, indices(struct, f), "value[name]")
+        lines.append(f"            case '{f['name']}': {store} break;")
+    lines.append(f"            default: throw new TypeError(`{plain(name)} has no field ${{name}}`);")
+    return "\n".join(lines) + "\n        }\n    }\n}\n"
+
+
+def structs_file(structs):
+    out = [HEAD, """
+function number(value, name) {
+    if (typeof value === 'number') return value;
+    throw new TypeError(`${name}: expected a number, got ${value}`);
+}
+
+/** Whether the fields are given in order, as an array, and not by name. */
+function row(value, count, name) {
+    if (typeof value !== 'object' || value === null) throw new TypeError(`expected a ${name}, got ${value}`);
+    if (value.length === undefined) return false;
+    if (value.length !== count) throw new TypeError(`${name}: expected ${count} fields, got ${value.length}`);
+    return true;
+}
+
+// v: views of memory, at: where in it, counted in numbers of four bytes
+
+"""]
+    types = [f"    {plain(b)}: {{ size: {s}, read: (v, at) => v.{VIEWS[b]}[{'at >> 1' if s == 8 else 'at'}] }},\n" for b, s in SIZES.items()]
+    for struct in structs.api["structs"]:
+        name = struct["name"]
+        if structs.is_desc(name):
+            out.append(desc_writer(structs, struct))
+        elif structs.is_data(name):
+            out += [reader(structs, struct), writer(structs, struct)]
+            types.append(f"    {plain(name)}: {{ size: {struct['size'][0]}, read: read{camel(name)}, write: write{camel(name)} }},\n")
+    out.append("/** What can stand in arrays. */\nexport const types = {\n" + "".join(types) + "};\n")
+    return "".join(out)
+
+
+def constants_file(api):
+    lines = [HEAD]
+    for e in api["enums"]:
+        lines += [f"export const {plain(v['name'])} = {v['value']};\n" for v in e["values"]]
+    lines += [f"export const {plain(n)} = {v.rstrip('fu') if 'x' not in v else v.rstrip('u')};\n" for n, v in api["constants"].items()]
+    return "".join(lines)
+
+
+class Method:
+    """The text of one method. Single values have their places in the memory that calls pass values
+    through, given here; arrays and lists get theirs at run time."""
+
+    def __init__(self, structs, call):
+        self.structs, self.call = structs, call
+        self.parameters = call.function["parameters"]
+        self.top = 0
+        self.before, self.after, self.results, self.arguments = [], [], [], []
+        self.new = self.listed = None
+        for i, p in enumerate(self.parameters):
+            self.arguments.append(self.argument(i, p))
+
+    def place(self, size, alignment=4):
+        self.top = -(-self.top // alignment) * alignment
+        place, self.top = self.top, self.top + size
+        return place
+
+    def address(self, place):
+        return f"base + {place}" if place else "base"
+
+    def is_batch(self):
+        return any(p["role"] in ("array", "out_array", "list", "ragged") for p in self.parameters)
+
+    def counted(self):
+        """The arrays whose common length is the count."""
+        if not any(p["role"] == "count" and p["name"] == "count" for p in self.parameters):
+            return []
+        return [p for p in self.parameters if p["role"] == "array"]
+
+    def argument(self, i, p):
+        structs, role, name = self.structs, p["role"], p["name"]
+        of = structs.base(element(p))
+        if role == "handle":
+            if i == 0 and self.call.owner:
+                return "this.pointer"
+            return f"pointer({name}, {camel(of)}, '{name}', {'true' if p.get('nullable') else 'false'})"
+        if role == "shape_type":
+            shape = self.parameters[i + 1]
+            return f"{shape['name']}_.type" if shape["role"] == "array" else f"typeOf({shape['name']})"
+        if role == "shape":
+            return f"putShape({name}, {self.place(SHAPE_SIZE) // 4})"
+        if role == "in":
+            return self.given(p, of)
+        if role == "array":
+            kind = f"inputShapes({name})" if of == "void" else f"input({name}, {structs.size(of, 0) * p.get('width', 1)}, '{name}')"
+            if p.get("nullable"):
+                kind = f"{name} == null ? nothing : {kind}"
+            self.before.append(f"const {name}_ = {kind};")
+            return f"pass({name}_)"
+        if role == "stride":
+            other = self.parameters[i - 1]
+            if other["role"] == "out_array":
+                return str(structs.size(structs.base(element(other)), 0))
+            if element(other) == "void" or other.get("nullable"):
+                return f"{other['name']}_.stride"
+            return str(structs.size(structs.base(element(other)), 0) * other.get("width", 1))
+        if role == "count":
+            arrays = [q for q in self.parameters if q["role"] == "array"]
+            if not arrays or name == "count":
+                return "count"
+            array = [q for q in self.parameters[:i] if q["role"] == "array"][-1]
+            return f"{array['name']}_.numbers" if name == "index_count" else f"{array['name']}_.length"
+        if role == "out":
+            return self.out(p, of)
+        if role == "out_array":
+            count = p["length"] if p.get("length") else "count"
+            self.before.append(f"const {name}_ = output(out, '{plain(of)}', {count});")
+            self.results.append(f"finish({name}_)")
+            return f"pass({name}_)"
+        if role in ("list", "ragged"):
+            self.listed = (role, of)
+            return "room"
+        if role == "capacity":
+            return "capacity"
+        if role == "total":
+            self.total = self.place(4)
+            return self.address(self.total)
+        if role == "offsets":
+            return "pass(offsets)"
+        if role == "new":
+            self.new = self.place(8, 8)
+            return self.address(self.new)
+        assert role == "scalar", role
+        return f"+{name}" if of == "int32_t" else name
+
+    def given(self, p, of):
+        structs, name = self.structs, p["name"]
         if p.get("count"):
-            return "ArrayLike<number>"
-        if p["role"] == "in":
-            return ("Partial<%s>" % camel(of) if of.endswith("_desc") else value(of)) + null
-        return "number"
+            place = self.place(structs.size(of, 0) * p["count"], 8)
+            index = place // structs.size(of, 0)
+            self.before.append(f"numbers(v.{VIEWS[of]}, {index}, {name}, {p['count']}, '{name}');")
+            return self.address(place)
+        place = self.place(structs.size(of, 0), 8)
+        write = f"write{camel(of)}(v, {place // 4}, {name});"
+        if structs.is_desc(of):
+            wide, narrow = (structs.size(of, column) for column in (0, 1))
+            size = wide if wide == narrow else f"v.wide ? {wide} : {narrow}"
+            write = f"check(native.{of}_init({self.address(place)}, {size})); {write}"
+        if not p.get("nullable"):
+            self.before.append(write)
+            return self.address(place)
+        self.before.append(f"if ({name} != null) {{ {write} }}")
+        return f"{name} == null ? 0 : {self.address(place)}"
 
-    def got(call):
-        words = []
-        for p in call.outputs:
-            of = element(p)
-            if p["role"] == "ragged":
-                words.append("{ values: Records; offsets: Uint32Array }")
-            elif p["role"] in ("list", "out_array") or p.get("count"):
-                words.append("Records")
-            else:
-                words.append("boolean" if of == "int32_t" else value(of))
-        text = "void" if not words else words[0] if len(words) == 1 else f"[{', '.join(words)}]"
-        return text + (" | null" if call.function["may_miss"] else "")
+    def out(self, p, of):
+        structs = self.structs
+        size = structs.size(of, 0)
+        place = self.place(size * p.get("count", 1), 8 if of == "double" else 4)
+        if p.get("count"):
+            step = size // (8 if of == "double" else 4)
+            first = place // (8 if of == "double" else 4)
+            reads = [f"v.{VIEWS[of]}[{first + i}]" if of in VIEWS else f"read{camel(of)}(v, {first + step * i})" for i in range(p["count"])]
+            self.results.append("[" + ", ".join(reads) + "]")
+        elif of in VIEWS:
+            read = f"v.{VIEWS[of]}[{place // size}]"
+            self.results.append(f"{read} !== 0" if element(p) == "int32_t" else read)
+        else:
+            self.results.append(f"read{camel(of)}(v, {place // 4})")
+        return self.address(place)
 
-    def signature(call):
-        words, optional = [], True
-        for p in reversed(call.inputs):
-            optional = optional and (p.get("nullable", False) or p["name"] == "layers")
-            words.insert(0, f"{p['name']}{'?' if optional else ''}: {given(p)}")
-        if any(p["role"] == "out_array" for p in call.outputs):
-            words.append("out?: ArrayBufferView")
+    def signature(self):
+        words = [name + (" = ALL_LAYERS" if name == "layers" else "") for name in (p["name"] for p in self.call.inputs)]
+        if any(p["role"] == "out_array" for p in self.parameters):
+            words.append("out")
         return ", ".join(words)
 
-    def doc(text, indent):
-        return "" if not text else f"{indent}/** " + text.replace("*/", "* /").replace("\n", f"\n{indent} * ") + " */\n"
+    def body(self):
+        lines = list(self.before)
+        counted = self.counted()
+        if counted:
+            words = "".join(f", {p['name']}_" for p in counted)
+            first = next(i for i, line in enumerate(lines + ["count"]) if "output(" in line or line == "count")
+            lines.insert(first, f"const count = common({words[2:]});")
+        if self.is_batch():
+            lines.insert(0, "begin();")
+        arguments = list(self.arguments)
+        if self.listed and self.listed[0] == "ragged":
+            lines.append("const offsets = output(undefined, 'uint32_t', count + 1);")
+        if self.listed:  # asked again with more room: what is passed stays where it is
+            for i, a in enumerate(arguments):
+                if a.startswith("pass("):
+                    arguments[i] = f"{self.parameters[i]['name']}At"
+                    lines.append(f"const {arguments[i]} = {a};")
+        call = f"native.{self.call.function['name']}({', '.join(arguments)})"
+        if self.listed:
+            role, of = self.listed
+            if role == "ragged":
+                lines.append(f"return ragged('{plain(of)}', offsets, (room, capacity) => {call});")
+            else:
+                lines.append(f"return list('{plain(of)}', {self.total // 4}, (room, capacity) => {call});")
+        elif self.call.function["may_miss"]:
+            lines += [f"if (check({call}) !== OK) return null;", f"return {self.result()};"]
+        else:
+            lines.append(f"check({call});")
+            if self.new is not None:
+                lines.append(f"return made({self.new});")
+            elif self.results:
+                lines.append(f"return {self.result()};")
+        return lines
 
-    out = ["// Generated from gamephys_api.json by bindings/generate.py. Not for editing.",
-           "/** Elements of a batch: rows of 4-byte numbers, one after the other. */",
-           "export type Elements = Float32Array | Uint32Array | Int32Array | Records;",
-           "/** Results of a batch: one view for each type of number, and objects on demand. */",
-           "export interface Records {\n    readonly length: number;\n    readonly stride: number;\n    readonly f32: Float32Array;\n"
-           "    readonly u32: Uint32Array;\n    readonly i32: Int32Array;\n    readonly f64?: Float64Array;\n    get(index: number): any;\n}",
-           "export interface Shape { readonly type: number }",
-           "export interface Shapes { readonly type: number; readonly data: Float32Array }",
-           "export class GamephysError extends Error { readonly status: number }"]
-    for s in api["structs"]:
-        fields = "".join(f"    {f['name']}: {value(f['type'], f['count'])};\n" for f in s["fields"])
-        out.append(doc(s["doc"], "") + f"export interface {camel(s['name'])} {{\n{fields}}}")
-    for s in SHAPES:
-        if s != "mesh":
-            fields = next(x["fields"] for x in api["structs"] if x["name"] == f"gphys_{s}")
-            words = ", ".join(f"{f['name']}: {value(f['type'], f['count'])}" for f in fields)
-            out.append(f"export function {s}({words}): Shape;")
-    out.append("export function shapes(kind: string, data: Float32Array): Shapes;")
-    out.append("export function defaultOrbit(): Orbit;")
+    def result(self):
+        return self.results[0] if len(self.results) == 1 else f"[{', '.join(self.results)}]"
+
+
+def method(structs, call, indent, prefix=""):
+    m = Method(structs, call)
+    lines = "".join(f"{indent}    {line}\n" for line in m.body())
+    assert m.top <= PASS_BYTES, call.name
+    return f"{indent}{prefix}{lower_camel(call.name)}({m.signature()}) {{\n{lines}{indent}}}\n"
+
+
+SHAPE_SIZE = 108  # of the largest, a frustum
+PASS_BYTES = 1024  # of the memory that single values pass through; runtime.js has the same
+
+
+def names(api):
+    """What an entry of the package exports beside the constants."""
+    free = [lower_camel(c.name) for c in calls(api) if not c.owner]
+    return ([camel(h) for h in api["handles"]] + [s for s in SHAPES if s != "mesh"] + free
+            + ["GamephysClosed", "GamephysError", "Records", "Shape", "Shapes", "defaultOrbit", "records", "shapes", "statusName",
+               "transform", "version"])
+
+
+def objects_file(structs):
+    api = structs.api
     made = creations(api)
+    used = sorted({f"{verb}{camel(s['name'])}" for s in api["structs"] for verb in ("read", "write")
+                   if (structs.is_desc(s["name"]) and verb == "write") or (not structs.is_desc(s["name"]) and structs.is_data(s["name"]))})
+    body = []
     for h in api["handles"]:
-        out.append(doc(made[h].function["doc"], "") + f"export class {camel(h)} {{\n    constructor({signature(made[h])});\n"
-                   "    /** Frees the object at once. */\n    close(): void;")
-        for call in calls(api):
-            if call.owner == h:
-                out.append(doc(call.function["doc"], "    ") + f"    {lower_camel(call.name)}({signature(call)}): {got(call)};")
-        out.append("}")
-    for call in calls(api):
-        if not call.owner:
-            out.append(doc(call.function["doc"], "") + f"export function {lower_camel(call.name)}({signature(call)}): {got(call)};")
-    for e in api["enums"]:
-        for v in e["values"]:
-            out.append(f"export const {plain(v['name'])}: {v['value']};")
-    out += [f"export const {plain(n)}: number;" for n in api["constants"]]
-    return "\n".join(out) + "\n"
+        create = Method(structs, made[h])
+        body.append(f"    class {camel(h)} extends Handle {{\n        constructor({create.signature()}) {{\n"
+                    f"            super(() => {{\n" + "".join(f"                {line}\n" for line in create.body())
+                    + f"            }}, native.{h}_destroy);\n        }}\n")
+        body += [method(structs, c, "        ") for c in calls(api) if c.owner == h]
+        body.append("    }\n")
+    free = [c for c in calls(api) if not c.owner]
+    body += [method(structs, c, "    ", "function ") for c in free]
+    text = "".join(body)
+    used = [u for u in used if f"{u}(" in text]
+    shapes = "".join(f"        {s}: (...fields) => new Shape('{s}', fields),\n" for s in SHAPES if s != "mesh")
+    return (HEAD + "import { ALL_LAYERS, OK } from './constants.js';\n"
+            + "import { " + ", ".join(used) + " } from './structs.js';\nimport { Shape, runtime } from './runtime.js';\n\n"
+            + "/** Everything of the library but constants, over one way to reach its memory and functions. */\n"
+            + "export function objects(memory) {\n"
+            + "    const { native, v, base, Handle, begin, check, common, finish, input, inputShapes, list, made, nothing, numbers,\n"
+            + "        output, pass, pointer, putShape, ragged, typeOf, more } = runtime(memory);\n\n" + text
+            + "    return {\n        " + ", ".join([camel(h) for h in api["handles"]] + [lower_camel(c.name) for c in free]) + ",\n"
+            + shapes + "        ...more(Scene, Mesh),\n    };\n}\n")
+
+
+def signatures_file(structs):
+    """How the native functions are called: what they return, and a letter for each parameter."""
+    letters = {"float": "f", "double": "d", "int32_t": "i", "uint32_t": "u", "size_t": "z"}
+    lines = []
+    for f in structs.api["functions"]:
+        word = ""
+        for p in f["parameters"]:
+            if p["role"] in ("array", "out_array", "list", "ragged", "offsets"):
+                word += "a"
+            elif "*" in p["type"]:
+                word += "p"
+            else:
+                word += letters[structs.base(p["type"])]
+        result = {"void": "v", "const char *": "s"}.get(f["returns"]) or letters[structs.base(f["returns"])]
+        lines.append(f"    {f['name']}: '{result}{word}',\n")
+    return (HEAD + "\n// The result, then the parameters: v nothing, s text, f float, d double, i int32_t, u uint32_t,\n"
+            "// z size_t, p an address as a number, a an array.\nexport const signatures = {\n" + "".join(lines) + "};\n")
+
+
+def entry(api, back_end):
+    return (HEAD + f"import {{ memory }} from './lib/{back_end}_memory.js';\nimport {{ objects }} from './lib/objects.js';\n\n"
+            "export * from './lib/constants.js';\nexport const {\n" + "".join(f"    {n},\n" for n in names(api))
+            + f"}} = objects({'await ' if back_end == 'wasm' else ''}memory());\n")
 
 
 def generate(api):
-    return {"javascript/api.json": json.dumps(data(api), indent=0) + "\n", "javascript/index.d.ts": typescript(api)}
+    structs = Structs(api)
+    return {
+        "javascript/lib/constants.js": constants_file(api),
+        "javascript/lib/structs.js": structs_file(structs),
+        "javascript/lib/objects.js": objects_file(structs),
+        "javascript/lib/signatures.js": signatures_file(structs),
+        "javascript/native.js": entry(api, "native"),
+        "javascript/wasm.js": entry(api, "wasm"),
+    }

@@ -1,222 +1,321 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
-/** Elements of a batch: rows of 4-byte numbers, one after the other. */
+
+/** What can be given for a struct: its fields by name, or in order as an array. */
+export type Given<T> = T extends number ? number
+    : T extends number[] ? ArrayLike<number>
+    : T extends readonly (infer E)[] ? readonly Given<E>[]
+    : { [K in keyof T]: Given<T[K]> } | readonly unknown[] | ArrayLike<number>;
+/** Elements of a batch: rows of four-byte numbers, one after the other. */
 export type Elements = Float32Array | Uint32Array | Int32Array | Records;
-/** Results of a batch: one view for each type of number, and objects on demand. */
-export interface Records {
+/** A shape for a question about it. */
+export type AnyShape = Shape | Mesh;
+
+/** Rows of one kind of struct or number: views of all of them as numbers, and each as an object. */
+export class Records<T = any> {
+    private constructor();
+    readonly kind: Kind;
     readonly length: number;
+    /** Bytes from one to the next. */
     readonly stride: number;
+    /** Views of the same memory. Take them afresh, and do not keep them, where it is the library's:
+     *  a view of WebAssembly's memory has no elements any more once that has grown. */
     readonly f32: Float32Array;
     readonly u32: Uint32Array;
     readonly i32: Int32Array;
-    readonly f64?: Float64Array;
-    get(index: number): any;
+    /** Where the memory begins and ends on multiples of eight bytes. */
+    readonly f64: Float64Array;
+    get(index: number): T;
+    set(index: number, value: Given<T>): void;
+    [Symbol.iterator](): Iterator<T>;
+    /** Gives the library's memory back at once. */
+    close(): void;
 }
-export interface Shape { readonly type: number }
-export interface Shapes { readonly type: number; readonly data: Float32Array }
+/** Memory that calls read and write in place, without a copy. */
+export function records<K extends Kind>(kind: K, length: number): Records<Kinds[K]>;
+
+export class Shape {
+    private constructor();
+    readonly kind: string;
+    readonly type: number;
+    readonly data: Float32Array;
+    /** Its fields by name. */
+    readonly value: any;
+}
+/** Many shapes of one kind. */
+export class Shapes {
+    private constructor();
+    readonly kind: string;
+    readonly type: number;
+}
+/** A call failed: the message is the library's, status its number. */
 export class GamephysError extends Error { readonly status: number }
-/** Memory functions for one object and everything in it. Both are called on the thread that calls
- * the library, possibly from several threads if the objects that share it are used so.
- * allocate returns NULL on failure (reported as GPHYS_ERROR_OUT_OF_MEMORY, nothing changed);
- * release gets the same size and alignment again. The struct is copied at creation. */
-export interface Allocator {
-    allocate: null;
-    release: null;
-    user: null;
-}
-/** The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
- * each once, in any order, on any threads, several at a time or not, and returns when all have
- * returned. It is called on the thread that called the library, by several at the same time if
- * several ask. The struct is copied at creation. */
-export interface TaskRunner {
-    run: null;
-    user: null;
-}
+/** An object was used after close(). */
+export class GamephysClosed extends Error {}
+
+/** The library's version, such as "1.0.0". */
+export function version(): string;
+/** The name of a status, such as "GPHYS_NO_HIT". */
+export function statusName(status: number): string;
+/** The orbit settings that the library starts from. */
+export function defaultOrbit(): Orbit;
+/** A shape moved; that of a box along the axes is a turned box. */
+export function transform(shape: Shape, by: Given<Transform>): Shape;
+
 export interface Vec3 {
     x: number;
     y: number;
     z: number;
 }
 export interface Quat {
+    /** rotation of angle a about unit axis n: (n sin(a/2), cos(a/2)) */
     x: number;
+    /** rotation of angle a about unit axis n: (n sin(a/2), cos(a/2)) */
     y: number;
+    /** rotation of angle a about unit axis n: (n sin(a/2), cos(a/2)) */
     z: number;
+    /** rotation of angle a about unit axis n: (n sin(a/2), cos(a/2)) */
     w: number;
 }
 export interface Mat4 {
-    m: ArrayLike<number>;
+    /** element (row, column) is m[4 * column + row] */
+    m: number[];
 }
 /** x -> position + rotation * (scale * x); scale > 0. */
 export interface Transform {
-    position: ArrayLike<number>;
-    rotation: ArrayLike<number>;
+    position: number[];
+    rotation: number[];
     scale: number;
 }
 export interface Ray {
-    origin: ArrayLike<number>;
-    direction: ArrayLike<number>;
+    origin: number[];
+    /** any non-zero length */
+    direction: number[];
+    /** >= 0, in multiples of direction; INFINITY allowed */
     t_max: number;
 }
 export interface Segment {
-    a: ArrayLike<number>;
-    b: ArrayLike<number>;
+    /** may coincide: a point */
+    a: number[];
+    /** may coincide: a point */
+    b: number[];
 }
 export interface Sphere {
-    center: ArrayLike<number>;
+    center: number[];
+    /** >= 0 */
     radius: number;
 }
 /** All points within radius of the segment a b. */
 export interface Capsule {
-    a: ArrayLike<number>;
-    b: ArrayLike<number>;
+    /** may coincide: a sphere */
+    a: number[];
+    /** may coincide: a sphere */
+    b: number[];
+    /** >= 0 */
     radius: number;
 }
 export interface Aabb {
-    min: ArrayLike<number>;
-    max: ArrayLike<number>;
+    /** min <= max on each axis; equality gives a flat box */
+    min: number[];
+    /** min <= max on each axis; equality gives a flat box */
+    max: number[];
 }
 export interface Obb {
-    center: ArrayLike<number>;
-    half_extents: ArrayLike<number>;
-    rotation: ArrayLike<number>;
+    center: number[];
+    /** >= 0, along the axes of rotation */
+    half_extents: number[];
+    rotation: number[];
 }
 /** The points x with dot(normal, x) = distance. The normal points to the front; it need not be
  * exactly unit: signed distances are divided by its length (for a unit normal, distance is the
  * plane's distance from the origin). distance divided by that length is within the range of
  * coordinates too. */
 export interface Plane {
-    normal: ArrayLike<number>;
+    /** not zero */
+    normal: number[];
     distance: number;
 }
 /** May be degenerate: then it is the segment or point that its corners span. The normal is that
  * of cross(b - a, c - a). */
 export interface Triangle {
-    a: ArrayLike<number>;
-    b: ArrayLike<number>;
-    c: ArrayLike<number>;
+    a: number[];
+    b: number[];
+    c: number[];
 }
 /** The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
  * which look inward, in the order of gphys_frustum_plane. Distances count from origin, so that a
  * frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1. */
 export interface Frustum {
-    origin: ArrayLike<number>;
+    origin: number[];
     planes: Plane[];
 }
 /** Where a ray, segment or swept sphere first meets something. */
 export interface Hit {
+    /** id of the model, 0 when the query was not of a scene */
     model: number;
+    /** the model's tag, 0 likewise */
     tag: number;
+    /** 0 .. t_max; along a segment or sweep 0 .. 1 */
     t: number;
-    point: ArrayLike<number>;
-    normal: ArrayLike<number>;
+    /** where the surfaces meet */
+    point: number[];
+    /** unit, against the motion: dot(normal, direction) <= 0 */
+    normal: number[];
+    /** index within a mesh, else GPHYS_NO_TRIANGLE */
     triangle: number;
+    /** barycentric weights of b and c of a triangle, else 0 */
     u: number;
+    /** barycentric weights of b and c of a triangle, else 0 */
     v: number;
+    /** GPHYS_HIT_... */
     flags: number;
 }
 /** The closest point of something to a given point. */
 export interface Nearest {
+    /** as in gphys_hit */
     model: number;
     tag: number;
-    point: ArrayLike<number>;
+    /** equal to the query point when that is inside a solid */
+    point: number[];
+    /** 0 inside a solid */
     distance: number;
+    /** index within a mesh, else GPHYS_NO_TRIANGLE */
     triangle: number;
 }
 /** What is in a triangle array. Frozen. */
 export interface MeshReport {
     triangle_count: number;
+    /** triangles of exactly zero area */
     degenerate_count: number;
+    /** index of the first, or GPHYS_NO_TRIANGLE */
     first_degenerate: number;
+    /** triangles with an index >= vertex_count */
     out_of_range_count: number;
     first_out_of_range: number;
+    /** vertices that are not finite or beyond GPHYS_MAX_COORDINATE */
     bad_vertex_count: number;
+    /** or 0xffffffff */
     first_bad_vertex: number;
+    /** edges that do not join exactly two triangles; 0 for a closed mesh */
     open_edge_count: number;
 }
 export interface MeshDesc {
-    struct_size: number;
-    allocator: null;
 }
 /** How an octree is made up. Frozen. */
 export interface OctreeStats {
+    /** models or triangles in the tree */
     item_count: number;
+    /** models of infinite extent, kept beside the tree */
     unbounded_count: number;
     node_count: number;
     leaf_count: number;
+    /** levels; 0 when empty */
     depth: number;
+    /** times it was rebuilt as a whole since creation */
     rebuilds: number;
+    /** expected node and item tests of a random ray that meets the root box */
     cost: number;
+    /** of the tree; saturates at 2^32 - 1 */
     memory_bytes: number;
 }
 /** One box of an octree, for drawing. Frozen. */
 export interface OctreeBox {
     bounds: Aabb;
+    /** 0 is the root */
     depth: number;
+    /** 0 for an inner node */
     item_count: number;
 }
 export interface SceneDesc {
-    struct_size: number;
-    allocator: null;
+    /** models to make room for at once; 0 */
     reserve_models: number;
-    task_runner: null;
+    /** threads for one call, its own included, at most 1024; 0 and 1: that alone */
     worker_count: number;
 }
 export interface ModelDesc {
-    struct_size: number;
+    /** 0: none */
     parent: number;
+    /** a query with mask m sees the model if layers & m; default 1 */
     layers: number;
+    /** any number of the caller's, returned with each hit; 0 */
     tag: number;
 }
 /** What a model is. Frozen. */
 export interface ModelInfo {
     type: number;
+    /** 0: none */
     parent: number;
     layers: number;
     tag: number;
+    /** direct children */
     child_count: number;
 }
 export interface CameraDesc {
-    struct_size: number;
-    allocator: null;
     handedness: number;
     depth_range: number;
+    /** 1: near has the high depth, for float depth buffers */
     reverse_z: number;
+    /** pixels, 1e-3 .. 1e6 */
     viewport_width: number;
     viewport_height: number;
 }
 /** Orbit control: the camera circles a target. Inputs accumulate between updates in plain units;
  * nothing depends on the frame time or on how often update is called. Frozen. */
 export interface Orbit {
-    target: ArrayLike<number>;
-    up: ArrayLike<number>;
+    target: number[];
+    /** any non-zero length; pitch is measured against it */
+    up: number[];
+    /** metres from target, > 0 */
     distance: number;
+    /** radians; yaw 0 looks along the reference direction that is
+     * perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
+     * it; pitch > 0 looks down */
     yaw: number;
+    /** radians; yaw 0 looks along the reference direction that is
+     * perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
+     * it; pitch > 0 looks down */
     pitch: number;
+    /** of gphys_camera_orbit_rotate */
     radians_per_unit: number;
+    /** of gphys_camera_orbit_zoom and _pan */
     metres_per_unit: number;
+    /** 0 < min <= max; max INFINITY allowed */
     min_distance: number;
+    /** 0 < min <= max; max INFINITY allowed */
     max_distance: number;
+    /** within -pi/2 .. pi/2 */
     min_pitch: number;
+    /** within -pi/2 .. pi/2 */
     max_pitch: number;
 }
 export interface SolverDesc {
-    struct_size: number;
-    allocator: null;
-    gravity: ArrayLike<number>;
+    /** m/s^2; default (0, -9.81, 0) */
+    gravity: number[];
+    /** of one step, 1 .. 1000; default 8 */
     substeps: number;
+    /** seconds simulated by each step of gphys_solver_advance; 1/60 */
     fixed_step: number;
+    /** most steps of one advance; time beyond is dropped; 8 */
     max_steps: number;
 }
 /** Settings shared by all kinds of bodies. */
 export interface BodyDesc {
-    struct_size: number;
+    /** kg of the whole body, spread evenly; > 0; default 1 */
     mass: number;
+    /** of each particle for collision, metres, >= 0; default 0.01 */
     radius: number;
+    /** rate in 1/s: velocities decay as exp(-damping t); >= 0; default 0 */
     damping: number;
+    /** Coulomb coefficient against models, >= 0; default 0.5 */
     friction: number;
+    /** speed kept in a bounce, 0 .. 1; default 0 */
     restitution: number;
+    /** of stretch, metres per newton, >= 0; 0 is inextensible; default 0 */
     compliance: number;
+    /** of GPHYS_CLOTH_BEND constraints, m/N; default 0.001 */
     bend_compliance: number;
+    /** GPHYS_CLOTH_...; default SHEAR | BEND */
     cloth_flags: number;
+    /** mask of the models it collides with; 0: none; default all */
     layers: number;
 }
 /** Frozen. */
@@ -225,6 +324,7 @@ export interface BodyInfo {
     method: number;
     particle_count: number;
     constraint_count: number;
+    /** of cloth, for drawing */
     triangle_count: number;
 }
 /** One constraint. Frozen. */
@@ -232,18 +332,26 @@ export interface ConstraintInfo {
     id: number;
     particle_a: number;
     particle_b: number;
+    /** metres */
     rest_length: number;
+    /** metres per newton */
     compliance: number;
 }
 /** Frozen. */
 export interface SolverStats {
     particle_count: number;
+    /** pinned or attached */
     pinned_count: number;
     constraint_count: number;
+    /** particle and model pairs that touched in the last step, 4 a particle at most */
     contact_count: number;
+    /** largest |length / rest length - 1| of rigid constraints */
     strain_max: number;
+    /** root mean square of the same */
     strain_rms: number;
+    /** joules */
     kinetic_energy: number;
+    /** joules: of gravity, 0 at the solver's origin, and of stretch */
     potential_energy: number;
 }
 /** A particle that touched a model in the last step. Frozen. */
@@ -251,21 +359,55 @@ export interface Contact {
     body: number;
     particle: number;
     model: number;
+    /** the model's */
     tag: number;
-    point: ArrayLike<number>;
-    normal: ArrayLike<number>;
+    /** on the model, world space */
+    point: number[];
+    /** unit, from the model to the particle */
+    normal: number[];
 }
-export function sphere(center: ArrayLike<number>, radius: number): Shape;
-export function capsule(a: ArrayLike<number>, b: ArrayLike<number>, radius: number): Shape;
-export function aabb(min: ArrayLike<number>, max: ArrayLike<number>): Shape;
-export function obb(center: ArrayLike<number>, half_extents: ArrayLike<number>, rotation: ArrayLike<number>): Shape;
-export function plane(normal: ArrayLike<number>, distance: number): Shape;
-export function triangle(a: ArrayLike<number>, b: ArrayLike<number>, c: ArrayLike<number>): Shape;
-export function frustum(origin: ArrayLike<number>, planes: Plane[]): Shape;
-export function ray(origin: ArrayLike<number>, direction: ArrayLike<number>, t_max: number): Shape;
-export function segment(a: ArrayLike<number>, b: ArrayLike<number>): Shape;
-export function shapes(kind: string, data: Float32Array): Shapes;
-export function defaultOrbit(): Orbit;
+/** What stands in Records, by the name of its kind. */
+export interface Kinds {
+    float: number;
+    double: number;
+    int32_t: number;
+    uint32_t: number;
+    vec3: number[];
+    quat: number[];
+    mat4: number[];
+    transform: Transform;
+    ray: Ray;
+    segment: Segment;
+    sphere: Sphere;
+    capsule: Capsule;
+    aabb: Aabb;
+    obb: Obb;
+    plane: Plane;
+    triangle: Triangle;
+    frustum: Frustum;
+    hit: Hit;
+    nearest: Nearest;
+    mesh_report: MeshReport;
+    octree_stats: OctreeStats;
+    octree_box: OctreeBox;
+    model_info: ModelInfo;
+    orbit: Orbit;
+    body_info: BodyInfo;
+    constraint_info: ConstraintInfo;
+    solver_stats: SolverStats;
+    contact: Contact;
+}
+export type Kind = keyof Kinds;
+export function sphere(center: Given<number[]>, radius: Given<number>): Shape;
+export function capsule(a: Given<number[]>, b: Given<number[]>, radius: Given<number>): Shape;
+export function aabb(min: Given<number[]>, max: Given<number[]>): Shape;
+export function obb(center: Given<number[]>, half_extents: Given<number[]>, rotation: Given<number[]>): Shape;
+export function plane(normal: Given<number[]>, distance: Given<number>): Shape;
+export function triangle(a: Given<number[]>, b: Given<number[]>, c: Given<number[]>): Shape;
+export function frustum(origin: Given<number[]>, planes: Given<Plane[]>): Shape;
+export function ray(origin: Given<number[]>, direction: Given<number[]>, t_max: Given<number>): Shape;
+export function segment(a: Given<number[]>, b: Given<number[]>): Shape;
+export function shapes(kind: 'sphere' | 'capsule' | 'aabb' | 'obb' | 'plane' | 'triangle' | 'frustum' | 'ray' | 'segment', data: Float32Array | Records): Shapes;
 /** Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
  * segments or points that they are, and counted in the report. 0 triangles are allowed.
  * @param desc  may be NULL
@@ -279,21 +421,21 @@ export class Mesh {
     /** What the mesh was built from. */
     getReport(): MeshReport;
     /** Copy the vertices out; in their original order. */
-    getVertices(): Records;
+    getVertices(): Records<number[]>;
     /** Copy the indices out; in their original order. */
-    getIndices(): Records;
+    getIndices(): Records<number>;
     /** All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
      * Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits) */
-    raycastAll(ray: Ray): Records;
+    raycastAll(ray: Given<Ray>): Records<Hit>;
     /** Whether a ray hits anything; cheaper than the closest hit. */
-    raycastAny(ray: Ray): boolean;
+    raycastAny(ray: Given<Ray>): boolean;
     /** Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
      * ascending. Kept when the array is too small: the lowest. */
-    overlap(shape: Shape): Records;
+    overlap(shape: AnyShape): Records<number>;
     /** Cost: O(nodes). */
     getOctreeStats(): OctreeStats;
     /** Boxes of the tree, each parent before its children. Kept when too many: the first. */
-    getOctreeBoxes(): Records;
+    getOctreeBoxes(): Records<OctreeBox>;
 }
 /** With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
  * adding and moving many models, share their work among n threads; the results have the same bits
@@ -318,7 +460,7 @@ export class Scene {
      * on. Queries cost nothing more. */
     setOrigin(origin: ArrayLike<number>): void;
     /** Where in the world the scene's coordinates count from. */
-    getOrigin(): Records;
+    getOrigin(): number[];
     /** Add a model.
      * @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
      * @param shape      in the model's own coordinates
@@ -327,10 +469,10 @@ export class Scene {
      * @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
      *         GPHYS_ERROR_CAPACITY
      * Cost: O(log n) amortised. */
-    add(shape: Shape, transform?: Transform | null, desc?: Partial<ModelDesc> | null): number;
+    add(shape: AnyShape, transform?: Given<Transform> | null, desc?: Partial<ModelDesc> | null): number;
     /** Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
      * needs shape_stride 0). transforms may be NULL. out_models has count elements. */
-    addBatch(shapes: Shapes | Shape, transforms?: Elements | null, desc?: Partial<ModelDesc> | null, out?: ArrayBufferView): Records;
+    addBatch(shapes: Shapes | AnyShape, transforms?: Elements | null, desc?: Partial<ModelDesc> | null, out?: Elements): Records<number>;
     /** Remove a model. Its children stay where they are in the world and lose their parent. */
     remove(model: number): void;
     /** Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID. */
@@ -342,7 +484,7 @@ export class Scene {
     /** GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID. */
     has(model: number): void;
     /** Ids of all models, ascending. Kept when too many: the lowest. */
-    getModels(): Records;
+    getModels(): Records<number>;
     /** Kind, parent, layers, tag and number of children of a model. */
     getInfo(model: number): ModelInfo;
     /** World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position. */
@@ -357,74 +499,76 @@ export class Scene {
      * @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
      *                    changed so that the world transform stays (within float32 rounding)
      * @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants */
-    setParent(model: number, parent: number, keep_world: number): void;
+    setParent(model: number, parent: number, keep_world: boolean | number): void;
     /** Set one local transform. Descendants follow. Cost: O(log n) for each model that moves. */
-    setTransform(model: number, transform: Transform): void;
+    setTransform(model: number, transform: Given<Transform>): void;
     /** Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
      * that moves when few move, O(n) when many do. */
     setTransforms(models: Elements, transforms: Elements): void;
     /** Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
      * that moves when few move, O(n) when many do. */
-    getTransforms(models: Elements, out?: ArrayBufferView): Records;
+    getTransforms(models: Elements, out?: Elements): Records<Transform>;
     /** Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
      * that moves when few move, O(n) when many do. */
-    getWorldTransforms(models: Elements, out?: ArrayBufferView): Records;
+    getWorldTransforms(models: Elements, out?: Elements): Records<Transform>;
     /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
      * @return GPHYS_OK or GPHYS_NO_HIT */
-    raycast(ray: Ray, layers?: number): Hit | null;
+    raycast(ray: Given<Ray>, layers?: number): Hit | null;
     /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
      * @return GPHYS_OK or GPHYS_NO_HIT */
-    raycastBatch(rays: Elements, layers?: number, out?: ArrayBufferView): Records;
+    raycastBatch(rays: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit. */
-    raycastAny(ray: Ray, layers?: number): boolean;
+    raycastAny(ray: Given<Ray>, layers?: number): boolean;
     /** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit. */
-    raycastAnyBatch(rays: Elements, layers?: number, out?: ArrayBufferView): Records;
+    raycastAnyBatch(rays: Elements, layers?: number, out?: Elements): Records<number>;
     /** Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
      * the first. */
-    raycastAll(ray: Ray, layers?: number): Records;
+    raycastAll(ray: Given<Ray>, layers?: number): Records<Hit>;
     /** The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
      * @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
      *                     room. Where a ray's range crosses capacity, its first hits are written.
      * What stands in out_hits behind the last hit afterwards is unspecified.
      * @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity */
-    raycastAllBatch(rays: Elements, layers?: number): { values: Records; offsets: Uint32Array };
+    raycastAllBatch(rays: Elements, layers?: number): { values: Records<Hit>; offsets: Uint32Array };
     /** Closest model along a segment from a to b, both included; t in 0..1. */
-    segmentTest(segment: Segment, layers?: number): Hit | null;
+    segmentTest(segment: Given<Segment>, layers?: number): Hit | null;
     /** Closest model along a segment from a to b, both included; t in 0..1. */
-    segmentTestBatch(segments: Elements, layers?: number, out?: ArrayBufferView): Records;
+    segmentTestBatch(segments: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
      * ascending. Kept when too many: the lowest. */
-    overlap(shape: Shape, layers?: number): Records;
+    overlap(shape: AnyShape, layers?: number): Records<number>;
     /** Offsets as in gphys_scene_raycast_all_batch. */
-    overlapBatch(shapes: Shapes | Shape, layers?: number): { values: Records; offsets: Uint32Array };
+    overlapBatch(shapes: Shapes | AnyShape, layers?: number): { values: Records<number>; offsets: Uint32Array };
     /** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
      * own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
      * per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
      * too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
      * as scratch memory to order them. */
-    cull(frustum: Frustum, layers?: number): Records;
+    cull(frustum: Given<Frustum>, layers?: number): Records<number>;
     /** The model nearest to a point, and its closest point.
      * @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
      * @return GPHYS_OK or GPHYS_NO_HIT */
-    nearest(point: ArrayLike<number>, max_distance: number, layers?: number): Nearest | null;
+    nearest(point: Given<number[]>, max_distance: number, layers?: number): Nearest | null;
     /** The model nearest to a point, and its closest point.
      * @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
      * @return GPHYS_OK or GPHYS_NO_HIT */
-    nearestBatch(points: Elements, max_distance: number, layers?: number, out?: ArrayBufferView): Records;
+    nearestBatch(points: Elements, max_distance: number, layers?: number, out?: Elements): Records<Nearest>;
     /** First model that a sphere touches while it moves by displacement; t in 0..1.
      * Fields as in gphys_shape_sweep_sphere. */
-    sweepSphere(sphere: Sphere, displacement: ArrayLike<number>, layers?: number): Hit | null;
+    sweepSphere(sphere: Given<Sphere>, displacement: Given<number[]>, layers?: number): Hit | null;
     /** First model that a sphere touches while it moves by displacement; t in 0..1.
      * Fields as in gphys_shape_sweep_sphere. */
-    sweepSphereBatch(spheres: Elements, displacements: Elements, layers?: number, out?: ArrayBufferView): Records;
+    sweepSphereBatch(spheres: Elements, displacements: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Cost: O(nodes). */
     getOctreeStats(): OctreeStats;
     /** Boxes of the tree, each parent before its children. Kept when too many: the first. */
-    getOctreeBoxes(): Records;
+    getOctreeBoxes(): Records<OctreeBox>;
     /** Check the scene's own structure: every model once in the tree, every box around its content,
      * parents and children in agreement, free slots free. For tests; O(n).
      * @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong */
     validate(): void;
+    /** The shape of a model, in its own coordinates; not of a mesh. */
+    getShape(model: number): Shape;
 }
 /** @param desc  may be NULL */
 export class Camera {
@@ -436,7 +580,7 @@ export class Camera {
      * scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT. */
     setOrigin(origin: ArrayLike<number>): void;
     /** Where in the world the camera's coordinates count from. */
-    getOrigin(): Records;
+    getOrigin(): number[];
     /** @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
      * @param near_distance  > 0
      * @param far_distance   > near_distance; INFINITY allowed */
@@ -449,33 +593,33 @@ export class Camera {
      * @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
      *         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
      *         the matrix is for another depth range */
-    setProjection(projection: ArrayLike<number>): void;
+    setProjection(projection: Given<number[]>): void;
     /** The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height. */
     setViewport(width: number, height: number): void;
     /** Place the camera. */
-    setTransform(position: ArrayLike<number>, rotation: ArrayLike<number>): void;
+    setTransform(position: Given<number[]>, rotation: Given<number[]>): void;
     /** Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
      * kept, then up), so that a matrix which drifted is mended.
      * @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
      *         they mirror or the last row is not 0 0 0 1 */
-    setWorldMatrix(world: ArrayLike<number>): void;
+    setWorldMatrix(world: Given<number[]>): void;
     /** Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
      * chosen in its place, always the same for the same input.
      * @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero */
-    lookAt(eye: ArrayLike<number>, target: ArrayLike<number>, up: ArrayLike<number>): void;
+    lookAt(eye: Given<number[]>, target: Given<number[]>, up: Given<number[]>): void;
     /** Where the camera stands and how it is turned. */
-    getTransform(): [ArrayLike<number>, ArrayLike<number>];
+    getTransform(): [number[], number[]];
     /** Camera to world. */
-    getWorldMatrix(): ArrayLike<number>;
+    getWorldMatrix(): number[];
     /** World to camera: the transpose of the orthonormal world axes, and the position through them. */
-    getViewMatrix(): ArrayLike<number>;
+    getViewMatrix(): number[];
     /** Camera to clip space. */
-    getProjectionMatrix(): ArrayLike<number>;
+    getProjectionMatrix(): number[];
     /** Projection * view, multiplied in double precision and rounded once. */
-    getViewProjectionMatrix(): ArrayLike<number>;
+    getViewProjectionMatrix(): number[];
     /** Start orbiting with these settings; places the camera at once and drops pending input. An angle
      * or a distance outside its limits is brought inside. */
-    setOrbit(orbit: Orbit): void;
+    setOrbit(orbit: Given<Orbit>): void;
     /** The present settings, angles and distance.
      * @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit */
     getOrbit(): Orbit;
@@ -494,20 +638,20 @@ export class Camera {
     getFrustum(): Frustum;
     /** World positions of its corners, in the order of gphys_frustum_corners.
      * @return GPHYS_UNBOUNDED with an infinite far plane */
-    getCorners(): Records | null;
+    getCorners(): number[][] | null;
     /** World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
      * depth in the camera's range.
      * @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
      *         image lies beyond the range of coordinates */
-    project(point: ArrayLike<number>): ArrayLike<number> | null;
+    project(point: Given<number[]>): number[] | null;
     /** The same for count points; a point without an image gets x = y = z = INFINITY. */
-    projectBatch(points: Elements, out?: ArrayBufferView): Records;
+    projectBatch(points: Elements, out?: Elements): Records<number[]>;
     /** Pixel and depth to world point: the inverse of gphys_camera_project.
      * @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
      *         beyond the range of coordinates */
-    unproject(pixel: ArrayLike<number>): ArrayLike<number> | null;
+    unproject(pixel: Given<number[]>): number[] | null;
     /** The same for count pixels; one at infinity gets x = y = z = INFINITY. */
-    unprojectBatch(pixels: Elements, out?: ArrayBufferView): Records;
+    unprojectBatch(pixels: Elements, out?: Elements): Records<number[]>;
     /** The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
      * on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
      * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
@@ -517,19 +661,19 @@ export class Camera {
      * @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections) */
     pickRay(pixel_x: number, pixel_y: number): Ray | null;
     /** Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32. */
-    pickRays(x: number, y: number, width: number, height: number, out?: ArrayBufferView): Records;
+    pickRays(x: number, y: number, width: number, height: number, out?: Elements): Records<Ray>;
     /** The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
      * float32; t is in metres.
      * @return GPHYS_OK or GPHYS_NO_HIT */
     pick(scene: Scene, pixel_x: number, pixel_y: number, layers?: number): Hit | null;
     /** The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches. */
-    pickBatch(scene: Scene, pixels: Elements, layers?: number, out?: ArrayBufferView): Records;
+    pickBatch(scene: Scene, pixels: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
      * rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
      * @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area */
-    pickRectangle(scene: Scene, x0: number, y0: number, x1: number, y1: number, layers?: number): Records;
+    pickRectangle(scene: Scene, x0: number, y0: number, x1: number, y1: number, layers?: number): Records<number>;
     /** gphys_scene_cull with the camera's frustum. */
-    cull(scene: Scene, layers?: number): Records;
+    cull(scene: Scene, layers?: number): Records<number>;
 }
 /** @param desc  may be NULL */
 export class Solver {
@@ -542,9 +686,9 @@ export class Solver {
      * GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles). */
     setOrigin(origin: ArrayLike<number>): void;
     /** Where in the world the particles' coordinates count from. */
-    getOrigin(): Records;
+    getOrigin(): number[];
     /** m/s^2, from the next step on. */
-    setGravity(gravity: ArrayLike<number>): void;
+    setGravity(gravity: Given<number[]>): void;
     /** 1 .. 1000. More substeps: smaller errors, proportionally more time. */
     setSubsteps(substeps: number): void;
     /** Add particles without constraints.
@@ -558,31 +702,31 @@ export class Solver {
     /** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
      * corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
      * @param columns, rows  >= 2 */
-    addCloth(corner: ArrayLike<number>, edge_u: ArrayLike<number>, edge_v: ArrayLike<number>, columns: number, rows: number, desc?: Partial<BodyDesc> | null): number;
+    addCloth(corner: Given<number[]>, edge_u: Given<number[]>, edge_v: Given<number[]>, columns: number, rows: number, desc?: Partial<BodyDesc> | null): number;
     /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
      * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
      * @param transform  places the mesh; may be NULL */
-    addClothMesh(mesh: Mesh, transform?: Transform | null, desc?: Partial<BodyDesc> | null): number;
+    addClothMesh(mesh: Mesh, transform?: Given<Transform> | null, desc?: Partial<BodyDesc> | null): number;
     /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
      * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
      * @param transform  places the mesh; may be NULL */
     removeBody(body: number): void;
     /** Ids of all bodies, ascending. Kept when too many: the lowest. */
-    getBodies(): Records;
+    getBodies(): Records<number>;
     /** What a body is made of and how it is solved. */
     getBodyInfo(body: number): BodyInfo;
     /** Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles. */
-    getTriangles(body: number): Records;
+    getTriangles(body: number): Records<number>;
     /** Metres. */
-    getPositions(body: number, first: number, count: number, out?: ArrayBufferView): Records;
+    getPositions(body: number, first: number, count: number, out?: Elements): Records<number[]>;
     /** Moves particles there at once and without collision on the way; velocities stay as they are. */
     setPositions(body: number, first: number, positions: Elements): void;
     /** m/s */
-    getVelocities(body: number, first: number, count: number, out?: ArrayBufferView): Records;
+    getVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
     /** m/s */
     setVelocities(body: number, first: number, velocities: Elements): void;
     /** kg, > 0. A pinned particle keeps its mass for the time when it is released. */
-    getMasses(body: number, first: number, count: number, out?: ArrayBufferView): Records;
+    getMasses(body: number, first: number, count: number, out?: Elements): Records<number>;
     /** kg, > 0. A pinned particle keeps its mass for the time when it is released. */
     setMasses(body: number, first: number, masses: Elements): void;
     /** Collision radius, metres, >= 0. */
@@ -591,11 +735,11 @@ export class Solver {
     setForces(body: number, first: number, forces: Elements): void;
     /** Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
      * gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment. */
-    setPinned(body: number, first: number, count: number, pinned: number): void;
+    setPinned(body: number, first: number, count: number, pinned: boolean | number): void;
     /** Fix a particle to a model: it follows the model's transform in each step, and is released when
      * the model is gone. Steps must then be given this scene.
      * @param local_point  in the model's coordinates; NULL: where the particle is now */
-    attach(scene: Scene, body: number, particle: number, model: number, local_point?: ArrayLike<number> | null): void;
+    attach(scene: Scene, body: number, particle: number, model: number, local_point?: Given<number[]> | null): void;
     /** Release an attached particle.
      * @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached */
     detach(body: number, particle: number): void;
@@ -610,7 +754,7 @@ export class Solver {
      * @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one */
     removeConstraint(body: number, constraint: number): void;
     /** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest. */
-    getConstraints(body: number): Records;
+    getConstraints(body: number): Records<ConstraintInfo>;
     /** Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
      * than 25 ms.
      * @param scene  to collide with and to follow attachments; NULL: none. Not modified.
@@ -627,7 +771,7 @@ export class Solver {
     /** @param body  0: all bodies together.  Cost: O(particles + constraints). */
     getStats(body: number): SolverStats;
     /** Contacts of the last step by body, particle, model. Kept when too many: the first. */
-    getContacts(): Records;
+    getContacts(): Records<Contact>;
     /** Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
      * that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
      * @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
@@ -635,7 +779,7 @@ export class Solver {
      *                   be stored, but not changed.
      * @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
      * Cost: O(particles + constraints), some 50 words for each. */
-    getSnapshot(): Records;
+    getSnapshot(): Records<number>;
     /** Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
      * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
      * too, is as it was.
@@ -646,54 +790,54 @@ export class Solver {
     /** A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
      * different ones differ with near certainty (not against an adversary). Compare it between machines
      * that simulate the same, to see when they part. Cost: O(particles + constraints). */
-    getHash(): Records;
+    getHash(): number[];
 }
 /** Whether the shape fulfils the ranges beside its struct.
  * @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field. */
-export function validate(shape: Shape): void;
+export function validate(shape: AnyShape): void;
 /** The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
  * @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
  *         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum */
-export function bounds(shape: Shape): Aabb | null;
+export function bounds(shape: AnyShape): Aabb | null;
 /** Whether the point is within tolerance metres of the shape (solid or surface).
  * With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
  * axes are those of its rotation in double precision).
  * @param tolerance  >= 0
  * @param out_contains  0 or 1 */
-export function contains(shape: Shape, point: ArrayLike<number>, tolerance: number): boolean;
+export function contains(shape: AnyShape, point: Given<number[]>, tolerance: number): boolean;
 /** Whether the point is within tolerance metres of the shape (solid or surface).
  * With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
  * axes are those of its rotation in double precision).
  * @param tolerance  >= 0
  * @param out_contains  0 or 1 */
-export function containsBatch(shape: Shape, points: Elements, tolerance: number, out?: ArrayBufferView): Records;
+export function containsBatch(shape: AnyShape, points: Elements, tolerance: number, out?: Elements): Records<number>;
 /** The point of the shape that is closest to the given point: the point itself inside a solid.
  * Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
  * coordinate difference. If several are equally close, one of them,
  * always the same. For a ray, t is limited by t_max.
  * @return GPHYS_NO_HIT only for an empty mesh or an empty frustum. */
-export function closestPoint(shape: Shape, point: ArrayLike<number>): Nearest | null;
+export function closestPoint(shape: AnyShape, point: Given<number[]>): Nearest | null;
 /** The same for count points. An element for which there is none gets distance INFINITY. */
-export function closestPointBatch(shape: Shape, points: Elements, out?: ArrayBufferView): Records;
+export function closestPointBatch(shape: AnyShape, points: Elements, out?: Elements): Records<Nearest>;
 /** The closest points of two segments and their distance. Parallel segments have many: the first
  * along a, always the same. out_a, out_b, out_distance may each be NULL. */
-export function segmentClosestPoints(a: Segment, b: Segment): [ArrayLike<number>, ArrayLike<number>, number];
+export function segmentClosestPoints(a: Given<Segment>, b: Given<Segment>): [number[], number[], number];
 /** Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
  * triangle, frustum and mesh, in either order.
  * A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
  * Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
  * precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
  * @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test). */
-export function overlaps(a: Shape, b: Shape): boolean;
+export function overlaps(a: AnyShape, b: AnyShape): boolean;
 /** Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0. */
-export function overlapsBatch(a: Shapes | Shape, b: Shapes | Shape, out?: ArrayBufferView): Records;
+export function overlapsBatch(a: Shapes | AnyShape, b: Shapes | AnyShape, out?: Elements): Records<number>;
 /** Classify a sphere, capsule, AABB, OBB or triangle against a plane.
  * @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
  *                             behind, 0 when crossing; may be NULL */
-export function classifyPlane(shape: Shape, plane: Plane): [number, number];
+export function classifyPlane(shape: AnyShape, plane: Given<Plane>): [number, number];
 /** Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
  * that no point is shared, inside that the frustum holds the whole shape. */
-export function classifyFrustum(shape: Shape, frustum: Frustum): number;
+export function classifyFrustum(shape: AnyShape, frustum: Given<Frustum>): number;
 /** First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
  * Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
  * shared edge or vertex always meets one of the triangles there.
@@ -701,15 +845,15 @@ export function classifyFrustum(shape: Shape, frustum: Frustum): number;
  * and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
  * smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
  * @return GPHYS_OK or GPHYS_NO_HIT */
-export function raycast(shape: Shape, ray: Ray): Hit | null;
+export function raycast(shape: AnyShape, ray: Given<Ray>): Hit | null;
 /** The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
  * element.  @return GPHYS_OK */
-export function raycastBatch(shape: Shape, rays: Elements, out?: ArrayBufferView): Records;
+export function raycastBatch(shape: AnyShape, rays: Elements, out?: Elements): Records<Hit>;
 /** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
  * A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
  * then is met from no direction, the normal is zero.
  * @return GPHYS_OK or GPHYS_NO_HIT */
-export function segmentTest(shape: Shape, segment: Segment): Hit | null;
+export function segmentTest(shape: AnyShape, segment: Given<Segment>): Hit | null;
 /** First contact of a sphere that moves by displacement (which may be zero) with a sphere,
  * capsule, AABB, OBB, plane, triangle, frustum or mesh.
  * @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
@@ -719,16 +863,16 @@ export function segmentTest(shape: Shape, segment: Segment): Hit | null;
  * Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
  * Cost: a frustum, approached step by step, takes about 10 us.
  * @return GPHYS_OK or GPHYS_NO_HIT */
-export function sweepSphere(shape: Shape, sphere: Sphere, displacement: ArrayLike<number>): Hit | null;
+export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement: Given<number[]>): Hit | null;
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  * left-bottom, right-bottom, right-top, left-top.
  * @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane) */
-export function frustumCorners(frustum: Frustum): Records | null;
+export function frustumCorners(frustum: Given<Frustum>): number[][] | null;
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
  * origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
  * @param reverse_z  0: near has the low depth; 1: near has the high depth
  * @return GPHYS_ERROR_SINGULAR if the matrix has no volume */
-export function frustumFromMatrix(view_projection: ArrayLike<number>, depth_range: number, reverse_z: number): Frustum;
+export function frustumFromMatrix(view_projection: Given<number[]>, depth_range: number, reverse_z: boolean | number): Frustum;
 /** Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
  * @param vertices       vertex_count elements of 3 floats
  * @param vertex_stride  bytes between vertices, at least 12

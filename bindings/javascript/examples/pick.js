@@ -1,7 +1,6 @@
 // What a camera sees: culling, picking, marquee, orbit.
-'use strict';
-const assert = require('assert');
-const gp = require('..');
+import assert from 'node:assert';
+import * as gp from 'gamephys';
 
 const scene = new gp.Scene();
 const spheres = new Float32Array([-4, 0, 9, 1.5, 0, 0, 9, 1.5, 4, 0, 9, 1.5, 0, 0, -50, 2]);

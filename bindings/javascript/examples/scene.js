@@ -1,7 +1,6 @@
 // A scene and questions to it, one by one and in a batch.
-'use strict';
-const assert = require('assert');
-const gp = require('..');
+import assert from 'node:assert';
+import * as gp from 'gamephys';
 
 const scene = new gp.Scene();
 const ground = scene.add(gp.plane([0, 1, 0], 0));

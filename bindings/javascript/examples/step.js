@@ -1,7 +1,6 @@
 // A rope with a weight, and a cloth that falls over a ball.
-'use strict';
-const assert = require('assert');
-const gp = require('..');
+import assert from 'node:assert';
+import * as gp from 'gamephys';
 
 const scene = new gp.Scene();
 scene.add(gp.plane([0, 1, 0], 0));

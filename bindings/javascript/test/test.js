@@ -1,8 +1,8 @@
-// The Node package: batches against single calls, errors, ownership.
-'use strict';
-const assert = require('assert');
-const test = require('node:test');
-const gp = require('..');
+// The package, as native library or as WebAssembly (node --conditions=browser): batches against single
+// calls, memory, errors, ownership.
+import assert from 'node:assert';
+import test from 'node:test';
+import * as gp from 'gamephys';
 
 function someScene() {
     const scene = new gp.Scene();
@@ -63,11 +63,113 @@ test('use after close is an error, and closing again is not', () => {
 test('origins are doubles', () => {
     const scene = new gp.Scene();
     scene.setOrigin([1e9 + 0.5, 0, 0]);
-    assert.deepStrictEqual(Array.from(scene.getOrigin().f64), [1e9 + 0.5, 0, 0]);
+    assert.deepStrictEqual(scene.getOrigin(), [1e9 + 0.5, 0, 0]);
 });
 
 test('a mesh is a shape of free functions too', () => {
     const mesh = new gp.Mesh(new Float32Array([-1, -1, 5, 1, -1, 5, 0, 1, 5]), new Uint32Array([0, 1, 2]));
     assert.strictEqual(gp.raycast(mesh, [[0, 0, 0], [0, 0, 1], 100]).t, 5);
     assert.strictEqual(gp.overlaps(mesh, gp.sphere([0, 0, 4], 1.5)), true);
+});
+
+test('each kind of shape is what it was made from', () => {
+    const scene = new gp.Scene();
+    const ball = scene.add(gp.sphere([1, 2, 3], 4));
+    assert.deepStrictEqual(scene.getShape(ball).value, { center: [1, 2, 3], radius: 4 });
+    const box = scene.add(gp.aabb({ x: -1, y: -2, z: -3 }, [1, 2, 3]));
+    assert.deepStrictEqual(scene.getShape(box).value, { min: [-1, -2, -3], max: [1, 2, 3] });
+    const mesh = scene.add(new gp.Mesh(new Float32Array(9), new Uint32Array([0, 1, 2])));
+    assert.throws(() => scene.getShape(mesh), gp.GamephysError);
+    const { frustum } = gp;
+    const seen = new gp.Camera().getFrustum();
+    assert.deepStrictEqual(frustum(seen.origin, seen.planes).value, seen);
+});
+
+test('a shape is moved, and a box turned', () => {
+    const quarter = [0, Math.SQRT1_2, 0, Math.SQRT1_2]; // about y: z becomes x
+    const moved = gp.transform(gp.aabb([0, 0, 0], [1, 2, 4]), [[10, 0, 0], quarter, 2]);
+    assert.strictEqual(moved.kind, 'obb');
+    assert.deepEqual(gp.bounds(moved), { min: [10, 0, -2], max: [18, 4, 0] });
+    assert.deepEqual(gp.transform(gp.sphere([0, 0, 1], 1), [[0, 0, 0], quarter, 3]).value, { center: [3, 0, 0], radius: 3 });
+});
+
+test('one mesh against many shapes', () => {
+    const mesh = new gp.Mesh(new Float32Array([-1, 0, -1, 1, 0, -1, 0, 0, 1]), new Uint32Array([0, 1, 2]));
+    const balls = gp.shapes('sphere', new Float32Array([0, 2, 0, 1.5, 0, 2, 0, 2.5, 9, 0, 0, 1]));
+    assert.deepStrictEqual(Array.from(gp.overlapsBatch(mesh, balls).i32), [0, 1, 0]);
+    assert.throws(() => gp.overlapsBatch(mesh, mesh), RangeError);
+});
+
+test('records are written and read in place', () => {
+    const rays = gp.records('ray', 100);
+    const hits = gp.records('hit', 100);
+    for (let i = 0; i < 100; ++i) rays.set(i, { origin: [0.05 * i, 0, -5], direction: [0, 0, 1], t_max: Infinity });
+    assert.strictEqual(rays.f32[7 * 3], Math.fround(0.15));
+    const scene = new gp.Scene();
+    scene.add(gp.sphere([0, 0, 0], 1));
+    assert.strictEqual(scene.raycastBatch(rays, undefined, hits), hits);
+    assert.deepStrictEqual([...hits].map((hit) => hit.model !== 0), Array.from({ length: 100 }, (_, i) => 0.05 * i <= 1));
+    assert.throws(() => hits.get(100), RangeError);
+    assert.throws(() => gp.records('raygun', 1), TypeError);
+    for (const records of [rays, hits]) records.close();
+});
+
+test('records outlive growth of memory, and views that do not are refused', () => {
+    const scene = new gp.Scene();
+    scene.add(gp.sphere([0, 0, 0], 1));
+    const ray = gp.records('ray', 1);
+    ray.set(0, [[0, 0, -5], [0, 0, 1], Infinity]);
+    const hit = gp.records('hit', 1);
+    const kept = ray.f32;
+    const results = scene.raycastBatch(ray, undefined, hit.f32);
+    const more = Array.from({ length: 8 }, () => gp.records('hit', 1 << 20)); // 436 MB
+    assert.strictEqual(ray.f32[2], -5);
+    assert.strictEqual(results.get(0).t, 4);
+    if (kept.length === 0) assert.throws(() => scene.raycastBatch(kept), TypeError);
+    // Growth while a call takes its arrays: a copied one, and results beside.
+    const rays = new Float32Array(7 << 20);
+    for (let i = 0; i < rays.length; i += 7) rays.set([0, 0, -5, 0, 0, 1, Infinity], i);
+    const hits = scene.raycastBatch(rays, undefined, more[0].f32);
+    assert.strictEqual(hits.get((1 << 20) - 1).t, 4);
+    assert.strictEqual(more[0].get((1 << 20) - 1).t, 4);
+    more.forEach((records) => records.close());
+});
+
+test('a list is as long as it is', () => {
+    const scene = new gp.Scene();
+    const ids = scene.addBatch(gp.shapes('sphere', new Float32Array(4 * 70000))).u32;
+    assert.deepStrictEqual(scene.getModels().u32, ids);
+    scene.removeBatch(ids.subarray(1));
+    assert.deepStrictEqual(scene.getModels().u32, ids.slice(0, 1));
+    const rays = new Float32Array([0, 0, -5, 0, 0, 1, 9, 0, 0, 5, 0, 0, 1, 9]);
+    const { values, offsets } = scene.raycastAllBatch(rays);
+    assert.deepStrictEqual(Array.from(offsets), [0, 1, 1]);
+    assert.strictEqual(values.get(0).t, 5);
+});
+
+test('settings start from the defaults, and the library is named', () => {
+    const camera = new gp.Camera({ handedness: gp.RIGHT_HANDED, viewport_width: 100, viewport_height: 50 });
+    assert.deepStrictEqual(camera.project([0, 0, -1]).slice(0, 2), [50, 25]);
+    const orbit = { ...gp.defaultOrbit(), distance: 7 };
+    camera.setOrbit(orbit);
+    assert.deepStrictEqual(camera.getOrbit(), orbit);
+    assert.match(gp.version(), /^\d+\.\d+\.\d+$/);
+    assert.strictEqual(gp.statusName(gp.NO_HIT), 'GPHYS_NO_HIT');
+});
+
+test('objects of another kind are refused', () => {
+    const scene = new gp.Scene();
+    const camera = new gp.Camera();
+    assert.throws(() => camera.cull(camera), TypeError);
+    assert.throws(() => new gp.Solver().step(camera, 0.01), TypeError);
+    assert.throws(() => scene.add(camera), TypeError);
+    new gp.Solver().step(null, 0.01);
+});
+
+test('memory of objects that nothing refers to comes back', { skip: !globalThis.gc && 'needs --expose-gc' }, async () => {
+    for (let round = 0; round < 40; ++round) {
+        for (let i = 0; i < 8; ++i) gp.records('hit', 1 << 20); // 40 rounds hold 17 GB, more than there is of WebAssembly's
+        globalThis.gc();
+        await new Promise((resolve) => setTimeout(resolve));
+    }
 });

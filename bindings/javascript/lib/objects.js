@@ -1,0 +1,702 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+import { ALL_LAYERS, OK } from './constants.js';
+import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writePlane, writeQuat, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
+import { Shape, runtime } from './runtime.js';
+
+/** Everything of the library but constants, over one way to reach its memory and functions. */
+export function objects(memory) {
+    const { native, v, base, Handle, begin, check, common, finish, input, inputShapes, list, made, nothing, numbers,
+        output, pass, pointer, putShape, ragged, typeOf, more } = runtime(memory);
+
+    class Mesh extends Handle {
+        constructor(vertices, indices, desc) {
+            super(() => {
+                begin();
+                if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 16 : 8)); writeMeshDesc(v, 0, desc); }
+                const vertices_ = input(vertices, 12, 'vertices');
+                const indices_ = input(indices, 4, 'indices');
+                check(native.gphys_mesh_create(desc == null ? 0 : base, pass(vertices_), 12, vertices_.length, pass(indices_), indices_.numbers, base + 16));
+                return made(16);
+            }, native.gphys_mesh_destroy);
+        }
+        getReport() {
+            check(native.gphys_mesh_get_report(this.pointer, base));
+            return readMeshReport(v, 0);
+        }
+        getVertices() {
+            begin();
+            return list('vec3', 0, (room, capacity) => native.gphys_mesh_get_vertices(this.pointer, room, capacity, base));
+        }
+        getIndices() {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_mesh_get_indices(this.pointer, room, capacity, base));
+        }
+        raycastAll(ray) {
+            begin();
+            writeRay(v, 0, ray);
+            return list('hit', 7, (room, capacity) => native.gphys_mesh_raycast_all(this.pointer, base, room, capacity, base + 28));
+        }
+        raycastAny(ray) {
+            writeRay(v, 0, ray);
+            check(native.gphys_mesh_raycast_any(this.pointer, base, base + 28));
+            return v.i32[7] !== 0;
+        }
+        overlap(shape) {
+            begin();
+            return list('uint32_t', 27, (room, capacity) => native.gphys_mesh_overlap(this.pointer, typeOf(shape), putShape(shape, 0), room, capacity, base + 108));
+        }
+        getOctreeStats() {
+            check(native.gphys_mesh_get_octree_stats(this.pointer, base));
+            return readOctreeStats(v, 0);
+        }
+        getOctreeBoxes() {
+            begin();
+            return list('octree_box', 0, (room, capacity) => native.gphys_mesh_get_octree_boxes(this.pointer, room, capacity, base));
+        }
+    }
+    class Scene extends Handle {
+        constructor(desc) {
+            super(() => {
+                if (desc != null) { check(native.gphys_scene_desc_init(base, v.wide ? 40 : 20)); writeSceneDesc(v, 0, desc); }
+                check(native.gphys_scene_create(desc == null ? 0 : base, base + 40));
+                return made(40);
+            }, native.gphys_scene_destroy);
+        }
+        setOrigin(origin) {
+            numbers(v.f64, 0, origin, 3, 'origin');
+            check(native.gphys_scene_set_origin(this.pointer, base));
+        }
+        getOrigin() {
+            check(native.gphys_scene_get_origin(this.pointer, base));
+            return [v.f64[0], v.f64[1], v.f64[2]];
+        }
+        add(shape, transform, desc) {
+            if (transform != null) { writeTransform(v, 28, transform); }
+            if (desc != null) { check(native.gphys_model_desc_init(base + 144, 16)); writeModelDesc(v, 36, desc); }
+            check(native.gphys_scene_add(this.pointer, typeOf(shape), putShape(shape, 0), transform == null ? 0 : base + 112, desc == null ? 0 : base + 144, base + 160));
+            return v.u32[40];
+        }
+        addBatch(shapes, transforms, desc, out) {
+            begin();
+            const shapes_ = inputShapes(shapes);
+            const transforms_ = transforms == null ? nothing : input(transforms, 32, 'transforms');
+            if (desc != null) { check(native.gphys_model_desc_init(base, 16)); writeModelDesc(v, 0, desc); }
+            const count = common(shapes_, transforms_);
+            const out_models_ = output(out, 'uint32_t', count);
+            check(native.gphys_scene_add_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(transforms_), transforms_.stride, count, desc == null ? 0 : base, pass(out_models_)));
+            return finish(out_models_);
+        }
+        remove(model) {
+            check(native.gphys_scene_remove(this.pointer, model));
+        }
+        removeBatch(models) {
+            begin();
+            const models_ = input(models, 4, 'models');
+            const count = common(models_);
+            check(native.gphys_scene_remove_batch(this.pointer, pass(models_), count));
+        }
+        removeSubtree(model) {
+            check(native.gphys_scene_remove_subtree(this.pointer, model));
+        }
+        clear() {
+            check(native.gphys_scene_clear(this.pointer));
+        }
+        has(model) {
+            check(native.gphys_scene_has(this.pointer, model));
+        }
+        getModels() {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_models(this.pointer, room, capacity, base));
+        }
+        getInfo(model) {
+            check(native.gphys_scene_get_info(this.pointer, model, base));
+            return readModelInfo(v, 0);
+        }
+        getBounds(model) {
+            if (check(native.gphys_scene_get_bounds(this.pointer, model, base)) !== OK) return null;
+            return readAabb(v, 0);
+        }
+        getSceneBounds() {
+            if (check(native.gphys_scene_get_scene_bounds(this.pointer, base)) !== OK) return null;
+            return readAabb(v, 0);
+        }
+        setLayers(model, layers = ALL_LAYERS) {
+            check(native.gphys_scene_set_layers(this.pointer, model, layers));
+        }
+        setTag(model, tag) {
+            check(native.gphys_scene_set_tag(this.pointer, model, tag));
+        }
+        setParent(model, parent, keep_world) {
+            check(native.gphys_scene_set_parent(this.pointer, model, parent, +keep_world));
+        }
+        setTransform(model, transform) {
+            writeTransform(v, 0, transform);
+            check(native.gphys_scene_set_transform(this.pointer, model, base));
+        }
+        setTransforms(models, transforms) {
+            begin();
+            const models_ = input(models, 4, 'models');
+            const transforms_ = input(transforms, 32, 'transforms');
+            const count = common(models_, transforms_);
+            check(native.gphys_scene_set_transforms(this.pointer, pass(models_), pass(transforms_), 32, count));
+        }
+        getTransforms(models, out) {
+            begin();
+            const models_ = input(models, 4, 'models');
+            const count = common(models_);
+            const out_transforms_ = output(out, 'transform', count);
+            check(native.gphys_scene_get_transforms(this.pointer, pass(models_), count, pass(out_transforms_), 32));
+            return finish(out_transforms_);
+        }
+        getWorldTransforms(models, out) {
+            begin();
+            const models_ = input(models, 4, 'models');
+            const count = common(models_);
+            const out_transforms_ = output(out, 'transform', count);
+            check(native.gphys_scene_get_world_transforms(this.pointer, pass(models_), count, pass(out_transforms_), 32));
+            return finish(out_transforms_);
+        }
+        raycast(ray, layers = ALL_LAYERS) {
+            writeRay(v, 0, ray);
+            if (check(native.gphys_scene_raycast(this.pointer, base, layers, base + 28)) !== OK) return null;
+            return readHit(v, 7);
+        }
+        raycastBatch(rays, layers = ALL_LAYERS, out) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            const count = common(rays_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_scene_raycast_batch(this.pointer, pass(rays_), 28, count, layers, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        raycastAny(ray, layers = ALL_LAYERS) {
+            writeRay(v, 0, ray);
+            check(native.gphys_scene_raycast_any(this.pointer, base, layers, base + 28));
+            return v.i32[7] !== 0;
+        }
+        raycastAnyBatch(rays, layers = ALL_LAYERS, out) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            const count = common(rays_);
+            const out_hits_ = output(out, 'int32_t', count);
+            check(native.gphys_scene_raycast_any_batch(this.pointer, pass(rays_), 28, count, layers, pass(out_hits_), 4));
+            return finish(out_hits_);
+        }
+        raycastAll(ray, layers = ALL_LAYERS) {
+            begin();
+            writeRay(v, 0, ray);
+            return list('hit', 7, (room, capacity) => native.gphys_scene_raycast_all(this.pointer, base, layers, room, capacity, base + 28));
+        }
+        raycastAllBatch(rays, layers = ALL_LAYERS) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            const count = common(rays_);
+            const offsets = output(undefined, 'uint32_t', count + 1);
+            const raysAt = pass(rays_);
+            const out_offsetsAt = pass(offsets);
+            return ragged('hit', offsets, (room, capacity) => native.gphys_scene_raycast_all_batch(this.pointer, raysAt, 28, count, layers, room, capacity, out_offsetsAt));
+        }
+        segmentTest(segment, layers = ALL_LAYERS) {
+            writeSegment(v, 0, segment);
+            if (check(native.gphys_scene_segment_test(this.pointer, base, layers, base + 24)) !== OK) return null;
+            return readHit(v, 6);
+        }
+        segmentTestBatch(segments, layers = ALL_LAYERS, out) {
+            begin();
+            const segments_ = input(segments, 24, 'segments');
+            const count = common(segments_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_scene_segment_test_batch(this.pointer, pass(segments_), 24, count, layers, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        overlap(shape, layers = ALL_LAYERS) {
+            begin();
+            return list('uint32_t', 27, (room, capacity) => native.gphys_scene_overlap(this.pointer, typeOf(shape), putShape(shape, 0), layers, room, capacity, base + 108));
+        }
+        overlapBatch(shapes, layers = ALL_LAYERS) {
+            begin();
+            const shapes_ = inputShapes(shapes);
+            const count = common(shapes_);
+            const offsets = output(undefined, 'uint32_t', count + 1);
+            const shapesAt = pass(shapes_);
+            const out_offsetsAt = pass(offsets);
+            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_overlap_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, layers, room, capacity, out_offsetsAt));
+        }
+        cull(frustum, layers = ALL_LAYERS) {
+            begin();
+            writeFrustum(v, 0, frustum);
+            return list('uint32_t', 27, (room, capacity) => native.gphys_scene_cull(this.pointer, base, layers, room, capacity, base + 108));
+        }
+        nearest(point, max_distance, layers = ALL_LAYERS) {
+            writeVec3(v, 0, point);
+            if (check(native.gphys_scene_nearest(this.pointer, base, max_distance, layers, base + 12)) !== OK) return null;
+            return readNearest(v, 3);
+        }
+        nearestBatch(points, max_distance, layers = ALL_LAYERS, out) {
+            begin();
+            const points_ = input(points, 12, 'points');
+            const count = common(points_);
+            const out_nearest_ = output(out, 'nearest', count);
+            check(native.gphys_scene_nearest_batch(this.pointer, pass(points_), 12, count, max_distance, layers, pass(out_nearest_), 28));
+            return finish(out_nearest_);
+        }
+        sweepSphere(sphere, displacement, layers = ALL_LAYERS) {
+            writeSphere(v, 0, sphere);
+            writeVec3(v, 4, displacement);
+            if (check(native.gphys_scene_sweep_sphere(this.pointer, base, base + 16, layers, base + 28)) !== OK) return null;
+            return readHit(v, 7);
+        }
+        sweepSphereBatch(spheres, displacements, layers = ALL_LAYERS, out) {
+            begin();
+            const spheres_ = input(spheres, 16, 'spheres');
+            const displacements_ = input(displacements, 12, 'displacements');
+            const count = common(spheres_, displacements_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_scene_sweep_sphere_batch(this.pointer, pass(spheres_), 16, pass(displacements_), 12, count, layers, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        getOctreeStats() {
+            check(native.gphys_scene_get_octree_stats(this.pointer, base));
+            return readOctreeStats(v, 0);
+        }
+        getOctreeBoxes() {
+            begin();
+            return list('octree_box', 0, (room, capacity) => native.gphys_scene_get_octree_boxes(this.pointer, room, capacity, base));
+        }
+        validate() {
+            check(native.gphys_scene_validate(this.pointer));
+        }
+    }
+    class Camera extends Handle {
+        constructor(desc) {
+            super(() => {
+                if (desc != null) { check(native.gphys_camera_desc_init(base, v.wide ? 40 : 28)); writeCameraDesc(v, 0, desc); }
+                check(native.gphys_camera_create(desc == null ? 0 : base, base + 40));
+                return made(40);
+            }, native.gphys_camera_destroy);
+        }
+        setOrigin(origin) {
+            numbers(v.f64, 0, origin, 3, 'origin');
+            check(native.gphys_camera_set_origin(this.pointer, base));
+        }
+        getOrigin() {
+            check(native.gphys_camera_get_origin(this.pointer, base));
+            return [v.f64[0], v.f64[1], v.f64[2]];
+        }
+        setPerspective(fov_y, near_distance, far_distance) {
+            check(native.gphys_camera_set_perspective(this.pointer, fov_y, near_distance, far_distance));
+        }
+        setOrthographic(height, near_distance, far_distance) {
+            check(native.gphys_camera_set_orthographic(this.pointer, height, near_distance, far_distance));
+        }
+        setProjection(projection) {
+            writeMat4(v, 0, projection);
+            check(native.gphys_camera_set_projection(this.pointer, base));
+        }
+        setViewport(width, height) {
+            check(native.gphys_camera_set_viewport(this.pointer, width, height));
+        }
+        setTransform(position, rotation) {
+            writeVec3(v, 0, position);
+            writeQuat(v, 4, rotation);
+            check(native.gphys_camera_set_transform(this.pointer, base, base + 16));
+        }
+        setWorldMatrix(world) {
+            writeMat4(v, 0, world);
+            check(native.gphys_camera_set_world_matrix(this.pointer, base));
+        }
+        lookAt(eye, target, up) {
+            writeVec3(v, 0, eye);
+            writeVec3(v, 4, target);
+            writeVec3(v, 8, up);
+            check(native.gphys_camera_look_at(this.pointer, base, base + 16, base + 32));
+        }
+        getTransform() {
+            check(native.gphys_camera_get_transform(this.pointer, base, base + 12));
+            return [readVec3(v, 0), readQuat(v, 3)];
+        }
+        getWorldMatrix() {
+            check(native.gphys_camera_get_world_matrix(this.pointer, base));
+            return readMat4(v, 0);
+        }
+        getViewMatrix() {
+            check(native.gphys_camera_get_view_matrix(this.pointer, base));
+            return readMat4(v, 0);
+        }
+        getProjectionMatrix() {
+            check(native.gphys_camera_get_projection_matrix(this.pointer, base));
+            return readMat4(v, 0);
+        }
+        getViewProjectionMatrix() {
+            check(native.gphys_camera_get_view_projection_matrix(this.pointer, base));
+            return readMat4(v, 0);
+        }
+        setOrbit(orbit) {
+            writeOrbit(v, 0, orbit);
+            check(native.gphys_camera_set_orbit(this.pointer, base));
+        }
+        getOrbit() {
+            check(native.gphys_camera_get_orbit(this.pointer, base));
+            return readOrbit(v, 0);
+        }
+        orbitRotate(units_x, units_y) {
+            check(native.gphys_camera_orbit_rotate(this.pointer, units_x, units_y));
+        }
+        orbitZoom(units) {
+            check(native.gphys_camera_orbit_zoom(this.pointer, units));
+        }
+        orbitPan(units_right, units_up) {
+            check(native.gphys_camera_orbit_pan(this.pointer, units_right, units_up));
+        }
+        orbitUpdate() {
+            check(native.gphys_camera_orbit_update(this.pointer));
+        }
+        getFrustum() {
+            check(native.gphys_camera_get_frustum(this.pointer, base));
+            return readFrustum(v, 0);
+        }
+        getCorners() {
+            if (check(native.gphys_camera_get_corners(this.pointer, base)) !== OK) return null;
+            return [readVec3(v, 0), readVec3(v, 3), readVec3(v, 6), readVec3(v, 9), readVec3(v, 12), readVec3(v, 15), readVec3(v, 18), readVec3(v, 21)];
+        }
+        project(point) {
+            writeVec3(v, 0, point);
+            if (check(native.gphys_camera_project(this.pointer, base, base + 12)) !== OK) return null;
+            return readVec3(v, 3);
+        }
+        projectBatch(points, out) {
+            begin();
+            const points_ = input(points, 12, 'points');
+            const count = common(points_);
+            const out_pixels_ = output(out, 'vec3', count);
+            check(native.gphys_camera_project_batch(this.pointer, pass(points_), 12, count, pass(out_pixels_), 12));
+            return finish(out_pixels_);
+        }
+        unproject(pixel) {
+            writeVec3(v, 0, pixel);
+            if (check(native.gphys_camera_unproject(this.pointer, base, base + 12)) !== OK) return null;
+            return readVec3(v, 3);
+        }
+        unprojectBatch(pixels, out) {
+            begin();
+            const pixels_ = input(pixels, 12, 'pixels');
+            const count = common(pixels_);
+            const out_points_ = output(out, 'vec3', count);
+            check(native.gphys_camera_unproject_batch(this.pointer, pass(pixels_), 12, count, pass(out_points_), 12));
+            return finish(out_points_);
+        }
+        pickRay(pixel_x, pixel_y) {
+            if (check(native.gphys_camera_pick_ray(this.pointer, pixel_x, pixel_y, base)) !== OK) return null;
+            return readRay(v, 0);
+        }
+        pickRays(x, y, width, height, out) {
+            begin();
+            const out_rays_ = output(out, 'ray', width * height);
+            check(native.gphys_camera_pick_rays(this.pointer, x, y, width, height, pass(out_rays_), 28));
+            return finish(out_rays_);
+        }
+        pick(scene, pixel_x, pixel_y, layers = ALL_LAYERS) {
+            if (check(native.gphys_camera_pick(this.pointer, pointer(scene, Scene, 'scene', false), pixel_x, pixel_y, layers, base)) !== OK) return null;
+            return readHit(v, 0);
+        }
+        pickBatch(scene, pixels, layers = ALL_LAYERS, out) {
+            begin();
+            const pixels_ = input(pixels, 8, 'pixels');
+            const count = common(pixels_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_camera_pick_batch(this.pointer, pointer(scene, Scene, 'scene', false), pass(pixels_), 8, count, layers, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        pickRectangle(scene, x0, y0, x1, y1, layers = ALL_LAYERS) {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_camera_pick_rectangle(this.pointer, pointer(scene, Scene, 'scene', false), x0, y0, x1, y1, layers, room, capacity, base));
+        }
+        cull(scene, layers = ALL_LAYERS) {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_camera_cull(this.pointer, pointer(scene, Scene, 'scene', false), layers, room, capacity, base));
+        }
+    }
+    class Solver extends Handle {
+        constructor(desc) {
+            super(() => {
+                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 40 : 32)); writeSolverDesc(v, 0, desc); }
+                check(native.gphys_solver_create(desc == null ? 0 : base, base + 40));
+                return made(40);
+            }, native.gphys_solver_destroy);
+        }
+        setOrigin(origin) {
+            numbers(v.f64, 0, origin, 3, 'origin');
+            check(native.gphys_solver_set_origin(this.pointer, base));
+        }
+        getOrigin() {
+            check(native.gphys_solver_get_origin(this.pointer, base));
+            return [v.f64[0], v.f64[1], v.f64[2]];
+        }
+        setGravity(gravity) {
+            writeVec3(v, 0, gravity);
+            check(native.gphys_solver_set_gravity(this.pointer, base));
+        }
+        setSubsteps(substeps) {
+            check(native.gphys_solver_set_substeps(this.pointer, substeps));
+        }
+        addParticles(positions, desc) {
+            begin();
+            if (desc != null) { check(native.gphys_body_desc_init(base, 40)); writeBodyDesc(v, 0, desc); }
+            const positions_ = input(positions, 12, 'positions');
+            const count = common(positions_);
+            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 40));
+            return v.u32[10];
+        }
+        addRope(positions, link_length, desc) {
+            begin();
+            if (desc != null) { check(native.gphys_body_desc_init(base, 40)); writeBodyDesc(v, 0, desc); }
+            const positions_ = input(positions, 12, 'positions');
+            const count = common(positions_);
+            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 40));
+            return v.u32[10];
+        }
+        addCloth(corner, edge_u, edge_v, columns, rows, desc) {
+            if (desc != null) { check(native.gphys_body_desc_init(base, 40)); writeBodyDesc(v, 0, desc); }
+            writeVec3(v, 10, corner);
+            writeVec3(v, 14, edge_u);
+            writeVec3(v, 18, edge_v);
+            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 40, base + 56, base + 72, columns, rows, base + 84));
+            return v.u32[21];
+        }
+        addClothMesh(mesh, transform, desc) {
+            if (desc != null) { check(native.gphys_body_desc_init(base, 40)); writeBodyDesc(v, 0, desc); }
+            if (transform != null) { writeTransform(v, 10, transform); }
+            check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 40, base + 72));
+            return v.u32[18];
+        }
+        removeBody(body) {
+            check(native.gphys_solver_remove_body(this.pointer, body));
+        }
+        getBodies() {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_bodies(this.pointer, room, capacity, base));
+        }
+        getBodyInfo(body) {
+            check(native.gphys_solver_get_body_info(this.pointer, body, base));
+            return readBodyInfo(v, 0);
+        }
+        getTriangles(body) {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_triangles(this.pointer, body, room, capacity, base));
+        }
+        getPositions(body, first, count, out) {
+            begin();
+            const out_positions_ = output(out, 'vec3', count);
+            check(native.gphys_solver_get_positions(this.pointer, body, first, count, pass(out_positions_), 12));
+            return finish(out_positions_);
+        }
+        setPositions(body, first, positions) {
+            begin();
+            const positions_ = input(positions, 12, 'positions');
+            const count = common(positions_);
+            check(native.gphys_solver_set_positions(this.pointer, body, first, count, pass(positions_), 12));
+        }
+        getVelocities(body, first, count, out) {
+            begin();
+            const out_velocities_ = output(out, 'vec3', count);
+            check(native.gphys_solver_get_velocities(this.pointer, body, first, count, pass(out_velocities_), 12));
+            return finish(out_velocities_);
+        }
+        setVelocities(body, first, velocities) {
+            begin();
+            const velocities_ = input(velocities, 12, 'velocities');
+            const count = common(velocities_);
+            check(native.gphys_solver_set_velocities(this.pointer, body, first, count, pass(velocities_), 12));
+        }
+        getMasses(body, first, count, out) {
+            begin();
+            const out_masses_ = output(out, 'float', count);
+            check(native.gphys_solver_get_masses(this.pointer, body, first, count, pass(out_masses_), 4));
+            return finish(out_masses_);
+        }
+        setMasses(body, first, masses) {
+            begin();
+            const masses_ = input(masses, 4, 'masses');
+            const count = common(masses_);
+            check(native.gphys_solver_set_masses(this.pointer, body, first, count, pass(masses_), 4));
+        }
+        setRadii(body, first, radii) {
+            begin();
+            const radii_ = input(radii, 4, 'radii');
+            const count = common(radii_);
+            check(native.gphys_solver_set_radii(this.pointer, body, first, count, pass(radii_), 4));
+        }
+        setForces(body, first, forces) {
+            begin();
+            const forces_ = input(forces, 12, 'forces');
+            const count = common(forces_);
+            check(native.gphys_solver_set_forces(this.pointer, body, first, count, pass(forces_), 12));
+        }
+        setPinned(body, first, count, pinned) {
+            check(native.gphys_solver_set_pinned(this.pointer, body, first, count, +pinned));
+        }
+        attach(scene, body, particle, model, local_point) {
+            if (local_point != null) { writeVec3(v, 0, local_point); }
+            check(native.gphys_solver_attach(this.pointer, pointer(scene, Scene, 'scene', false), body, particle, model, local_point == null ? 0 : base));
+        }
+        detach(body, particle) {
+            check(native.gphys_solver_detach(this.pointer, body, particle));
+        }
+        addDistance(body, particle_a, particle_b, rest_length, compliance) {
+            check(native.gphys_solver_add_distance(this.pointer, body, particle_a, particle_b, rest_length, compliance, base));
+            return v.u32[0];
+        }
+        removeConstraint(body, constraint) {
+            check(native.gphys_solver_remove_constraint(this.pointer, body, constraint));
+        }
+        getConstraints(body) {
+            begin();
+            return list('constraint_info', 0, (room, capacity) => native.gphys_solver_get_constraints(this.pointer, body, room, capacity, base));
+        }
+        step(scene, dt) {
+            check(native.gphys_solver_step(this.pointer, pointer(scene, Scene, 'scene', true), dt));
+        }
+        advance(scene, frame_time) {
+            check(native.gphys_solver_advance(this.pointer, pointer(scene, Scene, 'scene', true), frame_time, base, base + 4));
+            return [v.u32[0], v.f32[1]];
+        }
+        getStats(body) {
+            check(native.gphys_solver_get_stats(this.pointer, body, base));
+            return readSolverStats(v, 0);
+        }
+        getContacts() {
+            begin();
+            return list('contact', 0, (room, capacity) => native.gphys_solver_get_contacts(this.pointer, room, capacity, base));
+        }
+        getSnapshot() {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_snapshot(this.pointer, room, capacity, base));
+        }
+        restore(words) {
+            begin();
+            const words_ = input(words, 4, 'words');
+            const count = common(words_);
+            check(native.gphys_solver_restore(this.pointer, pass(words_), count));
+        }
+        getHash() {
+            check(native.gphys_solver_get_hash(this.pointer, base));
+            return [v.u32[0], v.u32[1]];
+        }
+    }
+    function validate(shape) {
+        check(native.gphys_shape_validate(typeOf(shape), putShape(shape, 0)));
+    }
+    function bounds(shape) {
+        if (check(native.gphys_shape_bounds(typeOf(shape), putShape(shape, 0), base + 108)) !== OK) return null;
+        return readAabb(v, 27);
+    }
+    function contains(shape, point, tolerance) {
+        writeVec3(v, 28, point);
+        check(native.gphys_shape_contains(typeOf(shape), putShape(shape, 0), base + 112, tolerance, base + 124));
+        return v.i32[31] !== 0;
+    }
+    function containsBatch(shape, points, tolerance, out) {
+        begin();
+        const points_ = input(points, 12, 'points');
+        const count = common(points_);
+        const out_contains_ = output(out, 'int32_t', count);
+        check(native.gphys_shape_contains_batch(typeOf(shape), putShape(shape, 0), pass(points_), 12, count, tolerance, pass(out_contains_), 4));
+        return finish(out_contains_);
+    }
+    function closestPoint(shape, point) {
+        writeVec3(v, 28, point);
+        if (check(native.gphys_shape_closest_point(typeOf(shape), putShape(shape, 0), base + 112, base + 124)) !== OK) return null;
+        return readNearest(v, 31);
+    }
+    function closestPointBatch(shape, points, out) {
+        begin();
+        const points_ = input(points, 12, 'points');
+        const count = common(points_);
+        const out_nearest_ = output(out, 'nearest', count);
+        check(native.gphys_shape_closest_point_batch(typeOf(shape), putShape(shape, 0), pass(points_), 12, count, pass(out_nearest_), 28));
+        return finish(out_nearest_);
+    }
+    function segmentClosestPoints(a, b) {
+        writeSegment(v, 0, a);
+        writeSegment(v, 6, b);
+        check(native.gphys_segment_closest_points(base, base + 24, base + 48, base + 60, base + 72));
+        return [readVec3(v, 12), readVec3(v, 15), v.f32[18]];
+    }
+    function overlaps(a, b) {
+        check(native.gphys_shape_overlaps(typeOf(a), putShape(a, 0), typeOf(b), putShape(b, 27), base + 216));
+        return v.i32[54] !== 0;
+    }
+    function overlapsBatch(a, b, out) {
+        begin();
+        const a_ = inputShapes(a);
+        const b_ = inputShapes(b);
+        const count = common(a_, b_);
+        const out_overlaps_ = output(out, 'int32_t', count);
+        check(native.gphys_shape_overlaps_batch(a_.type, pass(a_), a_.stride, b_.type, pass(b_), b_.stride, count, pass(out_overlaps_), 4));
+        return finish(out_overlaps_);
+    }
+    function classifyPlane(shape, plane) {
+        writePlane(v, 28, plane);
+        check(native.gphys_shape_classify_plane(typeOf(shape), putShape(shape, 0), base + 112, base + 128, base + 132));
+        return [v.i32[32], v.f32[33]];
+    }
+    function classifyFrustum(shape, frustum) {
+        writeFrustum(v, 28, frustum);
+        check(native.gphys_shape_classify_frustum(typeOf(shape), putShape(shape, 0), base + 112, base + 220));
+        return v.i32[55];
+    }
+    function raycast(shape, ray) {
+        writeRay(v, 28, ray);
+        if (check(native.gphys_shape_raycast(typeOf(shape), putShape(shape, 0), base + 112, base + 140)) !== OK) return null;
+        return readHit(v, 35);
+    }
+    function raycastBatch(shape, rays, out) {
+        begin();
+        const rays_ = input(rays, 28, 'rays');
+        const count = common(rays_);
+        const out_hits_ = output(out, 'hit', count);
+        check(native.gphys_shape_raycast_batch(typeOf(shape), putShape(shape, 0), pass(rays_), 28, count, pass(out_hits_), 52));
+        return finish(out_hits_);
+    }
+    function segmentTest(shape, segment) {
+        writeSegment(v, 28, segment);
+        if (check(native.gphys_shape_segment_test(typeOf(shape), putShape(shape, 0), base + 112, base + 136)) !== OK) return null;
+        return readHit(v, 34);
+    }
+    function sweepSphere(shape, sphere, displacement) {
+        writeSphere(v, 28, sphere);
+        writeVec3(v, 32, displacement);
+        if (check(native.gphys_shape_sweep_sphere(typeOf(shape), putShape(shape, 0), base + 112, base + 128, base + 140)) !== OK) return null;
+        return readHit(v, 35);
+    }
+    function frustumCorners(frustum) {
+        writeFrustum(v, 0, frustum);
+        if (check(native.gphys_frustum_corners(base, base + 108)) !== OK) return null;
+        return [readVec3(v, 27), readVec3(v, 30), readVec3(v, 33), readVec3(v, 36), readVec3(v, 39), readVec3(v, 42), readVec3(v, 45), readVec3(v, 48)];
+    }
+    function frustumFromMatrix(view_projection, depth_range, reverse_z) {
+        writeMat4(v, 0, view_projection);
+        check(native.gphys_frustum_from_matrix(base, +depth_range, +reverse_z, base + 64));
+        return readFrustum(v, 16);
+    }
+    function meshCheck(vertices, indices) {
+        begin();
+        const vertices_ = input(vertices, 12, 'vertices');
+        const indices_ = input(indices, 4, 'indices');
+        check(native.gphys_mesh_check(pass(vertices_), 12, vertices_.length, pass(indices_), indices_.numbers, base));
+        return readMeshReport(v, 0);
+    }
+    return {
+        Mesh, Scene, Camera, Solver, validate, bounds, contains, containsBatch, closestPoint, closestPointBatch, segmentClosestPoints, overlaps, overlapsBatch, classifyPlane, classifyFrustum, raycast, raycastBatch, segmentTest, sweepSphere, frustumCorners, frustumFromMatrix, meshCheck,
+        sphere: (...fields) => new Shape('sphere', fields),
+        capsule: (...fields) => new Shape('capsule', fields),
+        aabb: (...fields) => new Shape('aabb', fields),
+        obb: (...fields) => new Shape('obb', fields),
+        plane: (...fields) => new Shape('plane', fields),
+        triangle: (...fields) => new Shape('triangle', fields),
+        frustum: (...fields) => new Shape('frustum', fields),
+        ray: (...fields) => new Shape('ray', fields),
+        segment: (...fields) => new Shape('segment', fields),
+        ...more(Scene, Mesh),
+    };
+}

@@ -1,0 +1,316 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+
+function number(value, name) {
+    if (typeof value === 'number') return value;
+    throw new TypeError(`${name}: expected a number, got ${value}`);
+}
+
+/** Whether the fields are given in order, as an array, and not by name. */
+function row(value, count, name) {
+    if (typeof value !== 'object' || value === null) throw new TypeError(`expected a ${name}, got ${value}`);
+    if (value.length === undefined) return false;
+    if (value.length !== count) throw new TypeError(`${name}: expected ${count} fields, got ${value.length}`);
+    return true;
+}
+
+// v: views of memory, at: where in it, counted in numbers of four bytes
+
+export const readVec3 = (v, at) => [v.f32[at], v.f32[at + 1], v.f32[at + 2]];
+export function writeVec3(v, at, value) {
+    const rows = row(value, 3, 'vec3');
+    v.f32[at] = number(rows ? value[0] : value.x, 'x');
+    v.f32[at + 1] = number(rows ? value[1] : value.y, 'y');
+    v.f32[at + 2] = number(rows ? value[2] : value.z, 'z');
+}
+export const readQuat = (v, at) => [v.f32[at], v.f32[at + 1], v.f32[at + 2], v.f32[at + 3]];
+export function writeQuat(v, at, value) {
+    const rows = row(value, 4, 'quat');
+    v.f32[at] = number(rows ? value[0] : value.x, 'x');
+    v.f32[at + 1] = number(rows ? value[1] : value.y, 'y');
+    v.f32[at + 2] = number(rows ? value[2] : value.z, 'z');
+    v.f32[at + 3] = number(rows ? value[3] : value.w, 'w');
+}
+export const readMat4 = (v, at) => Array.from(v.f32.subarray(at, at + 16));
+export function writeMat4(v, at, value) {
+    const m = row(value, 16, 'mat4') ? value : value.m;
+    for (let i = 0; i < 16; ++i) v.f32[at + i] = number(m[i], 'm');
+}
+export const readTransform = (v, at) => ({ position: readVec3(v, at), rotation: readQuat(v, at + 3), scale: v.f32[at + 7] });
+export function writeTransform(v, at, value) {
+    const rows = row(value, 3, 'transform');
+    writeVec3(v, at, rows ? value[0] : value.position);
+    writeQuat(v, at + 3, rows ? value[1] : value.rotation);
+    v.f32[at + 7] = number(rows ? value[2] : value.scale, 'scale');
+}
+export const readRay = (v, at) => ({ origin: readVec3(v, at), direction: readVec3(v, at + 3), t_max: v.f32[at + 6] });
+export function writeRay(v, at, value) {
+    const rows = row(value, 3, 'ray');
+    writeVec3(v, at, rows ? value[0] : value.origin);
+    writeVec3(v, at + 3, rows ? value[1] : value.direction);
+    v.f32[at + 6] = number(rows ? value[2] : value.t_max, 't_max');
+}
+export const readSegment = (v, at) => ({ a: readVec3(v, at), b: readVec3(v, at + 3) });
+export function writeSegment(v, at, value) {
+    const rows = row(value, 2, 'segment');
+    writeVec3(v, at, rows ? value[0] : value.a);
+    writeVec3(v, at + 3, rows ? value[1] : value.b);
+}
+export const readSphere = (v, at) => ({ center: readVec3(v, at), radius: v.f32[at + 3] });
+export function writeSphere(v, at, value) {
+    const rows = row(value, 2, 'sphere');
+    writeVec3(v, at, rows ? value[0] : value.center);
+    v.f32[at + 3] = number(rows ? value[1] : value.radius, 'radius');
+}
+export const readCapsule = (v, at) => ({ a: readVec3(v, at), b: readVec3(v, at + 3), radius: v.f32[at + 6] });
+export function writeCapsule(v, at, value) {
+    const rows = row(value, 3, 'capsule');
+    writeVec3(v, at, rows ? value[0] : value.a);
+    writeVec3(v, at + 3, rows ? value[1] : value.b);
+    v.f32[at + 6] = number(rows ? value[2] : value.radius, 'radius');
+}
+export const readAabb = (v, at) => ({ min: readVec3(v, at), max: readVec3(v, at + 3) });
+export function writeAabb(v, at, value) {
+    const rows = row(value, 2, 'aabb');
+    writeVec3(v, at, rows ? value[0] : value.min);
+    writeVec3(v, at + 3, rows ? value[1] : value.max);
+}
+export const readObb = (v, at) => ({ center: readVec3(v, at), half_extents: readVec3(v, at + 3), rotation: readQuat(v, at + 6) });
+export function writeObb(v, at, value) {
+    const rows = row(value, 3, 'obb');
+    writeVec3(v, at, rows ? value[0] : value.center);
+    writeVec3(v, at + 3, rows ? value[1] : value.half_extents);
+    writeQuat(v, at + 6, rows ? value[2] : value.rotation);
+}
+export const readPlane = (v, at) => ({ normal: readVec3(v, at), distance: v.f32[at + 3] });
+export function writePlane(v, at, value) {
+    const rows = row(value, 2, 'plane');
+    writeVec3(v, at, rows ? value[0] : value.normal);
+    v.f32[at + 3] = number(rows ? value[1] : value.distance, 'distance');
+}
+export const readTriangle = (v, at) => ({ a: readVec3(v, at), b: readVec3(v, at + 3), c: readVec3(v, at + 6) });
+export function writeTriangle(v, at, value) {
+    const rows = row(value, 3, 'triangle');
+    writeVec3(v, at, rows ? value[0] : value.a);
+    writeVec3(v, at + 3, rows ? value[1] : value.b);
+    writeVec3(v, at + 6, rows ? value[2] : value.c);
+}
+export const readFrustum = (v, at) => ({ origin: readVec3(v, at), planes: Array.from({ length: 6 }, (_, i) => readPlane(v, at + 3 + 4 * i)) });
+export function writeFrustum(v, at, value) {
+    const rows = row(value, 2, 'frustum');
+    writeVec3(v, at, rows ? value[0] : value.origin);
+    const planes = rows ? value[1] : value.planes;
+    for (let i = 0; i < 6; ++i) writePlane(v, at + 3 + 4 * i, planes[i]);
+}
+export const readHit = (v, at) => ({ model: v.u32[at], tag: v.u32[at + 1], t: v.f32[at + 2], point: readVec3(v, at + 3), normal: readVec3(v, at + 6), triangle: v.u32[at + 9], u: v.f32[at + 10], v: v.f32[at + 11], flags: v.u32[at + 12] });
+export function writeHit(v, at, value) {
+    const rows = row(value, 9, 'hit');
+    v.u32[at] = number(rows ? value[0] : value.model, 'model');
+    v.u32[at + 1] = number(rows ? value[1] : value.tag, 'tag');
+    v.f32[at + 2] = number(rows ? value[2] : value.t, 't');
+    writeVec3(v, at + 3, rows ? value[3] : value.point);
+    writeVec3(v, at + 6, rows ? value[4] : value.normal);
+    v.u32[at + 9] = number(rows ? value[5] : value.triangle, 'triangle');
+    v.f32[at + 10] = number(rows ? value[6] : value.u, 'u');
+    v.f32[at + 11] = number(rows ? value[7] : value.v, 'v');
+    v.u32[at + 12] = number(rows ? value[8] : value.flags, 'flags');
+}
+export const readNearest = (v, at) => ({ model: v.u32[at], tag: v.u32[at + 1], point: readVec3(v, at + 2), distance: v.f32[at + 5], triangle: v.u32[at + 6] });
+export function writeNearest(v, at, value) {
+    const rows = row(value, 5, 'nearest');
+    v.u32[at] = number(rows ? value[0] : value.model, 'model');
+    v.u32[at + 1] = number(rows ? value[1] : value.tag, 'tag');
+    writeVec3(v, at + 2, rows ? value[2] : value.point);
+    v.f32[at + 5] = number(rows ? value[3] : value.distance, 'distance');
+    v.u32[at + 6] = number(rows ? value[4] : value.triangle, 'triangle');
+}
+export const readMeshReport = (v, at) => ({ triangle_count: v.u32[at], degenerate_count: v.u32[at + 1], first_degenerate: v.u32[at + 2], out_of_range_count: v.u32[at + 3], first_out_of_range: v.u32[at + 4], bad_vertex_count: v.u32[at + 5], first_bad_vertex: v.u32[at + 6], open_edge_count: v.u32[at + 7] });
+export function writeMeshReport(v, at, value) {
+    const rows = row(value, 8, 'mesh_report');
+    v.u32[at] = number(rows ? value[0] : value.triangle_count, 'triangle_count');
+    v.u32[at + 1] = number(rows ? value[1] : value.degenerate_count, 'degenerate_count');
+    v.u32[at + 2] = number(rows ? value[2] : value.first_degenerate, 'first_degenerate');
+    v.u32[at + 3] = number(rows ? value[3] : value.out_of_range_count, 'out_of_range_count');
+    v.u32[at + 4] = number(rows ? value[4] : value.first_out_of_range, 'first_out_of_range');
+    v.u32[at + 5] = number(rows ? value[5] : value.bad_vertex_count, 'bad_vertex_count');
+    v.u32[at + 6] = number(rows ? value[6] : value.first_bad_vertex, 'first_bad_vertex');
+    v.u32[at + 7] = number(rows ? value[7] : value.open_edge_count, 'open_edge_count');
+}
+export function writeMeshDesc(v, at, value) {
+    for (const name in value) {
+        switch (name) {
+            default: throw new TypeError(`mesh_desc has no field ${name}`);
+        }
+    }
+}
+export const readOctreeStats = (v, at) => ({ item_count: v.u32[at], unbounded_count: v.u32[at + 1], node_count: v.u32[at + 2], leaf_count: v.u32[at + 3], depth: v.u32[at + 4], rebuilds: v.u32[at + 5], cost: v.f32[at + 6], memory_bytes: v.u32[at + 7] });
+export function writeOctreeStats(v, at, value) {
+    const rows = row(value, 8, 'octree_stats');
+    v.u32[at] = number(rows ? value[0] : value.item_count, 'item_count');
+    v.u32[at + 1] = number(rows ? value[1] : value.unbounded_count, 'unbounded_count');
+    v.u32[at + 2] = number(rows ? value[2] : value.node_count, 'node_count');
+    v.u32[at + 3] = number(rows ? value[3] : value.leaf_count, 'leaf_count');
+    v.u32[at + 4] = number(rows ? value[4] : value.depth, 'depth');
+    v.u32[at + 5] = number(rows ? value[5] : value.rebuilds, 'rebuilds');
+    v.f32[at + 6] = number(rows ? value[6] : value.cost, 'cost');
+    v.u32[at + 7] = number(rows ? value[7] : value.memory_bytes, 'memory_bytes');
+}
+export const readOctreeBox = (v, at) => ({ bounds: readAabb(v, at), depth: v.u32[at + 6], item_count: v.u32[at + 7] });
+export function writeOctreeBox(v, at, value) {
+    const rows = row(value, 3, 'octree_box');
+    writeAabb(v, at, rows ? value[0] : value.bounds);
+    v.u32[at + 6] = number(rows ? value[1] : value.depth, 'depth');
+    v.u32[at + 7] = number(rows ? value[2] : value.item_count, 'item_count');
+}
+export function writeSceneDesc(v, at, value) {
+    for (const name in value) {
+        switch (name) {
+            case 'reserve_models': v.u32[at + (v.wide ? 4 : 2)] = number(value[name], 'reserve_models'); break;
+            case 'worker_count': v.u32[at + (v.wide ? 8 : 4)] = number(value[name], 'worker_count'); break;
+            default: throw new TypeError(`scene_desc has no field ${name}`);
+        }
+    }
+}
+export function writeModelDesc(v, at, value) {
+    for (const name in value) {
+        switch (name) {
+            case 'parent': v.u32[at + 1] = number(value[name], 'parent'); break;
+            case 'layers': v.u32[at + 2] = number(value[name], 'layers'); break;
+            case 'tag': v.u32[at + 3] = number(value[name], 'tag'); break;
+            default: throw new TypeError(`model_desc has no field ${name}`);
+        }
+    }
+}
+export const readModelInfo = (v, at) => ({ type: v.i32[at], parent: v.u32[at + 1], layers: v.u32[at + 2], tag: v.u32[at + 3], child_count: v.u32[at + 4] });
+export function writeModelInfo(v, at, value) {
+    const rows = row(value, 5, 'model_info');
+    v.i32[at] = number(rows ? value[0] : value.type, 'type');
+    v.u32[at + 1] = number(rows ? value[1] : value.parent, 'parent');
+    v.u32[at + 2] = number(rows ? value[2] : value.layers, 'layers');
+    v.u32[at + 3] = number(rows ? value[3] : value.tag, 'tag');
+    v.u32[at + 4] = number(rows ? value[4] : value.child_count, 'child_count');
+}
+export function writeCameraDesc(v, at, value) {
+    for (const name in value) {
+        switch (name) {
+            case 'handedness': v.i32[at + (v.wide ? 4 : 2)] = number(value[name], 'handedness'); break;
+            case 'depth_range': v.i32[at + (v.wide ? 5 : 3)] = number(value[name], 'depth_range'); break;
+            case 'reverse_z': v.i32[at + (v.wide ? 6 : 4)] = number(value[name], 'reverse_z'); break;
+            case 'viewport_width': v.f32[at + (v.wide ? 7 : 5)] = number(value[name], 'viewport_width'); break;
+            case 'viewport_height': v.f32[at + (v.wide ? 8 : 6)] = number(value[name], 'viewport_height'); break;
+            default: throw new TypeError(`camera_desc has no field ${name}`);
+        }
+    }
+}
+export const readOrbit = (v, at) => ({ target: readVec3(v, at), up: readVec3(v, at + 3), distance: v.f32[at + 6], yaw: v.f32[at + 7], pitch: v.f32[at + 8], radians_per_unit: v.f32[at + 9], metres_per_unit: v.f32[at + 10], min_distance: v.f32[at + 11], max_distance: v.f32[at + 12], min_pitch: v.f32[at + 13], max_pitch: v.f32[at + 14] });
+export function writeOrbit(v, at, value) {
+    const rows = row(value, 11, 'orbit');
+    writeVec3(v, at, rows ? value[0] : value.target);
+    writeVec3(v, at + 3, rows ? value[1] : value.up);
+    v.f32[at + 6] = number(rows ? value[2] : value.distance, 'distance');
+    v.f32[at + 7] = number(rows ? value[3] : value.yaw, 'yaw');
+    v.f32[at + 8] = number(rows ? value[4] : value.pitch, 'pitch');
+    v.f32[at + 9] = number(rows ? value[5] : value.radians_per_unit, 'radians_per_unit');
+    v.f32[at + 10] = number(rows ? value[6] : value.metres_per_unit, 'metres_per_unit');
+    v.f32[at + 11] = number(rows ? value[7] : value.min_distance, 'min_distance');
+    v.f32[at + 12] = number(rows ? value[8] : value.max_distance, 'max_distance');
+    v.f32[at + 13] = number(rows ? value[9] : value.min_pitch, 'min_pitch');
+    v.f32[at + 14] = number(rows ? value[10] : value.max_pitch, 'max_pitch');
+}
+export function writeSolverDesc(v, at, value) {
+    for (const name in value) {
+        switch (name) {
+            case 'gravity': writeVec3(v, at + (v.wide ? 4 : 2), value[name]); break;
+            case 'substeps': v.u32[at + (v.wide ? 7 : 5)] = number(value[name], 'substeps'); break;
+            case 'fixed_step': v.f32[at + (v.wide ? 8 : 6)] = number(value[name], 'fixed_step'); break;
+            case 'max_steps': v.u32[at + (v.wide ? 9 : 7)] = number(value[name], 'max_steps'); break;
+            default: throw new TypeError(`solver_desc has no field ${name}`);
+        }
+    }
+}
+export function writeBodyDesc(v, at, value) {
+    for (const name in value) {
+        switch (name) {
+            case 'mass': v.f32[at + 1] = number(value[name], 'mass'); break;
+            case 'radius': v.f32[at + 2] = number(value[name], 'radius'); break;
+            case 'damping': v.f32[at + 3] = number(value[name], 'damping'); break;
+            case 'friction': v.f32[at + 4] = number(value[name], 'friction'); break;
+            case 'restitution': v.f32[at + 5] = number(value[name], 'restitution'); break;
+            case 'compliance': v.f32[at + 6] = number(value[name], 'compliance'); break;
+            case 'bend_compliance': v.f32[at + 7] = number(value[name], 'bend_compliance'); break;
+            case 'cloth_flags': v.u32[at + 8] = number(value[name], 'cloth_flags'); break;
+            case 'layers': v.u32[at + 9] = number(value[name], 'layers'); break;
+            default: throw new TypeError(`body_desc has no field ${name}`);
+        }
+    }
+}
+export const readBodyInfo = (v, at) => ({ kind: v.i32[at], method: v.i32[at + 1], particle_count: v.u32[at + 2], constraint_count: v.u32[at + 3], triangle_count: v.u32[at + 4] });
+export function writeBodyInfo(v, at, value) {
+    const rows = row(value, 5, 'body_info');
+    v.i32[at] = number(rows ? value[0] : value.kind, 'kind');
+    v.i32[at + 1] = number(rows ? value[1] : value.method, 'method');
+    v.u32[at + 2] = number(rows ? value[2] : value.particle_count, 'particle_count');
+    v.u32[at + 3] = number(rows ? value[3] : value.constraint_count, 'constraint_count');
+    v.u32[at + 4] = number(rows ? value[4] : value.triangle_count, 'triangle_count');
+}
+export const readConstraintInfo = (v, at) => ({ id: v.u32[at], particle_a: v.u32[at + 1], particle_b: v.u32[at + 2], rest_length: v.f32[at + 3], compliance: v.f32[at + 4] });
+export function writeConstraintInfo(v, at, value) {
+    const rows = row(value, 5, 'constraint_info');
+    v.u32[at] = number(rows ? value[0] : value.id, 'id');
+    v.u32[at + 1] = number(rows ? value[1] : value.particle_a, 'particle_a');
+    v.u32[at + 2] = number(rows ? value[2] : value.particle_b, 'particle_b');
+    v.f32[at + 3] = number(rows ? value[3] : value.rest_length, 'rest_length');
+    v.f32[at + 4] = number(rows ? value[4] : value.compliance, 'compliance');
+}
+export const readSolverStats = (v, at) => ({ particle_count: v.u32[at], pinned_count: v.u32[at + 1], constraint_count: v.u32[at + 2], contact_count: v.u32[at + 3], strain_max: v.f32[at + 4], strain_rms: v.f32[at + 5], kinetic_energy: v.f32[at + 6], potential_energy: v.f32[at + 7] });
+export function writeSolverStats(v, at, value) {
+    const rows = row(value, 8, 'solver_stats');
+    v.u32[at] = number(rows ? value[0] : value.particle_count, 'particle_count');
+    v.u32[at + 1] = number(rows ? value[1] : value.pinned_count, 'pinned_count');
+    v.u32[at + 2] = number(rows ? value[2] : value.constraint_count, 'constraint_count');
+    v.u32[at + 3] = number(rows ? value[3] : value.contact_count, 'contact_count');
+    v.f32[at + 4] = number(rows ? value[4] : value.strain_max, 'strain_max');
+    v.f32[at + 5] = number(rows ? value[5] : value.strain_rms, 'strain_rms');
+    v.f32[at + 6] = number(rows ? value[6] : value.kinetic_energy, 'kinetic_energy');
+    v.f32[at + 7] = number(rows ? value[7] : value.potential_energy, 'potential_energy');
+}
+export const readContact = (v, at) => ({ body: v.u32[at], particle: v.u32[at + 1], model: v.u32[at + 2], tag: v.u32[at + 3], point: readVec3(v, at + 4), normal: readVec3(v, at + 7) });
+export function writeContact(v, at, value) {
+    const rows = row(value, 6, 'contact');
+    v.u32[at] = number(rows ? value[0] : value.body, 'body');
+    v.u32[at + 1] = number(rows ? value[1] : value.particle, 'particle');
+    v.u32[at + 2] = number(rows ? value[2] : value.model, 'model');
+    v.u32[at + 3] = number(rows ? value[3] : value.tag, 'tag');
+    writeVec3(v, at + 4, rows ? value[4] : value.point);
+    writeVec3(v, at + 7, rows ? value[5] : value.normal);
+}
+/** What can stand in arrays. */
+export const types = {
+    float: { size: 4, read: (v, at) => v.f32[at] },
+    double: { size: 8, read: (v, at) => v.f64[at >> 1] },
+    int32_t: { size: 4, read: (v, at) => v.i32[at] },
+    uint32_t: { size: 4, read: (v, at) => v.u32[at] },
+    vec3: { size: 12, read: readVec3, write: writeVec3 },
+    quat: { size: 16, read: readQuat, write: writeQuat },
+    mat4: { size: 64, read: readMat4, write: writeMat4 },
+    transform: { size: 32, read: readTransform, write: writeTransform },
+    ray: { size: 28, read: readRay, write: writeRay },
+    segment: { size: 24, read: readSegment, write: writeSegment },
+    sphere: { size: 16, read: readSphere, write: writeSphere },
+    capsule: { size: 28, read: readCapsule, write: writeCapsule },
+    aabb: { size: 24, read: readAabb, write: writeAabb },
+    obb: { size: 40, read: readObb, write: writeObb },
+    plane: { size: 16, read: readPlane, write: writePlane },
+    triangle: { size: 36, read: readTriangle, write: writeTriangle },
+    frustum: { size: 108, read: readFrustum, write: writeFrustum },
+    hit: { size: 52, read: readHit, write: writeHit },
+    nearest: { size: 28, read: readNearest, write: writeNearest },
+    mesh_report: { size: 32, read: readMeshReport, write: writeMeshReport },
+    octree_stats: { size: 32, read: readOctreeStats, write: writeOctreeStats },
+    octree_box: { size: 32, read: readOctreeBox, write: writeOctreeBox },
+    model_info: { size: 20, read: readModelInfo, write: writeModelInfo },
+    orbit: { size: 60, read: readOrbit, write: writeOrbit },
+    body_info: { size: 20, read: readBodyInfo, write: writeBodyInfo },
+    constraint_info: { size: 20, read: readConstraintInfo, write: writeConstraintInfo },
+    solver_stats: { size: 32, read: readSolverStats, write: writeSolverStats },
+    contact: { size: 40, read: readContact, write: writeContact },
+};

@@ -1,0 +1,124 @@
+// The library as WebAssembly: its functions reach only the memory of the instance. Arrays that are
+// there already are passed as they are, others are copied in and results out.
+import { PASS_BYTES, GamephysClosed, GamephysError, Records, viewsOf } from './runtime.js';
+import { ERROR_OUT_OF_MEMORY } from './constants.js';
+
+const NOT_SUPPORTED = 58; // WASI's errno ENOTSUP
+
+async function instantiate(imports) {
+    const url = new URL('../gamephys.wasm', import.meta.url);
+    if (url.protocol === 'file:') {
+        const { readFile } = await import('node:fs/promises');
+        return WebAssembly.instantiate(await readFile(url), imports);
+    }
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url}: ${response.status} ${response.statusText}`);
+    if (response.headers.get('Content-Type') !== 'application/wasm') {
+        return WebAssembly.instantiate(await response.arrayBuffer(), imports);
+    }
+    return WebAssembly.instantiateStreaming(response, imports);
+}
+
+export async function memory() {
+    const views = { wide: false };
+    let native, base;
+    /** Memory has grown: views of it as it was have no elements any more. */
+    const renew = () => Object.assign(views, viewsOf(native.memory.buffer, base, PASS_BYTES));
+
+    const { instance } = await instantiate({
+        env: { emscripten_notify_memory_growth: () => base && renew(), __call_sighandler() {} },
+        // All that it asks of a system is the environment, and there is none.
+        wasi_snapshot_preview1: {
+            environ_sizes_get: () => NOT_SUPPORTED,
+            environ_get: () => NOT_SUPPORTED,
+            proc_exit(code) {
+                throw new Error(`the module ended with ${code}`);
+            },
+        },
+    });
+    native = instance.exports;
+    native._initialize();
+
+    function allocate(bytes) {
+        const address = native.malloc(bytes);
+        if (address === 0) throw new GamephysError(`no memory for ${bytes} bytes`, ERROR_OUT_OF_MEMORY);
+        return address;
+    }
+    base = allocate(PASS_BYTES);
+    renew();
+
+    // Arrays of one call lie in blocks. The last block, the largest, is kept for the next call.
+    let blocks = [{ address: allocate(1 << 16), bytes: 1 << 16 }];
+    let used = 0;
+    function block(bytes) {
+        const { address, bytes: all } = blocks.at(-1);
+        if (used + bytes > all) {
+            const more = Math.max(2 * all, bytes);
+            blocks.push({ address: allocate(more), bytes: more });
+            used = 0;
+            return block(bytes);
+        }
+        const start = address + used;
+        used = (used + bytes + 15) & ~15;
+        return start;
+    }
+
+    const registry = new FinalizationRegistry((address) => native.free(address));
+
+    /** Records in the memory of the instance. Their views are made again when it has grown. */
+    class OwnRecords extends Records {
+        #address;
+        #views;
+        constructor(kind, length, address) {
+            super(kind, length, null);
+            this.#address = address ?? allocate(Math.max(8, length * this.stride));
+            if (address === undefined) registry.register(this, this.#address, this);
+        }
+        get views() {
+            if (this.#address === 0) throw new GamephysClosed('Records');
+            if (this.#views?.f32.buffer !== native.memory.buffer) {
+                this.#views = viewsOf(native.memory.buffer, this.#address, this.length * this.stride);
+            }
+            return this.#views;
+        }
+        close() {
+            if (this.#address === 0) return;
+            if (registry.unregister(this)) native.free(this.#address);
+            this.#address = 0;
+        }
+    }
+
+    const bytesOf = (view) => new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
+    const text = new TextDecoder();
+
+    return {
+        native, views, base,
+        text(address) {
+            const bytes = new Uint8Array(native.memory.buffer);
+            return text.decode(bytes.subarray(address, bytes.indexOf(0, address)));
+        },
+        begin() {
+            while (blocks.length > 1) native.free(blocks.shift().address);
+            used = 0;
+        },
+        locate: (view) => (view.buffer === native.memory.buffer ? view.byteOffset : undefined),
+        pass(array) {
+            if (array.address !== undefined) return array.address;
+            array.copy = block(array.view.byteLength);
+            if (!array.out) new Uint8Array(native.memory.buffer).set(bytesOf(array.view), array.copy);
+            return array.copy;
+        },
+        nowhere: (address) => address,
+        finish({ view, copy }) {
+            if (copy !== undefined) bytesOf(view).set(new Uint8Array(native.memory.buffer, copy, view.byteLength));
+        },
+        room(bytes) {
+            const argument = block(bytes);
+            const { address, bytes: all } = blocks.at(-1);
+            used = all;
+            return { argument, bytes: address + all - argument };
+        },
+        take: ({ argument }, bytes) => native.memory.buffer.slice(argument, argument + bytes),
+        records: (kind, length, address) => new OwnRecords(kind, length, address),
+    };
+}

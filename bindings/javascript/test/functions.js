@@ -1,0 +1,211 @@
+// Each function that test.js and the examples do not call, once, against an answer known by heart.
+import assert from 'node:assert';
+import test from 'node:test';
+import * as gp from 'gamephys';
+
+const IDENTITY = [0, 0, 0, 1];
+const at = (x, y, z, scale = 1) => ({ position: [x, y, z], rotation: IDENTITY, scale });
+const floats = (...numbers) => Float32Array.from(numbers);
+/** Equal, a minus before a zero apart. */
+const same = (actual, expected) => assert.deepEqual(actual, expected);
+const near = (actual, expected, error = 1e-5) => {
+    assert.strictEqual(actual.length, expected.length);
+    actual.forEach((x, i) => assert(Math.abs(x - expected[i]) <= error, `${actual} is not ${expected}`));
+};
+
+const ball = gp.sphere([0, 0, 0], 1);
+/** A tetrahedron with three edges along the axes. */
+const tetrahedron = { vertices: floats(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1), indices: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3) };
+const someMesh = (desc) => new gp.Mesh(tetrahedron.vertices, tetrahedron.indices, desc);
+
+test('shapes: validity, points', () => {
+    gp.validate(ball);
+    assert.throws(() => gp.validate(gp.sphere([0, 0, 0], NaN)), gp.GamephysError);
+    same(gp.bounds(gp.capsule([0, 0, 0], [2, 0, 0], 1)), { min: [-1, -1, -1], max: [3, 1, 1] });
+    assert.strictEqual(gp.bounds(gp.plane([0, 1, 0], 0)), null);
+    assert.strictEqual(gp.contains(ball, [1.5, 0, 0], 0), false);
+    assert.strictEqual(gp.contains(ball, [1.5, 0, 0], 0.5), true);
+    same([...gp.containsBatch(ball, floats(0, 0, 0, 0, 2, 0), 0)], [1, 0]);
+    const { point, distance } = gp.closestPoint(gp.aabb([0, 0, 0], [1, 1, 1]), { x: 3, y: 0.5, z: 0.5 });
+    same([point, distance], [[1, 0.5, 0.5], 2]);
+    same([...gp.closestPointBatch(ball, floats(0, 0, 3, 0, 5, 0))].map((n) => n.distance), [2, 4]);
+    same(gp.segmentClosestPoints([[-1, 0, 0], [1, 0, 0]], { a: [0, 2, -1], b: [0, 2, 1] }), [[0, 0, 0], [0, 2, 0], 2]);
+});
+
+test('shapes: sides and lines', () => {
+    same(gp.classifyPlane(gp.sphere([0, 3, 0], 1), { normal: [0, 1, 0], distance: 0 }), [gp.SIDE_INSIDE, 2]);
+    const camera = new gp.Camera();
+    assert.strictEqual(gp.classifyFrustum(gp.sphere([0, 0, 50], 1), camera.getFrustum()), gp.SIDE_INSIDE);
+    assert.strictEqual(gp.classifyFrustum(gp.sphere([0, 0, -50], 1), camera.getFrustum()), gp.SIDE_OUTSIDE);
+    same([...gp.raycastBatch(ball, floats(0, 0, -5, 0, 0, 1, 9, 0, 3, -5, 0, 0, 1, 9))].map((hit) => hit.t), [4, Infinity]);
+    assert.strictEqual(gp.segmentTest(ball, [[0, 0, -2], [0, 0, 2]]).t, 0.25);
+    assert.strictEqual(gp.segmentTest(ball, [[0, 0, -2], [0, 0, -1.5]]), null);
+    assert.strictEqual(gp.sweepSphere(ball, { center: [0, 0, -5], radius: 1 }, [0, 0, 6]).t, 0.5);
+});
+
+test('frusta', () => {
+    const camera = new gp.Camera({ viewport_width: 100, viewport_height: 100 });
+    camera.setOrthographic(2, 1, 3);
+    const corners = [[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1], [-1, -1, 3], [1, -1, 3], [1, 1, 3], [-1, 1, 3]];
+    gp.frustumCorners(camera.getFrustum()).forEach((corner, i) => near(corner, corners[i]));
+    camera.getCorners().forEach((corner, i) => near(corner, corners[i]));
+    const { origin, planes } = gp.frustumFromMatrix(camera.getViewProjectionMatrix(), gp.DEPTH_ZERO_TO_ONE, false);
+    same(origin, [0, 0, 0]);
+    assert.strictEqual(planes.length, 6);
+    near(planes[gp.FRUSTUM_NEAR].normal, [0, 0, planes[gp.FRUSTUM_NEAR].normal[2]]);
+    camera.setPerspective(1, 1, Infinity);
+    assert.strictEqual(camera.getCorners(), null);
+});
+
+test('meshes', () => {
+    const bad = gp.meshCheck(tetrahedron.vertices, Uint32Array.of(0, 1, 9, 0, 0, 0));
+    same([bad.out_of_range_count, bad.first_out_of_range, bad.degenerate_count], [1, 0, 1]);
+    assert.throws(() => new gp.Mesh(tetrahedron.vertices, Uint32Array.of(0, 1, 9)), gp.GamephysError);
+    const mesh = someMesh({});
+    assert.strictEqual(mesh.getReport().open_edge_count, 0);
+    same(mesh.getVertices().f32, tetrahedron.vertices);
+    same(mesh.getIndices().u32, tetrahedron.indices);
+    const ray = [[0.25, 0.25, -1], [0, 0, 1], Infinity];
+    near([...mesh.raycastAll(ray)].map((hit) => hit.t), [1, 1.5]);
+    assert.strictEqual(mesh.raycastAny(ray), true);
+    assert.strictEqual(mesh.raycastAny([[2, 2, -1], [0, 0, 1], Infinity]), false);
+    same([...mesh.overlap(gp.sphere([0.3, 0.3, 0], 0.05))], [0]);
+    assert.strictEqual(mesh.getOctreeStats().item_count, 4);
+    assert.strictEqual([...mesh.getOctreeBoxes()].reduce((sum, box) => sum + box.item_count, 0), 4);
+});
+
+test('models', () => {
+    const scene = new gp.Scene({ reserve_models: 10 });
+    const parent = scene.add(ball, at(10, 0, 0), { tag: 7, layers: 2 });
+    const child = scene.add(ball, at(0, 5, 0), { parent });
+    scene.has(child);
+    const world = () => [...scene.getWorldTransforms(Uint32Array.of(child))].map((t) => t.position);
+    same(world(), [[10, 5, 0]]);
+    same(scene.getBounds(parent), { min: [9, -1, -1], max: [11, 1, 1] });
+    same(scene.getSceneBounds(), { min: [9, -1, -1], max: [11, 6, 1] });
+    scene.setTransform(parent, at(20, 0, 0));
+    same(world(), [[20, 5, 0]]);
+    scene.setTransforms(Uint32Array.of(parent, child), floats(1, 0, 0, ...IDENTITY, 1, 0, 2, 0, ...IDENTITY, 1));
+    same(scene.getTransforms(Uint32Array.of(child)).get(0).position, [0, 2, 0]);
+    scene.setParent(child, 0, true);
+    same(scene.getTransforms(Uint32Array.of(child)).get(0).position, [1, 2, 0]);
+    scene.setTag(child, 9);
+    scene.setLayers(child, 4);
+    same([scene.getInfo(child).tag, scene.getInfo(child).layers], [9, 4]);
+    scene.setParent(child, parent, true);
+    scene.validate();
+    scene.removeSubtree(parent);
+    assert.throws(() => scene.has(child), { status: gp.ERROR_INVALID_ID });
+    scene.add(ball);
+    scene.clear();
+    assert.strictEqual(scene.getSceneBounds(), null);
+});
+
+test('questions to a scene', () => {
+    const scene = new gp.Scene();
+    const first = scene.add(ball), second = scene.add(ball, at(0, 0, 10), { layers: 2 });
+    const ray = [[0, 0, -5], [0, 0, 1], 100], rays = floats(0, 0, -5, 0, 0, 1, 100, 9, 9, 9, 0, 1, 0, 100);
+    assert.strictEqual(scene.raycastAny(ray), true);
+    assert.strictEqual(scene.raycastAny(ray, 4), false);
+    same([...scene.raycastAnyBatch(rays)], [1, 0]);
+    assert.strictEqual(scene.raycast(ray, 2).model, second);
+    assert.strictEqual(scene.segmentTest([[0, 0, -5], [0, 0, 5]]).model, first);
+    same([...scene.segmentTestBatch(floats(0, 0, -5, 0, 0, 5, 9, 9, 9, 9, 9, 10))].map((hit) => hit.model), [first, 0]);
+    const camera = new gp.Camera();
+    same(scene.cull(camera.getFrustum()).u32, Uint32Array.of(first, second));
+    same([...scene.nearestBatch(floats(0, 0, 8, 0, 0, 3), 1.5)].map((n) => n.model), [second, 0]);
+    assert.strictEqual(scene.sweepSphere([[0, 0, -6], 1], [0, 0, 8]).t, 0.5);
+    assert.strictEqual(scene.sweepSphereBatch(floats(0, 0, -6, 1, 5, 5, 5, 1), floats(0, 0, 8, 0, 1, 0)).get(1).model, 0);
+    assert.strictEqual(scene.getOctreeStats().item_count, 2);
+    assert.strictEqual([...scene.getOctreeBoxes()].reduce((sum, box) => sum + box.item_count, 0), 2);
+});
+
+test('cameras', () => {
+    const camera = new gp.Camera({ viewport_width: 200, viewport_height: 100 });
+    camera.lookAt([0, 0, -10], [0, 0, 0], [0, 1, 0]);
+    near(camera.project([0, 0, 5]).slice(0, 2), [100, 50]);
+    near(camera.unproject(camera.project([1, 2, 5])), [1, 2, 5], 1e-3);
+    const pixels = camera.projectBatch(floats(0, 0, 5, 1, 2, 5));
+    near(camera.unprojectBatch(pixels).get(1), [1, 2, 5], 1e-3);
+    near(camera.getTransform()[0], [0, 0, -10]);
+    const view = camera.getViewMatrix(), projection = camera.getProjectionMatrix();
+    near(view, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 10, 1]);
+    near(camera.getWorldMatrix(), [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -10, 1]);
+    near(camera.getViewProjectionMatrix().slice(0, 12), projection.slice(0, 12)); // only moved
+    camera.setWorldMatrix(camera.getWorldMatrix());
+    camera.setTransform([0, 0, -20], IDENTITY);
+    near(camera.getTransform()[0], [0, 0, -20]);
+    camera.setProjection(projection);
+    camera.setViewport(400, 200);
+    near(camera.project([0, 0, 5]).slice(0, 2), [200, 100]);
+    camera.setOrigin([0, 0, -20]);
+    same([camera.getOrigin(), camera.getTransform()[0]], [[0, 0, -20], [0, 0, 0]]);
+});
+
+test('picking', () => {
+    const scene = new gp.Scene(), camera = new gp.Camera({ viewport_width: 4, viewport_height: 2 });
+    const model = scene.add(gp.sphere([0, 0, 5], 0.5));
+    same([...camera.pickBatch(scene, floats(2, 1, 0, 0))].map((hit) => hit.model), [model, 0]);
+    const rays = camera.pickRays(0, 0, 4, 2);
+    assert.strictEqual(rays.length, 8);
+    near([...rays.get(5).direction], [...camera.pickRay(1.5, 1.5).direction]);
+    camera.setOrbit({ ...gp.defaultOrbit(), metres_per_unit: 0.5 });
+    camera.orbitZoom(4);
+    camera.orbitPan(2, 6);
+    camera.orbitUpdate();
+    const { distance, target } = camera.getOrbit();
+    assert.strictEqual(distance, 8);
+    near(target, [1, 3, 0]);
+});
+
+test('bodies', () => {
+    const solver = new gp.Solver({ substeps: 4, gravity: [0, -10, 0] });
+    const drops = solver.addParticles(floats(0, 0, 0, 1, 0, 0, 2, 0, 0), { mass: 3 });
+    same([...solver.getMasses(drops, 0, 3)], [1, 1, 1]);
+    solver.setGravity([0, 0, 0]);
+    solver.setSubsteps(1);
+    solver.setVelocities(drops, 0, floats(1, 0, 0));
+    solver.setForces(drops, 1, floats(0, 2, 0));
+    solver.setRadii(drops, 0, floats(0.1, 0.1, 0.1));
+    solver.step(null, 0.5);
+    near(solver.getPositions(drops, 0, 1).get(0), [0.5, 0, 0]);
+    near(solver.getVelocities(drops, 1, 1).get(0), [0, 1, 0]);
+    solver.setPositions(drops, 2, floats(5, 5, 5));
+    same(solver.getPositions(drops, 2, 1).get(0), [5, 5, 5]);
+    const link = solver.addDistance(drops, 0, 1, 2, 0.001);
+    same([...solver.getConstraints(drops)].map((c) => [c.id, c.particle_a, c.particle_b, c.rest_length]), [[link, 0, 1, 2]]);
+    solver.removeConstraint(drops, link);
+    assert.strictEqual(solver.getStats(drops).constraint_count, 0);
+    solver.setOrigin([0, 0, 1]);
+    same([solver.getOrigin(), solver.getPositions(drops, 2, 1).get(0)], [[0, 0, 1], [5, 5, 4]]);
+    same([...solver.getBodies()], [drops]);
+    const snapshot = solver.getSnapshot(), hash = solver.getHash();
+    assert.strictEqual(hash.length, 2);
+    solver.removeBody(drops);
+    assert.notDeepStrictEqual(solver.getHash(), hash);
+    const other = new gp.Solver();
+    other.restore(snapshot);
+    same(other.getHash(), hash);
+    assert.throws(() => other.restore(snapshot.u32.subarray(1)), gp.GamephysError);
+    same([...solver.getBodies()], []);
+});
+
+test('bodies and models', () => {
+    const scene = new gp.Scene(), solver = new gp.Solver();
+    const floor = scene.add(gp.plane([0, 1, 0], 0), null, { tag: 3 });
+    const hook = scene.add(gp.sphere([0, 0, 0], 0.1), at(0, 9, 0));
+    const mesh = someMesh();
+    const cloth = solver.addClothMesh(mesh, at(0, 0.5, 0), { radius: 0.1 });
+    assert.strictEqual(solver.getBodyInfo(cloth).particle_count, 4);
+    same(solver.getTriangles(cloth).u32, tetrahedron.indices);
+    const rope = solver.addRope(floats(0, 9, 0, 0, 8, 0), 0, { layers: 0 });
+    solver.attach(scene, rope, 0, hook, [0, 0, 0]);
+    scene.setTransform(hook, at(4, 9, 0));
+    for (let i = 0; i < 120; ++i) solver.step(scene, 1 / 60);
+    near(solver.getPositions(rope, 0, 1).get(0), [4, 9, 0]);
+    const contacts = [...solver.getContacts()];
+    assert(contacts.length > 0);
+    for (const contact of contacts) same([contact.body, contact.model, contact.tag, contact.normal], [cloth, floor, 3, [0, 1, 0]]);
+    solver.detach(rope, 0);
+    assert.throws(() => solver.detach(rope, 0), gp.GamephysError);
+});

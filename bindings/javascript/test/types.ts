@@ -1,0 +1,25 @@
+// What TypeScript must take, and what it must refuse.
+import * as gp from 'gamephys';
+import * as wasm from 'gamephys/wasm';
+
+const scene = new gp.Scene({ worker_count: 2 });
+const ball: number = scene.add(gp.sphere([0, 0, 5], 1), { position: [0, 0, 0], rotation: new Float32Array(4), scale: 1 }, { tag: 3 });
+const hit: gp.Hit | null = scene.raycast({ origin: [0, 0, 0], direction: new Float32Array(3), t_max: 1 });
+const ordered: gp.Hit | null = scene.raycast([[0, 0, 0], [0, 0, 1], 1], gp.ALL_LAYERS);
+const rays: gp.Records<gp.Ray> = gp.records('ray', 10);
+const hits: gp.Records<gp.Hit> = scene.raycastBatch(rays, undefined, new Float32Array(130));
+for (const { t, point: [x] } of hits) t + x;
+const [side, distance]: [number, number] = gp.classifyPlane(gp.sphere([0, 0, 0], 1), [[0, 1, 0], 0]);
+const models: Uint32Array = scene.overlap(new gp.Mesh(new Float32Array(9), new Uint32Array(3))).u32;
+const corners: number[][] | null = new wasm.Camera({ viewport_width: 3 }).getCorners();
+
+// @ts-expect-error: there is no such field
+new gp.Camera({ width: 3 });
+// @ts-expect-error: a ray may meet nothing
+scene.raycast(rays.get(0)).t;
+// @ts-expect-error: there is no such kind
+gp.records('raygun', 1);
+// @ts-expect-error: not a scene
+new gp.Solver().step(new gp.Camera(), 0.1);
+// @ts-expect-error: two fields are missing
+scene.raycast({ origin: [0, 0, 0] });

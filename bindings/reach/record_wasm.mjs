@@ -1,0 +1,15 @@
+// node --import this: writes the names of the WebAssembly module's functions that are called to the
+// file $GAMEPHYS_CALLS, as the recorder does for the native library.
+import { appendFileSync } from 'node:fs';
+
+const called = new Set();
+const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (...given) => {
+    const { module, instance } = await instantiate(...given);
+    const recorded = ([name, value]) => {
+        if (!name.startsWith('gphys_')) return [name, value];
+        return [name, (...parameters) => (called.add(name), value(...parameters))];
+    };
+    return { module, instance: { exports: Object.fromEntries(Object.entries(instance.exports).map(recorded)) } };
+};
+process.on('exit', () => appendFileSync(process.env.GAMEPHYS_CALLS, [...called, ''].join('\n')));
