@@ -53,8 +53,8 @@
  *            handles. Arrays are copied in and copied out, never kept.
  * Threads    Different objects: any threads. One object: functions that take it as const may run
  *            at the same time, all others need the caller's lock. No thread is started unless a
- *            desc asks for it (gphys_scene_desc says which calls its workers share). Callbacks come
- *            on the thread that called the library, never on a worker.
+ *            desc asks for it (gphys_scene_create and gphys_solver_create say which calls its workers
+ *            share). Callbacks come on the thread that called the library, never on a worker.
  */
 #ifndef GAMEPHYS_C_H
 #define GAMEPHYS_C_H
@@ -921,15 +921,20 @@ typedef uint32_t gphys_constraint_id;
 
 typedef struct gphys_solver_desc {
     uint32_t struct_size;
-    const gphys_allocator* allocator; /* NULL: the C++ runtime's */
-    gphys_vec3 gravity;               /* m/s^2; default (0, -9.81, 0) */
-    uint32_t substeps;                /* of one step, 1 .. 1000; default 8 */
-    float fixed_step;                 /* seconds simulated by each step of gphys_solver_advance; 1/60 */
-    uint32_t max_steps;               /* most steps of one advance; time beyond is dropped; 8 */
+    const gphys_allocator* allocator;     /* NULL: the C++ runtime's */
+    gphys_vec3 gravity;                   /* m/s^2; default (0, -9.81, 0) */
+    uint32_t substeps;                    /* of one step, 1 .. 1000; default 8 */
+    float fixed_step;                     /* seconds simulated by each step of gphys_solver_advance; 1/60 */
+    uint32_t max_steps;                   /* most steps of one advance; time beyond is dropped; 8 */
+    const gphys_task_runner* task_runner; /* whose threads worker_count counts; NULL: the solver's own */
+    uint32_t worker_count; /* threads for one step, its own included, at most 1024; 0 and 1: that alone */
 } gphys_solver_desc;
 
 GPHYS_API gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size);
-/** @param desc  may be NULL */
+/** With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+ *  every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
+ *  @param desc  may be NULL
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started */
 GPHYS_API gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** out_solver);
 GPHYS_API void gphys_solver_destroy(gphys_solver* solver);
 

@@ -1433,7 +1433,10 @@ type Solver struct {
 	handle unsafe.Pointer
 }
 
+// With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+// every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
 // @param desc  may be NULL
+// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
 func NewSolver(desc *SolverDesc) (o *Solver, err error) {
 	r := C.go_gphys_solver_create((*C.gphys_solver_desc)(unsafe.Pointer(desc)))
 	if err = check(r.status, r.message); err != nil {

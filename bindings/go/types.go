@@ -438,6 +438,11 @@ type SolverDesc struct {
 	FixedStep float32
 	// most steps of one advance; time beyond is dropped; 8
 	MaxSteps uint32
+	// whose threads worker_count counts; NULL: the solver's own
+	// A gphys_task_runner in C memory.
+	TaskRunner unsafe.Pointer
+	// threads for one step, its own included, at most 1024; 0 and 1: that alone
+	WorkerCount uint32
 }
 
 // Settings shared by all kinds of bodies.
@@ -644,6 +649,8 @@ var (
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.substeps)]byte = [unsafe.Offsetof(SolverDesc{}.Substeps)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.fixed_step)]byte = [unsafe.Offsetof(SolverDesc{}.FixedStep)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_steps)]byte = [unsafe.Offsetof(SolverDesc{}.MaxSteps)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.task_runner)]byte = [unsafe.Offsetof(SolverDesc{}.TaskRunner)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.worker_count)]byte = [unsafe.Offsetof(SolverDesc{}.WorkerCount)]byte{}
 	_ [C.sizeof_gphys_body_desc]byte = [unsafe.Sizeof(BodyDesc{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.struct_size)]byte = [unsafe.Offsetof(BodyDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.mass)]byte = [unsafe.Offsetof(BodyDesc{}.Mass)]byte{}

@@ -296,6 +296,8 @@ export interface SolverDesc {
     fixed_step: number;
     /** most steps of one advance; time beyond is dropped; 8 */
     max_steps: number;
+    /** threads for one step, its own included, at most 1024; 0 and 1: that alone */
+    worker_count: number;
 }
 /** Settings shared by all kinds of bodies. */
 export interface BodyDesc {
@@ -675,7 +677,10 @@ export class Camera {
     /** gphys_scene_cull with the camera's frustum. */
     cull(scene: Scene, layers?: number): Records<number>;
 }
-/** @param desc  may be NULL */
+/** With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+ * every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
+ * @param desc  may be NULL
+ * @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started */
 export class Solver {
     constructor(desc?: Partial<SolverDesc> | null);
     /** Frees the object at once. */

@@ -2,6 +2,8 @@
 // a body are in solver_state.cpp.
 #include "solver/solver.h"
 
+#include <cstddef>
+
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
@@ -11,12 +13,13 @@ using namespace gphys;
 
 namespace {
 
-constexpr size_t solver_desc_size = sizeof(gphys_solver_desc);  // of release 1.0
+constexpr size_t solver_desc_size = offsetof(gphys_solver_desc, task_runner);  // of release 1.0
 constexpr size_t body_desc_size = sizeof(gphys_body_desc);
 
 constexpr uint32_t most_particles = (1u << 24) - 1;  // as many as constraints
 
-constexpr gphys_solver_desc default_solver_desc{sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8};
+constexpr gphys_solver_desc default_solver_desc{
+    sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8, nullptr, 0};
 constexpr gphys_body_desc default_body_desc{
     sizeof(gphys_body_desc), 1, 0.01f, 0, 0.5f, 0, 0, 0.001f, GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND, 0xffffffff};
 
@@ -80,9 +83,11 @@ gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** o
         GPHYS_REQUIRE(is_substeps(settings.substeps), "desc.substeps: must be 1 to 1000");
         GPHYS_REQUIRE(is_step(settings.fixed_step), "desc.fixed_step: must be 1e-6 to 0.5");
         GPHYS_REQUIRE(settings.max_steps >= 1, "desc.max_steps: must be at least 1");
+        GPHYS_REQUIRE(!settings.task_runner || settings.task_runner->run, "desc.task_runner: run must be set");
+        GPHYS_REQUIRE(settings.worker_count <= Workers::max_count, "desc.worker_count: at most 1024");
         GPHYS_REQUIRE(out_solver, "out_solver is null");
         const SolverSettings in{widen(settings.gravity), settings.substeps, settings.fixed_step, settings.max_steps};
-        *out_solver = wrap(create<Solver>(settings.allocator, in));
+        *out_solver = wrap(create<Solver>(settings.allocator, in, settings.worker_count, settings.task_runner));
         return GPHYS_OK;
     });
 }

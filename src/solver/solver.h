@@ -17,6 +17,7 @@
 #pragma once
 
 #include "foundation/results.h"
+#include "foundation/workers.h"
 #include "scene/scene.h"
 #include "solver/collision.h"
 
@@ -56,7 +57,11 @@ struct ConstraintOrder {
 
 class Solver {
 public:
-    Solver(const gphys_allocator* hooks, const SolverSettings& settings) : memory(hooks) { state_.settings = settings; }
+    Solver(const gphys_allocator* hooks, const SolverSettings& settings, uint32_t worker_count = 1,
+           const gphys_task_runner* task_runner = nullptr)
+        : memory(hooks), workers_(worker_count, task_runner, &memory) {
+        state_.settings = settings;
+    }
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
@@ -105,13 +110,25 @@ public:
     gphys_status restore(const uint32_t* words, uint32_t count);
 
 private:
+    /// The largest first: no worker begins a large body when the others are done.
+    struct Moving {
+        uint32_t size, slot;
+
+        bool operator<(const Moving& other) const { return size != other.size ? size > other.size : slot < other.slot; }
+    };
+
     gphys_status insert(Body&& body, gphys_body_id& out);
     void prepare(const Scene* scene, double dt);
+    void move_through(Body& body, const Scene* scene, double dt) const;
     void look_around(const Scene& scene, double dt);
 
+    const Workers workers_;  // each moves a body at a time
     SolverState state_{&memory};
     /// Models near the bodies as they stand, and those of state_.seen that moved since.
     Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};
+    /// The bodies of the step under way, and where each may come near to models.
+    Vector<Moving> moving_{&memory};
+    Vector<Box> nearby_{&memory};
 };
 
 // state.cpp: one body.

@@ -1,4 +1,5 @@
-// The step. Bodies do not influence each other, so each is taken through all substeps in turn:
+// The step. Bodies do not influence each other, so each is taken through all substeps at once, by one
+// of the workers:
 //
 //   free         exact flight and impacts                                    free_flight.cpp
 //   direct       predict, solve chains as a whole, new velocities, collide,
@@ -137,9 +138,11 @@ void reserve_history(Body& body) {
 
 /// Everything that may fail for want of memory, before anything moves.
 void Solver::prepare(const Scene* scene, double dt) {
+    moving_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (!state_.ids.live(slot)) continue;
         Body& body = state_.bodies[slot];
+        moving_.push_back({body.size(), slot});
         aim_attachments(body, scene);
         update_plan(body);
         reserve_history(body);
@@ -148,6 +151,7 @@ void Solver::prepare(const Scene* scene, double dt) {
             body.held.resize(body.size());
         }
     }
+    std::sort(moving_.begin(), moving_.end());
     next_seen_.clear();
     moved_.clear();
     if (scene) look_around(*scene, dt);
@@ -155,17 +159,19 @@ void Solver::prepare(const Scene* scene, double dt) {
 
 /// Note where the models near the bodies stand, and which of them have moved since the last step.
 void Solver::look_around(const Scene& scene, double dt) {
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (!state_.ids.live(slot) || state_.bodies[slot].settings.layers == 0) continue;
-        const Body& body = state_.bodies[slot];
+    nearby_.resize(moving_.size());
+    workers_.run(static_cast<uint32_t>(moving_.size()), [&](uint32_t i) {
+        const Body& body = state_.bodies[moving_[i].slot];
         double fastest = 0;
         for (const Vec3& velocity : body.velocity) fastest = std::max(fastest, length_squared(velocity));
         // Twice as far as a particle may come in this step: a model that it can meet in the next.
         const double margin = 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity));
-        scene.for_each_in_box(swept_box(body, body.position, body.position, margin), body.settings.layers,
-                              [&](gphys_model_id model) {
-                                  next_seen_.push_back({model, scene.world(model)});
-                              });
+        nearby_[i] = swept_box(body, body.position, body.position, margin);
+    });
+    for (size_t i = 0; i < moving_.size(); ++i) {
+        scene.for_each_in_box(nearby_[i], state_.bodies[moving_[i].slot].settings.layers, [&](gphys_model_id model) {
+            next_seen_.push_back({model, scene.world(model)});
+        });
     }
     std::sort(next_seen_.begin(), next_seen_.end());
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
@@ -177,22 +183,24 @@ void Solver::look_around(const Scene& scene, double dt) {
     }
 }
 
+/// All substeps of one body. Touches nothing of other bodies, allocates nothing.
+void Solver::move_through(Body& body, const Scene* scene, double dt) const {
+    std::fill(body.touches.begin(), body.touches.end(), Touch{});
+    const uint32_t substeps = substeps_of(body, dt, state_.settings.substeps);
+    const double h = dt / substeps;
+    if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, state_.settings.gravity);
+    for (uint32_t i = 1; i <= substeps; ++i) {
+        const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
+        const Surroundings around{scene, &moved_, dt, begin, end};
+        move(body, around, state_.settings.gravity, h);
+    }
+    if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body);
+}
+
 void Solver::step(const Scene* scene, double dt) {
     prepare(scene, dt);
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (!state_.ids.live(slot)) continue;
-        Body& body = state_.bodies[slot];
-        std::fill(body.touches.begin(), body.touches.end(), Touch{});
-        const uint32_t substeps = substeps_of(body, dt, state_.settings.substeps);
-        const double h = dt / substeps;
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, state_.settings.gravity);
-        for (uint32_t i = 1; i <= substeps; ++i) {
-            const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
-            const Surroundings around{scene, &moved_, dt, begin, end};
-            move(body, around, state_.settings.gravity, h);
-        }
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body);
-    }
+    workers_.run(static_cast<uint32_t>(moving_.size()),
+                 [&](uint32_t i) { move_through(state_.bodies[moving_[i].slot], scene, dt); });
     state_.seen.swap(next_seen_);
 }
 

@@ -736,7 +736,10 @@ public:
 
 class Solver : public Object<gphys_solver, gphys_solver_destroy> {
 public:
+    // With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+    // every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
     // @param desc  may be NULL
+    // @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
     explicit Solver(const SolverDesc* desc = nullptr) {
         gphys_solver* made = nullptr;
         check(gphys_solver_create(desc, &made));

@@ -419,9 +419,9 @@ export function objects(memory) {
     class Solver extends Handle {
         constructor(desc) {
             super(() => {
-                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 40 : 32)); writeSolverDesc(v, 0, desc); }
-                check(native.gphys_solver_create(desc == null ? 0 : base, base + 40));
-                return made(40);
+                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 56 : 40)); writeSolverDesc(v, 0, desc); }
+                check(native.gphys_solver_create(desc == null ? 0 : base, base + 56));
+                return made(56);
             }, native.gphys_solver_destroy);
         }
         setOrigin(origin) {

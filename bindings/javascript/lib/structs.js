@@ -223,6 +223,7 @@ export function writeSolverDesc(v, at, value) {
             case 'substeps': v.u32[at + (v.wide ? 7 : 5)] = number(value[name], 'substeps'); break;
             case 'fixed_step': v.f32[at + (v.wide ? 8 : 6)] = number(value[name], 'fixed_step'); break;
             case 'max_steps': v.u32[at + (v.wide ? 9 : 7)] = number(value[name], 'max_steps'); break;
+            case 'worker_count': v.u32[at + (v.wide ? 12 : 9)] = number(value[name], 'worker_count'); break;
             default: throw new TypeError(`solver_desc has no field ${name}`);
         }
     }

@@ -683,7 +683,10 @@ function Camera:cull(scene, layers)
 end
 
 local Solver = runtime.class 'solver'
+--- With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+--- every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
 --- @param desc  may be NULL
+--- @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
 function gp.Solver(desc)
     return Solver.create(function(made)
         return C.gphys_solver_create(desc and to_desc(SolverDesc, desc), made)

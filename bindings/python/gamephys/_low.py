@@ -382,7 +382,9 @@ class SolverDesc(Desc, Structure):
     substeps: int  # of one step, 1 .. 1000; default 8
     fixed_step: float  # seconds simulated by each step of gphys_solver_advance; 1/60
     max_steps: int  # most steps of one advance; time beyond is dropped; 8
-    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32)]
+    task_runner: int | None  # whose threads worker_count counts; NULL: the solver's own
+    worker_count: int  # threads for one step, its own included, at most 1024; 0 and 1: that alone
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32)]
 
 
 class BodyDesc(Desc, Structure):

@@ -586,7 +586,10 @@ class Camera(Object):
 
 
 class Solver(Object):
-    """@param desc  may be NULL"""
+    """With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+    every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
+    @param desc  may be NULL
+    @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started"""
     _destroy = low.gphys_solver_destroy
 
     def __init__(self, desc: low.SolverDesc | None = None):

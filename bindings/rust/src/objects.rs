@@ -866,7 +866,11 @@ impl Drop for Solver {
 }
 
 impl Solver {
+    /// With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+    /// every n. Threads are started, joined and lost by fork as those of `gphys_scene_create`.
     /// * `desc`: may be NULL
+    ///
+    /// Returns `GPHYS_ERROR_OUT_OF_MEMORY` also if the threads cannot be started
     pub fn new(desc: Option<&SolverDesc>) -> Result<Solver> {
         let mut made = null_mut();
         check(unsafe { sys::gphys_solver_create(pointer(desc), &mut made) })?;

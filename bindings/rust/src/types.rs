@@ -509,6 +509,10 @@ pub struct SolverDesc {
     pub fixed_step: f32,
     /// most steps of one advance; time beyond is dropped; 8
     pub max_steps: u32,
+    /// whose threads worker_count counts; NULL: the solver's own
+    pub task_runner: Hook<TaskRunner>,
+    /// threads for one step, its own included, at most 1024; 0 and 1: that alone
+    pub worker_count: u32,
 }
 
 /// Settings shared by all kinds of bodies.
@@ -625,7 +629,7 @@ const _: () = {
     assert!(std::mem::size_of::<ModelInfo>() == 20);
     assert!(std::mem::size_of::<CameraDesc>() == 40);
     assert!(std::mem::size_of::<Orbit>() == 60);
-    assert!(std::mem::size_of::<SolverDesc>() == 40);
+    assert!(std::mem::size_of::<SolverDesc>() == 56);
     assert!(std::mem::size_of::<BodyDesc>() == 40);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
@@ -660,7 +664,7 @@ const _: () = {
     assert!(std::mem::size_of::<ModelInfo>() == 20);
     assert!(std::mem::size_of::<CameraDesc>() == 28);
     assert!(std::mem::size_of::<Orbit>() == 60);
-    assert!(std::mem::size_of::<SolverDesc>() == 32);
+    assert!(std::mem::size_of::<SolverDesc>() == 40);
     assert!(std::mem::size_of::<BodyDesc>() == 40);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
@@ -835,6 +839,8 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).substeps) } as usize - p as usize, 28);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).fixed_step) } as usize - p as usize, 32);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).max_steps) } as usize - p as usize, 36);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).task_runner) } as usize - p as usize, 40);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).worker_count) } as usize - p as usize, 48);
     let s = std::mem::MaybeUninit::<BodyDesc>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);

@@ -21,7 +21,7 @@ module Gamephys
     end
 
     class SolverDesc < FFI::Struct
-      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32
+      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32
     end
 
     class BodyDesc < FFI::Struct

@@ -650,7 +650,10 @@ module Gamephys
       def self.release(pointer) = Low.gphys_solver_destroy(pointer)
     end
 
+    # With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+    # every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
     # @param desc  may be NULL
+    # @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
     def initialize(**desc)
       own(Pointer) { |made| Low.gphys_solver_create(Low.desc(Low::SolverDesc, :gphys_solver_desc_init, desc), made) }
     end

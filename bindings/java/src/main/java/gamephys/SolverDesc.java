@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 
 /** Settings: the library's defaults, until one is changed. */
 public final class SolverDesc {
-    private final ByteBuffer memory = Batch.direct(Low.pick(40, 32));
+    private final ByteBuffer memory = Batch.direct(Low.pick(56, 40));
 
     public SolverDesc() {
         Low.check(Low.gphys_solver_desc_init(pointer(), memory.capacity()));
@@ -80,5 +80,29 @@ public final class SolverDesc {
 
     public int maxSteps() {
         return memory.getInt(Low.pick(36, 28));
+    }
+
+    /**
+     * <pre>
+     * whose threads worker_count counts; NULL: the solver's own
+     * </pre>
+     */
+    public SolverDesc taskRunner(Pointer value) {
+        pointer().setPointer(Low.pick(40, 32), value);
+        return this;
+    }
+
+    /**
+     * <pre>
+     * threads for one step, its own included, at most 1024; 0 and 1: that alone
+     * </pre>
+     */
+    public SolverDesc workerCount(int value) {
+        memory.putInt(Low.pick(48, 36), value);
+        return this;
+    }
+
+    public int workerCount() {
+        return memory.getInt(Low.pick(48, 36));
     }
 }
