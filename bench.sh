@@ -110,7 +110,8 @@ fi
 
 python3 bench/report.py build/bench | tee build/bench/ratios.md
 if [ $docs = ON ] && [ -f $accuracy ]; then
-    python3 bench/accuracy.py build/bench >docs/accuracy.md
+    python3 bench/accuracy.py build/bench docs/accuracy_scores.csv >build/bench/accuracy.md
+    cp build/bench/accuracy.md docs/accuracy.md
     cp build/bench/accuracy_*.png docs/images/
 fi
 if [ $docs = ON ] && [ -f build/bench/scene.csv ]; then

@@ -1,13 +1,18 @@
 #!/usr/bin/env python3
-"""The page docs/accuracy.md from a run of the accuracy suite: accuracy.py DIRECTORY
+"""The page docs/accuracy.md from a run of the accuracy suite: accuracy.py DIRECTORY SCORES
 
-Reads accuracy.csv and machine.txt in DIRECTORY. Every measured number comes from them.
+Reads accuracy.csv and machine.txt in DIRECTORY, and SCORES as scores.py writes it. Every measured
+number comes from them.
 """
 import csv
 import pathlib
 import sys
 
 CASES = {
+    "boxes_random": "random rays through 100,000 boxes",
+    "boxes_camera": "rays of a camera that sees them",
+    "mesh_random": "random rays around a mesh of 81,920 triangles",
+    "mesh_camera": "rays of a camera that sees it",
     "leaks_near": "rays out of a closed mesh, through edges and vertices",
     "leaks_far": "the same 370 km from the origin, 1 km large",
     "leaks_slivers": "the same stretched to slivers of 1e6 : 1",
@@ -42,12 +47,26 @@ Answers refer to the exact objects that the float bits of the input denote. W is
 | camera: pick | the double ray of the pixel | | never rounded to float |
 | camera: pick ray as floats | 1e-3 pixel, or half an ulp of the direction where the field of view is below about 3 degrees | | |
 
-`tests_cpp/exact` holds each line against arithmetic that is not ours (CGAL's exact kernel, linear and quadratic programs, MPFR with 300 digits), on whole numbers, coordinates moved by an ulp, slivers, tangents, shapes far out and below the smallest normal float, and shows that each check notices a spoiled function. `ctest -R exact: -V` prints the score of each function, `./test.sh --long` asks a million to ten million cases of each and 1.2e8 rays out of closed meshes.
+`tests_cpp/exact` holds each line against arithmetic that is not ours (CGAL's exact kernel, linear and quadratic programs, MPFR with 300 digits), on whole numbers, coordinates moved by an ulp, slivers, tangents, shapes far out and below the smallest normal float, and shows that each check notices a spoiled function. `ctest -R exact: -V` prints the score of each function.
 
 Coordinates beyond some kilometres: see `gphys_scene_set_origin`, which keeps places in double precision.
 
 Scene and mesh queries compute their distances in double precision from absolute coordinates: theirs are within 1 ulp + 2^-52 W.
 
+## Scores
+
+Of one run of the exact suite in parts, added up by `bench/scores.py`. `./test.sh --long` asks 10 million cases of each function that says yes or no, a million of closest points, sweeps and cameras, and 120 million rays out of closed meshes, which takes some hours of a processor; its scores are in `build/*/exact_scores.csv`.
+
+{scores}
+The worst errors came from these inputs (`%a`):
+
+{inputs}
+{builds}
+## The price of exactness
+
+`gamephys_float` asks the same queries of the same trees with plain float tests in place of the exact ones (`bench/gamephys_float.cpp`).
+
+{price}
 ## Beside others
 
 {machine}
@@ -63,22 +82,65 @@ def number(value):
     return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
 
 
+def table(head, right, rows):
+    """Markdown; the columns from `right` on hold numbers."""
+    lines = [head, ["---"] * right + ["---:"] * (len(head) - right)] + rows
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
+
+
+def score_tables(rows):
+    """Scores of the usual build, the inputs of their worst errors, and a sum for each other build."""
+    usual = [row for row in rows if row["build"] == "gcc optimised" and row["isa"] == "best"]
+    scores, inputs = [], []
+    for row in usual:
+        worst = f"{float(row['worst']):.3g} of {float(row['bound']):g} {row['unit']}" if row["unit"] else ""
+        scores.append([row["function"], f"{int(row['cases']):,}", row["false"], worst])
+        if worst:
+            inputs.append(f"- {row['function']}: `{row['input'].strip()}`\n")
+    builds = {}
+    for row in rows:
+        if row not in usual:
+            of = builds.setdefault((row["build"], row["isa"]), [0, 0, 0])
+            of[0] += 1
+            of[1] += int(row["cases"])
+            of[2] += int(row["false"])
+    others = [[build, isa, str(of[0]), f"{of[1]:,}", str(of[2])] for (build, isa), of in builds.items()]
+    return (table(["function", "cases", "false answers", "worst error"], 1, scores), "".join(inputs),
+            table(["other build", "instruction set", "functions", "cases", "false answers"], 2, others) if others else "")
+
+
+def price_table(cases):
+    rows = []
+    for case, implementations in cases.items():
+        by = {row["implementation"]: row for row in implementations}
+        own, rough = by["gamephys"], by["gamephys_float"]
+        times = float(own["value"]), float(rough["value"])
+        rows.append([CASES[case], number(times[0]), number(times[1]), f"{times[0] / times[1]:.2f}", share(rough)])
+    return table(["case", "gamephys, ns", "gamephys_float, ns", "ratio", "its false answers"], 1, rows)
+
+
+def share(row):
+    error = float(row["error"])
+    return "0" if error == 0 else f"{100 * error:.3g} %"
+
+
 def main():
     directory = pathlib.Path(sys.argv[1])
     cases = {}
     with (directory / "accuracy.csv").open(newline="") as file:
         for row in csv.DictReader(file):
             cases.setdefault(row["case"], []).append(row)
-    lines = ["| case | library | ns | false answers |", "|---|---|---:|---:|"]
+    lines = []
     for case, rows in cases.items():
         for i, row in enumerate(rows):
             what = f"`{case}`: {CASES[case]}" if i == 0 else ""
-            error = float(row["error"])
-            lines.append(f"| {what} | {row['implementation']} | {number(float(row['value']))} | "
-                         f"{'0' if error == 0 else f'{100 * error:.3g} %'} |")
+            lines.append([what, row["implementation"], number(float(row["value"])), share(row)])
+    with pathlib.Path(sys.argv[2]).open(newline="") as file:
+        scores, inputs, builds = score_tables(list(csv.DictReader(file)))
     plots = "\n".join(f"![{CASES[case]}](images/accuracy_{case}.png)" for case in cases)
     machine = "  \n".join((directory / "machine.txt").read_text().splitlines())
-    print(PAGE.format(machine=machine, table="\n".join(lines) + "\n", plots=plots), end="")
+    print(PAGE.format(machine=machine, table=table(["case", "library", "ns", "false answers"], 2, lines), plots=plots,
+                      scores=scores, inputs=inputs, builds=builds, price=price_table(cases)), end="")
 
 
 main()

@@ -54,6 +54,8 @@ public:
 
 /// `worker_count` of the scene.
 std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count);
+/// The library's own trees with float tests in place of its exact ones: for the accuracy suite.
+std::unique_ptr<Implementation> make_gamephys_float();
 /// A flat sweep over all boxes with SIMD, the baseline for culling.
 std::unique_ptr<Implementation> make_simd_sweep();
 #ifdef GAMEPHYS_BENCH_PEERS

@@ -416,9 +416,51 @@ Check false_answers(const HardRays& work) {
     };
 }
 
+/// The same where the truth is that of a loop in double precision, for some of the rays.
+Check false_answers(const Sample& sample) {
+    return [&sample](Implementation& implementation) -> std::pair<double, std::string> {
+        std::vector<Answer> answers;
+        implementation.closest(sample.rays, answers);
+        size_t wrong = 0;
+        for (size_t i = 0; i < answers.size(); ++i) {
+            const Answer &answer = answers[i], &truth = sample.truth[i];
+            wrong += answer.object != truth.object ||
+                     (truth.object != no_object && std::fabs(double(answer.t) - truth.t) > 1e-4 * truth.t);
+        }
+        return {sample.wrong_fraction(wrong).first, "FALSE_FRACTION"};
+    };
+}
+
+/// Queries of every day, in which hardly a ray is hard: what exactness costs there.
+template <class Content>
+void easy_cases(Bench& bench, const std::string& prefix, uint32_t n, float half, const Content& content,
+                std::vector<Entry>& entries) {
+    load(entries, content);
+    std::vector<Answer> answers;
+    for (const bool of_camera : {false, true}) {
+        const std::vector<gphys_ray> rays = of_camera ? bench.camera_rays(half) : random_rays(half, bench.ray_count(n));
+        const Sample sample(rays, n, [&](const gphys_ray& r) { return reference(content, r); });
+        bench.measure("accuracy", prefix + (of_camera ? "_camera" : "_random"), n, entries, closest_hits(rays, answers),
+                      false_answers(sample));
+    }
+}
+
 void accuracy_suite(Bench& bench) {
     const uint32_t count = bench.ray_count(1000);
     std::vector<Answer> answers;
+    const auto everybody = [] {
+        std::vector<Entry> all = bench::everybody();
+        all.push_back({"gamephys_float", make_gamephys_float()});
+        return all;
+    };
+    {
+        const uint32_t n = bench.sizes().back() < 100000 ? 10000 : 100000;
+        std::vector<Entry> entries = everybody();
+        easy_cases(bench, "boxes", n, half_side(n), boxes(n), entries);
+        const Triangles mesh = bumpy_sphere(n < 100000 ? 4 : 6);
+        entries = everybody();
+        easy_cases(bench, "mesh", mesh.count(), 1.1f, mesh, entries);
+    }
     const auto cast = [&](const std::string& name, uint32_t n, std::vector<Entry>& entries, const HardRays& work) {
         bench.measure("accuracy", name, n, entries, closest_hits(work.rays, answers), false_answers(work));
     };

@@ -1,0 +1,30 @@
+// The triangles of a mesh against rays in plain float arithmetic, walked through the library's own tree
+// by the library's own traversal: what the exact tests are measured against.
+#pragma once
+
+#include "mesh/triangle_packet.h"
+#include "octree/octree_kernels.h"
+
+namespace gphys {
+
+struct FloatRay {
+    FloatRay(const gphys_ray& ray)
+        : origin{ray.origin.x, ray.origin.y, ray.origin.z},
+          direction{ray.direction.x, ray.direction.y, ray.direction.z},
+          t(ray.t_max) {}
+
+    float origin[3], direction[3];
+    // The nearest hit so far.
+    float t, u = 0, v = 0;
+    uint32_t item = TrianglePacket::none;
+};
+
+struct FloatKernels {
+    /// As MeshKernels::rays; each ray ends up with its nearest hit.
+    void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* along,
+                 FloatRay* rays, float* limits, uint32_t count, bool together);
+};
+
+GPHYS_DECLARE_KERNELS(FloatKernels, float_kernels)
+
+}  // namespace gphys
