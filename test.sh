@@ -12,7 +12,7 @@ source cmake/install_packages.sh
 
 presets=(release asan-ubsan)
 packages=(cmake ninja-build g++ clang pkg-config dpkg-dev catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
-    python3 abigail-tools)
+    python3 python3-cffi luajit abigail-tools)
 configuration=()
 case ${1:-} in
     '') ;;
@@ -22,7 +22,7 @@ case ${1:-} in
         ;;
     --bindings)
         presets=(bindings)
-        packages+=(python3-numpy python3-pip nodejs emscripten luajit ruby ruby-ffi openjdk-17-jdk-headless
+        packages+=(python3-numpy python3-pip nodejs emscripten ruby ruby-ffi openjdk-17-jdk-headless
             libjna-java junit4)
         command -v npm >/dev/null || packages+=(npm)
         command -v cargo >/dev/null || packages+=(cargo)

@@ -31,3 +31,18 @@ exports_match() {
     diff header.txt binary.txt || fail "the exports differ from the header"
     expect_no_match "exported without being in the list" -v ' T gphys_' nm.txt
 }
+
+# well_behaved LIBRARY: named as clients expect, without unexpected dependencies, search paths or an
+# executable stack, and it leaves the floating-point mode of its host alone.
+well_behaved() {
+    readelf -d "$1" >dynamic.txt
+    grep -q 'SONAME.*\[libgamephys\.so\.1\]' dynamic.txt || fail "SONAME is not libgamephys.so.1"
+    sed -n '/NEEDED/p' dynamic.txt >needed.txt
+    expect_no_match "unexpected dependency" -vE '\[(libc|libm|libstdc\+\+|libgcc_s|libpthread|ld-linux[-a-z0-9_]*)\.so\.[0-9]+\]' needed.txt
+    expect_no_match "search path in an installed library" -E 'RPATH|RUNPATH' dynamic.txt
+    readelf -W -l "$1" >segments.txt
+    expect_no_match "executable stack" 'GNU_STACK.*RWE' segments.txt
+    # -ffast-math at link time adds a constructor that flushes the host's denormals to zero.
+    objdump -d "$1" >code.txt
+    expect_no_match "instruction that changes the floating-point mode" -E '\b(ldmxcsr|fldcw|fldenv|msr +fpcr)\b' code.txt
+}

@@ -3,6 +3,7 @@
 # the check that it names.
 source "$SOURCE/tests_package/common.sh"
 source "$here/binaries.sh"
+source "$here/headers.sh"
 interface=$SOURCE/cmake/interface
 header=$SOURCE/include/gamephys_c.h
 python3 "$interface/describe.py" "$header" >present.json
@@ -51,6 +52,46 @@ stub present.json gamephys_c.h short.so "$PWD/short.map"
 if exported short.so; then fail "a missing function is not noticed"; fi
 "$CC" -w -shared -fPIC good.so.c -o bare.so
 if exported bare.so; then fail "a missing version script is not noticed"; fi
+
+# refused NAME REASON CHECK...: the check fails, for this reason.
+refused() {
+    local name=$1 reason=$2
+    shift 2
+    if ("$@") >"$name.txt" 2>&1; then fail "$name is not noticed"; fi
+    grep -q "$reason" "$name.txt" || fail "$name: another reason: $(cat "$name.txt")"
+}
+
+# The binary: another library that it needs, a name, a search path, and an object of gcc's that
+# flushes denormals, which -ffast-math links in.
+link() { "$CC" -w -shared -fPIC -Wl,-soname,libgamephys.so.1 "$@"; }
+well_behaved good.so
+link good.so.c -Wl,--no-as-needed -lresolv -o needs_more.so
+refused needs_more 'unexpected dependency.*libresolv' well_behaved needs_more.so
+link good.so.c -Wl,-rpath,/opt -o search_path.so
+refused search_path 'search path' well_behaved search_path.so
+link good.so.c -Wl,-soname,libgamephys.so.2 -o other_name.so
+refused other_name 'SONAME' well_behaved other_name.so
+link good.so.c -Wl,-z,execstack -o stack.so
+refused stack 'executable stack' well_behaved stack.so
+fast_math=$(gcc -print-file-name=crtfastmath.o)
+if [ -f "$fast_math" ]; then
+    link good.so.c "$fast_math" -o fast_math.so
+    refused fast_math 'floating-point mode' well_behaved fast_math.so
+fi
+
+# The header: what only C++ takes, only C, only later standards, or only once.
+# extended NAME COMPILER LINE: the line is refused by the compiler.
+extended() {
+    mkdir "$1"
+    sed "/^#endif.*GAMEPHYS_C_H/i $3" "$header" >"$1/gamephys_c.h"
+    refused "$1" "^$2 -std" header_compiles "$PWD/$1"
+}
+extended only_cpp gcc 'struct gphys_extra { int value = 1; };'
+extended only_c 'g++' 'typedef struct gphys_extra { int size; int values[]; } gphys_extra;'
+extended only_later gcc 'typedef struct gphys_extra { struct { int value; }; } gphys_extra;'
+mkdir unguarded
+sed '/GAMEPHYS_C_H/d' "$header" >unguarded/gamephys_c.h
+refused unguarded '^gcc -std=c99' header_compiles "$PWD/unguarded"
 
 command -v abidiff >/dev/null || exit 0
 binary_compatible good.so good.so || fail "a library differs from itself"
