@@ -2,6 +2,8 @@
 from dataclasses import dataclass, field
 
 SHAPES = ("sphere", "capsule", "aabb", "obb", "plane", "triangle", "frustum", "mesh", "ray", "segment")
+# Structs that users build: they get a constructor.
+BUILT = tuple(f"gphys_{s}" for s in SHAPES if s not in ("mesh", "frustum")) + ("gphys_vec3", "gphys_quat", "gphys_transform")
 
 
 def element(parameter):
@@ -28,6 +30,13 @@ def lower_camel(name):
 def base_type(api, name):
     """A typedef of a number resolved: 'gphys_model_id' -> 'uint32_t'."""
     return next((t["type"] for t in api["types"] if t["name"] == name), name)
+
+
+def common_prefix(names):
+    """'GPHYS_SIDE_' of GPHYS_SIDE_INSIDE, ...: up to the last underscore that all share."""
+    first, last = min(names), max(names)
+    n = next((i for i, (a, b) in enumerate(zip(first, last)) if a != b), len(first))
+    return first[:first.rindex("_", 0, n) + 1]
 
 
 # Functions whose status is the answer: OK is yes, the status here is no.

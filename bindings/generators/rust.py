@@ -2,15 +2,13 @@
 import re
 
 from ._calls import arguments, batch_arrays
-from ._names import SHAPES, base_type, calls, camel, creations, element, plain
+from ._names import BUILT, SHAPES, base_type, calls, camel, common_prefix, creations, element, plain
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 NUMBERS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32", "size_t": "usize", "void": "c_void"}
 CALLBACKS = ("gphys_allocator", "gphys_task_runner")
 # What is written by hand, because a rule for one function would be longer.
 BY_HAND = ("gphys_scene_has",)
-# Structs that users build: they get a constructor.
-BUILT = tuple(f"gphys_{s}" for s in SHAPES if s not in ("mesh", "frustum")) + ("gphys_vec3", "gphys_quat", "gphys_transform")
 # Whose numbers may be given as an array in place of the struct.
 VECTORS = ("gphys_vec3", "gphys_quat")
 # Where zeros are no useful start, the defaults are written by hand.
@@ -144,13 +142,6 @@ def c_parameter(api, p):
     # Handles are written through by no caller: *mut is what owners hold.
     inner = "*mut " if target in api["handles"] or not of.startswith("const ") else "*const "
     return "*mut " * (stars - 1) + inner + target
-
-
-def common_prefix(names):
-    """'GPHYS_SIDE_' of GPHYS_SIDE_INSIDE, ...: up to the last underscore that all share."""
-    first, last = min(names), max(names)
-    n = next((i for i, (a, b) in enumerate(zip(first, last)) if a != b), len(first))
-    return first[:first.rindex("_", 0, n) + 1]
 
 
 def has_stride(call, p):

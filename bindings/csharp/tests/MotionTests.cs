@@ -1,0 +1,167 @@
+// The camera and the solver.
+using System.Linq;
+using Gamephys;
+using NUnit.Framework;
+using static Common;
+
+[TestFixture]
+public class MotionTests {
+    [Test]
+    public void ACameraProjectsAndPicks() {
+        uint[] models;
+        var scene = SceneOfBalls(out models);
+        var desc = CameraDesc.Default;
+        desc.ViewportWidth = 640;
+        desc.ViewportHeight = 480;
+        var camera = new Camera(desc);
+        camera.LookAt((0, 0, -9), (0, 0, 0), Up);
+        var points = new Vec3[] { (0, 0, 0), (1, 1, 3), (0, 0, -20) };
+        var pixels = new Vec3[3];
+        camera.ProjectBatch(points, pixels);
+        Assert.AreEqual(pixels[1], camera.Project(points[1]));
+        Assert.IsNull(camera.Project(points[2]));
+        Assert.AreEqual((320f, 240f), (pixels[0].X, pixels[0].Y));
+        var back = new Vec3[2];
+        camera.UnprojectBatch(pixels.Take(2).ToArray(), back);
+        Assert.AreEqual(back[1], camera.Unproject(pixels[1]));
+        Assert.AreEqual(3, back[1].Z, 1e-3);
+
+        var rays = new Ray[16 * 12];
+        camera.PickRays(312, 234, 16, 12, rays);
+        Assert.AreEqual(rays[0], camera.PickRay(312.5f, 234.5f));
+        Assert.Throws<System.ArgumentException>(() => camera.PickRays(312, 234, 16, 11, rays));
+        var places = Enumerable.Range(0, 64).Select(i => new Vec2(10 * i, 7.5f * i)).ToArray();
+        var hits = new Hit[64];
+        camera.PickBatch(scene, places, hits);
+        for (var i = 0; i < 64; ++i) Assert.AreEqual(camera.Pick(scene, places[i].X, places[i].Y)?.Model ?? 0, hits[i].Model);
+        Assert.That(hits.Count(hit => hit.Model != 0), Is.InRange(1, 63));
+        Assert.AreEqual(30, camera.Cull(scene).Length);
+        Assert.Less(camera.PickRectangle(scene, 0, 0, 320, 480).Length, 30);
+    }
+
+    [Test]
+    public void ACameraIsPlacedAndSet() {
+        var camera = new Camera();
+        var halfTurn = new Quat(0, 1, 0, 0);
+        camera.SetTransform((1, 2, 3), halfTurn);
+        Assert.AreEqual(((Vec3)(1, 2, 3), halfTurn), camera.GetTransform());
+        var world = camera.GetWorldMatrix();
+        Assert.AreEqual((-1f, 2f), (world[0], world[13]));
+        camera.SetWorldMatrix(Mat4.Identity);
+        Assert.AreEqual(Mat4.Identity, camera.GetViewMatrix());
+        camera.SetPerspective(1, 0.5f, Far);
+        Assert.IsNull(camera.GetCorners());
+        camera.SetOrthographic(2, 0, 10);
+        camera.SetViewport(200, 100);
+        var projection = camera.GetProjectionMatrix();
+        Assert.AreEqual((0.5f, 1f), (projection[0], projection[5]));
+        camera.SetProjection(projection);
+        Assert.AreEqual(projection, camera.GetViewProjectionMatrix());
+        Assert.AreEqual((Vec3)(2, 1, 10), camera.GetCorners()[6]);
+        Refused(Status.ErrorSingular, () => camera.SetProjection(new Mat4()));
+        camera.SetOrigin(new double[] { 0, 1e7, 0 });
+        Assert.AreEqual(1e7, camera.GetOrigin()[1]);
+    }
+
+    [Test]
+    public void ACameraOrbits() {
+        var camera = new Camera();
+        Refused(Status.ErrorUnsupported, () => camera.GetOrbit());
+        var orbit = Orbit.Default;
+        orbit.RadiansPerUnit = 0.5f;
+        camera.SetOrbit(orbit);
+        camera.OrbitRotate(1, -1);
+        camera.OrbitZoom(4);
+        camera.OrbitPan(1, 0);
+        camera.OrbitUpdate();
+        orbit = camera.GetOrbit();
+        Assert.AreEqual((0.5f, -0.5f, 6f, 1f), (orbit.Yaw, orbit.Pitch, orbit.Distance, orbit.Target.X));
+    }
+
+    [Test]
+    public void BodiesAreMadeMovedAndRemoved() {
+        var settings = SolverDesc.Default;
+        settings.Substeps = 4;
+        var solver = new Solver(settings);
+        solver.SetSubsteps(8);
+        solver.SetGravity((0, -10, 0));
+        var body = solver.AddParticles(new Vec3[] { (0, 0, 0), (0, 0, 1), (0, 0, 3) });
+        solver.SetPositions(body, 1, new Vec3[] { (0, 1, 2) });
+        solver.SetVelocities(body, 0, Enumerable.Repeat<Vec3>((1, 0, 0), 3).ToArray());
+        solver.SetMasses(body, 2, new float[] { 4 });
+        solver.SetRadii(body, 0, new float[] { 0.1f, 0.1f });
+        solver.SetForces(body, 2, new Vec3[] { (0, 40, 0) });
+        solver.SetPinned(body, 0, 1, true);
+        solver.Step(0.1f);
+        Vec3[] positions = new Vec3[3], velocities = new Vec3[3];
+        var masses = new float[3];
+        solver.GetPositions(body, 0, positions);
+        solver.GetVelocities(body, 0, velocities);
+        solver.GetMasses(body, 0, masses);
+        Assert.AreEqual((0f, 0f, 4f), (positions[0].X, velocities[0].X, masses[2]));
+        Assert.AreEqual(0.95, positions[1].Y, 1e-5);
+        Assert.AreEqual(-1, velocities[1].Y, 1e-5);
+        Assert.AreEqual(0.1, positions[2].X, 1e-6);
+        Assert.AreEqual(0, positions[2].Y, 1e-5);
+        Refused(Status.ErrorInvalidArgument, () => solver.GetPositions(body, 1, positions));
+
+        var cloth = solver.AddClothMesh(Tetrahedron(), Transform.At((9, 0, 0)));
+        var info = solver.GetBodyInfo(cloth);
+        Assert.AreEqual((BodyKind.Cloth, 4, 4), (info.Kind, (int)info.ParticleCount, (int)info.TriangleCount));
+        Assert.AreEqual(12, solver.GetTriangles(cloth).Length);
+        var link = solver.AddDistance(body, 1, 2, -1);
+        Assert.AreEqual(link, solver.GetConstraints(body)[0].Id);
+        solver.RemoveConstraint(body, link);
+        Assert.AreEqual(0, solver.GetStats(body).ConstraintCount);
+        CollectionAssert.AreEqual(new[] { body, cloth }, solver.GetBodies());
+        solver.RemoveBody(cloth);
+        Refused(Status.ErrorInvalidId, () => solver.GetBodyInfo(cloth));
+        solver.SetOrigin(new double[] { 5, 0, 0 });
+        CollectionAssert.AreEqual(new[] { 5, 0, 0 }, solver.GetOrigin());
+    }
+
+    [Test]
+    public void BodiesMeetAndFollowModels() {
+        var scene = new Scene();
+        var ground = scene.Add(new Plane(Up, 0));
+        var hook = scene.Add(new Sphere((0, 5, 0), 0.1f));
+        var solver = new Solver();
+        var desc = BodyDesc.Default;
+        desc.Layers = 1;
+        desc.Radius = 0.1f;
+        var drop = solver.AddParticles(new Vec3[] { (3, 0.2f, 0) }, desc);
+        desc.Layers = 0;
+        var rope = solver.AddRope(new Vec3[] { (0, 5, 0), (0, 4.5f, 0) }, desc: desc);
+        solver.AddCloth((0, 9, 0), (1, 0, 0), (0, 0, 1), 3, 3);
+        solver.Attach(scene, rope, 0, hook);
+        for (var frame = 0; frame < 30; ++frame) {
+            var (steps, leftover) = solver.Advance(1f / 60, scene);
+            Assert.LessOrEqual(steps, 2);
+            Assert.That(leftover, Is.InRange(0f, 1f));
+        }
+        Assert.IsTrue(solver.GetContacts().Any(c => c.Body == drop && c.Model == ground && c.Normal.Y == 1));
+        scene.SetTransform(hook, Transform.At((2, 0, 0)));
+        solver.Step(0.01f, scene);
+        var end = new Vec3[1];
+        solver.GetPositions(rope, 0, end);
+        Assert.AreEqual(2, end[0].X, 1e-5);
+        solver.Detach(rope, 0);
+        Refused(Status.ErrorInvalidArgument, () => solver.Detach(rope, 0));
+    }
+
+    [Test]
+    public void ASolverGoesOnFromASnapshot() {
+        Solver solver = new Solver(), twin = new Solver();
+        var body = solver.AddCloth((0, 0, 0), (1, 0, 0), (0, 0, 1), 10, 10);
+        solver.SetPinned(body, 0, 1, true);
+        solver.Step(0.01f);
+        var snapshot = solver.GetSnapshot();
+        Refused(Status.ErrorInvalidArgument, () => twin.Restore(snapshot.Skip(1).ToArray()));
+        twin.Restore(snapshot);
+        CollectionAssert.AreEqual(solver.GetHash(), twin.GetHash());
+        solver.Step(0.01f);
+        CollectionAssert.AreNotEqual(solver.GetHash(), twin.GetHash());
+        twin.Step(0.01f);
+        CollectionAssert.AreEqual(solver.GetSnapshot(), twin.GetSnapshot());
+    }
+}

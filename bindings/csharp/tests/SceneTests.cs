@@ -1,0 +1,257 @@
+// The scene: batches against single calls, lists, changes, errors, ownership, memory, threads.
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Runtime.InteropServices;
+using System.Threading;
+using System.Threading.Tasks;
+using Gamephys;
+using NUnit.Framework;
+using static Common;
+
+[TestFixture]
+public class SceneTests {
+    [Test]
+    public void BatchesAnswerAsSingleCallsDo() {
+        uint[] models;
+        var scene = SceneOfBalls(out models);
+        var rays = SomeRays();
+        Hit[] hits = new Hit[rays.Length], crossed = new Hit[rays.Length], swept = new Hit[rays.Length];
+        var any = new int[rays.Length];
+        var nearest = new Nearest[rays.Length];
+        var segments = rays.Select(ray => new Segment(ray.Origin, (0, 0, 5))).ToArray();
+        var points = rays.Select(ray => ray.Direction).ToArray();
+        var moving = points.Select(point => new Sphere(point, 0.1f)).ToArray();
+        Vec3 way = (0, 0, 9);
+        scene.RaycastBatch(rays, hits);
+        scene.RaycastAnyBatch(rays, any);
+        scene.SegmentTestBatch(segments, crossed);
+        scene.NearestBatch(points, nearest);
+        scene.SweepSphereBatch(moving, new[] { way }, swept); // one displacement for all
+        var all = scene.RaycastAllBatch(rays);
+        var near = scene.OverlapBatch(moving);
+        var nothing = new Hit { T = Far, Triangle = Constants.NoTriangle };
+        for (var i = 0; i < rays.Length; ++i) {
+            Assert.AreEqual(scene.Raycast(rays[i]) ?? nothing, hits[i]);
+            Assert.AreEqual(scene.RaycastAny(rays[i]), any[i] != 0);
+            CollectionAssert.AreEqual(scene.RaycastAll(rays[i]), all[i]);
+            Assert.AreEqual(scene.SegmentTest(segments[i]) ?? nothing, crossed[i]);
+            Assert.AreEqual(scene.Nearest(points[i]), nearest[i]);
+            Assert.AreEqual(scene.SweepSphere(moving[i], way) ?? nothing, swept[i]);
+            CollectionAssert.AreEqual(scene.Overlap(moving[i]), near[i]);
+        }
+        Assert.That(hits.Count(hit => hit.Model != 0), Is.InRange(1, rays.Length - 1));
+    }
+
+    [Test]
+    public void SpansArePartsOfArrays() {
+        uint[] models;
+        var scene = SceneOfBalls(out models);
+        var rays = SomeRays();
+        Hit[] hits = new Hit[rays.Length], part = new Hit[rays.Length];
+        scene.RaycastBatch(rays, hits);
+        scene.RaycastBatch(rays.AsSpan(10, 20), part.AsSpan(10, 20));
+        CollectionAssert.AreEqual(hits.Skip(10).Take(20), part.Skip(10).Take(20));
+        Assert.IsTrue(part.Take(10).Concat(part.Skip(30)).All(hit => hit.Equals(default(Hit))));
+    }
+
+    [Test]
+    public void LengthsMustAgree() {
+        uint[] models;
+        var scene = SceneOfBalls(out models);
+        Assert.Throws<ArgumentException>(() => scene.RaycastBatch(SomeRays(), new Hit[3]));
+        Assert.Throws<ArgumentException>(() => scene.SweepSphereBatch(new Sphere[2], new Vec3[3], new Hit[2]));
+        Assert.Throws<ArgumentException>(() => scene.SetTransforms(models.AsSpan(0, 1), new Transform[3]));
+        Assert.Throws<ArgumentException>(() => scene.GetTransforms(models, new Transform[2]));
+        Assert.Throws<ArgumentException>(() => scene.AddBatch(new Sphere[3], new uint[3], new Transform[2]));
+        Assert.Throws<ArgumentException>(() => scene.SetOrigin(new double[2]));
+        scene.RaycastBatch(new Ray[0], new Hit[0]);
+        scene.RaycastBatch(SomeRays().AsSpan(0, 1), new Hit[1]);
+    }
+
+    [Test]
+    public void ListsHaveAnyLength() {
+        var scene = new Scene();
+        var models = new uint[500];
+        scene.AddBatch((Shape)new Sphere((0, 0, 0), 1), models, Enumerable.Repeat(Transform.Identity, 500).ToArray());
+        CollectionAssert.AreEqual(models, scene.GetModels());
+        var boxes = new[] { new Aabb((-1, -1, -1), (1, 1, 1)), new Aabb((5, 5, 5), (6, 6, 6)), new Aabb((0, 0, 0), (1, 1, 1)) };
+        var lists = scene.OverlapBatch(boxes);
+        CollectionAssert.AreEqual(new[] { 0, 500, 500, 1000 }, lists.Offsets);
+        CollectionAssert.AreEqual(models, lists[2]);
+        Assert.AreEqual(500, scene.RaycastAll(new Ray((0, 0, -5), (0, 0, 1), Far)).Length);
+        Assert.AreEqual(0, new Scene().GetModels().Length);
+    }
+
+    [Test]
+    public void ModelsAreMovedDescribedAndRemoved() {
+        var settings = SceneDesc.Default;
+        settings.WorkerCount = 2;
+        var scene = new Scene(settings);
+        var capsule = new Capsule((0, 0, 0), Up, 0.25f);
+        var parent = scene.Add(capsule);
+        var desc = ModelDesc.Default;
+        desc.Parent = parent;
+        desc.Layers = 2;
+        desc.Tag = 7;
+        var child = scene.Add(new Aabb((0, 0, 0), (1, 1, 1)), Transform.At((2, 0, 0)), desc);
+        Assert.AreEqual(new ModelInfo { Type = ShapeType.Aabb, Parent = parent, Layers = 2, Tag = 7 }, scene.GetInfo(child));
+        Assert.AreEqual(capsule, scene.GetShape(parent).Capsule);
+        scene.SetTransform(parent, Transform.At((0, 5, 0)));
+        var both = new[] { parent, child };
+        var places = new Transform[2];
+        scene.GetTransforms(both, places);
+        Assert.AreEqual((5f, 0f), (places[0].Position.Y, places[1].Position.Y));
+        scene.GetWorldTransforms(both, places);
+        Assert.AreEqual((Vec3)(2, 5, 0), places[1].Position);
+        Assert.AreEqual((Vec3)(2, 5, 0), scene.GetBounds(child).Value.Min);
+        Assert.AreEqual((Vec3)(3, 6.25f, 1), scene.GetSceneBounds().Value.Max);
+        scene.SetParent(child, 0, true);
+        Refused(Status.ErrorCycle, () => scene.SetParent(child, child, false));
+        scene.SetTransforms(both, new[] { Transform.Identity });
+        scene.SetLayers(child, 4);
+        scene.SetTag(child, 8);
+        var down = new Ray((0.5f, 9, 0.5f), (0, -1, 0), Far);
+        Assert.AreEqual(8, scene.Raycast(down, 4).Value.Tag);
+        Assert.IsNull(scene.Raycast(down, 2));
+        CollectionAssert.AreEqual(both, scene.Cull(new Camera().GetFrustum()));
+        scene.SetOrigin(new[] { 1e9 + 0.5, 0, 0 });
+        CollectionAssert.AreEqual(new[] { 1e9 + 0.5, 0, 0 }, scene.GetOrigin());
+        Assert.AreEqual(2, scene.GetOctreeStats().ItemCount);
+        Assert.Greater(scene.GetOctreeBoxes().Length, 0);
+        scene.Validate();
+        var mesh = scene.Add(Tetrahedron());
+        Refused(Status.ErrorUnsupported, () => scene.GetShape(mesh));
+        scene.Remove(child);
+        Assert.IsTrue(!scene.Has(child) && scene.Has(parent));
+        scene.RemoveSubtree(parent);
+        scene.RemoveBatch(new[] { mesh });
+        scene.Add(capsule);
+        scene.Clear();
+        Assert.AreEqual(0, scene.GetModels().Length);
+    }
+
+    [Test]
+    public void ErrorsCarryTheMessageOfTheLibrary() {
+        var scene = new Scene();
+        var error = Assert.Throws<GamephysException>(() => scene.Add(new Sphere((0, 0, 0), -1)));
+        Assert.AreEqual(Status.ErrorInvalidArgument, error.Status);
+        StringAssert.Contains("radius", error.Message);
+        Refused(Status.ErrorInvalidId, () => scene.Remove(12345));
+        Refused(Status.ErrorInvalidArgument, () => scene.Add(default(Shape)));
+        Refused(Status.ErrorStructSize, () => scene.Add(new Sphere(), desc: new ModelDesc()));
+        Assert.Throws<ArgumentNullException>(() => scene.Add((Mesh)null));
+        Assert.AreEqual("GPHYS_ERROR_CYCLE", Library.NameOf(Status.ErrorCycle));
+        Assert.AreEqual(Constants.VersionMajor, Library.Version.Major);
+    }
+
+    [Test]
+    public void UseAfterDisposeThrows() {
+        var scene = new Scene();
+        var mesh = Tetrahedron();
+        var camera = new Camera();
+        foreach (var given in new IDisposable[] { scene, scene, mesh, camera }) given.Dispose();
+        var open = new Scene();
+        foreach (var use in new TestDelegate[] {
+            () => scene.GetModels(), () => scene.Clear(), () => scene.Has(1), () => open.Add(mesh), () => open.AddBatch(mesh, new uint[1]),
+            () => mesh.GetReport(), () => camera.Pick(open, 1, 1), () => new Camera().Pick(scene, 1, 1), () => new Solver().Step(0.01f, scene),
+            () => Geometry.Bounds(mesh) }) {
+            Assert.Throws<ObjectDisposedException>(use);
+        }
+        new Solver().Step(0.01f);
+    }
+
+    // A scene with two workers has a thread of its own, which shows whether the scene is there.
+    [Test]
+    public void ObjectsAreFreedWhenNothingRefersToThem() {
+        if (!Directory.Exists("/proc/self/task")) Assert.Ignore("threads are not listed here");
+        Func<int> threads = () => Directory.GetDirectories("/proc/self/task").Length;
+        var held = 0;
+        var maker = new Thread(() => { // with a stack of its own, which the collector does not search afterwards
+            var desc = SceneDesc.Default;
+            desc.WorkerCount = 2;
+            var scenes = Enumerable.Range(0, 100).Select(_ => new Scene(desc)).ToArray();
+            held = threads();
+            GC.KeepAlive(scenes);
+        });
+        maker.Start();
+        maker.Join();
+        for (var wait = 0; threads() > held - 90; ++wait) {
+            Assert.Less(wait, 1000, $"{held} threads were, {threads()} are");
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+            Thread.Sleep(1);
+        }
+    }
+
+    [Test]
+    public void AMeshLivesAsLongAsItsModels() {
+        var scene = new Scene();
+        using (var mesh = Tetrahedron()) scene.Add(mesh);
+        Assert.AreEqual(1, scene.Raycast(new Ray((0.2f, 0.2f, -1), (0, 0, 1), Far)).Value.T);
+    }
+
+    [Test]
+    public void ThreadsMayAskAtOnce() {
+        uint[] models;
+        var scene = SceneOfBalls(out models);
+        var rays = SomeRays();
+        Func<Hit[]> ask = () => {
+            var hits = new Hit[rays.Length];
+            for (var i = 0; i < 20; ++i) scene.RaycastBatch(rays, hits);
+            return hits;
+        };
+        var expected = ask();
+        foreach (var task in Enumerable.Range(0, 4).Select(_ => Task.Run(ask)).ToArray()) CollectionAssert.AreEqual(expected, task.Result);
+    }
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    private delegate IntPtr Allocate(IntPtr user, UIntPtr size, UIntPtr alignment);
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    private delegate void Release(IntPtr user, IntPtr memory, UIntPtr size, UIntPtr alignment);
+
+    [Test]
+    public void RunningOutOfMemoryIsAnExceptionAndLeaksNothing() {
+        long left = 0, held = 0;
+        var starts = new Dictionary<IntPtr, IntPtr>(); // of aligned memory
+        Allocate allocate = (user, size, alignment) => {
+            if ((left -= (long)size) < 0) return IntPtr.Zero;
+            held += (long)size;
+            var start = Marshal.AllocHGlobal((int)size + (int)alignment);
+            var aligned = (IntPtr)(((long)start + (long)alignment - 1) / (long)alignment * (long)alignment);
+            starts[aligned] = start;
+            return aligned;
+        };
+        Release release = (user, memory, size, alignment) => {
+            held -= (long)size;
+            Marshal.FreeHGlobal(starts[memory]);
+            starts.Remove(memory);
+        };
+        var allocator = Marshal.AllocHGlobal(Marshal.SizeOf<Allocator>());
+        Marshal.StructureToPtr(new Allocator { Allocate = Marshal.GetFunctionPointerForDelegate(allocate), Release = Marshal.GetFunctionPointerForDelegate(release) }, allocator, false);
+        var desc = SceneDesc.Default;
+        desc.Allocator = allocator;
+        var failed = 0;
+        for (var ration = 0; ration < 400000; ration += 4000) {
+            left = ration;
+            try {
+                using (var scene = new Scene(desc)) {
+                    try {
+                        for (var i = 0; i < 50; ++i) scene.Add(new Sphere());
+                    } finally {
+                        left = 1 << 30;
+                        scene.Validate();
+                    }
+                }
+            } catch (OutOfMemoryException) {
+                ++failed;
+            }
+            Assert.AreEqual(0, held);
+        }
+        Assert.That(failed, Is.InRange(1, 99));
+        GC.KeepAlive(allocate);
+        GC.KeepAlive(release);
+        Marshal.FreeHGlobal(allocator);
+    }
+}
