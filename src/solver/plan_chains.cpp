@@ -206,6 +206,9 @@ uint32_t free_family(const Plan& lines, const Chain& chain, const Vector<uint64_
 
 /// Colour the lines greedily so that those of one colour share no particle: rows, columns and
 /// diagonals of a grid become a family each. Lines that find 64 families taken wait for the next 64.
+/// The family that is solved last has no error left, so the softest lines come first, and of those
+/// alike the ones of constraints added last: the sides of a grid after its diagonals, which cannot all
+/// keep their lengths on a surface that is round both ways.
 void plan_chain_families(Body& body) {
     Plan& plan = body.plan;
     std::pmr::memory_resource* memory = plan.chains.get_allocator().resource();
@@ -213,6 +216,11 @@ void plan_chain_families(Body& body) {
     collect_lines(body, lines, memory);
 
     const uint32_t line_count = static_cast<uint32_t>(lines.chains.size());
+    Vector<uint32_t> turn(line_count, memory);
+    for (uint32_t i = 0; i < line_count; ++i) turn[i] = line_count - 1 - i;
+    std::stable_sort(turn.begin(), turn.end(), [&](uint32_t a, uint32_t b) {
+        return lines.compliance[lines.chains[a].first_link] > lines.compliance[lines.chains[b].first_link];
+    });
     Vector<uint32_t> family(line_count, none, memory);
     Vector<uint64_t> masks(body.size(), 0, memory);
     uint32_t family_count = 0;
@@ -220,7 +228,7 @@ void plan_chain_families(Body& body) {
         waiting = false;
         const uint32_t base = family_count;
         std::fill(masks.begin(), masks.end(), 0);
-        for (uint32_t line = 0; line < line_count; ++line) {
+        for (const uint32_t line : turn) {
             if (family[line] != none) continue;
             const Chain& chain = lines.chains[line];
             const uint32_t colour = free_family(lines, chain, masks);
