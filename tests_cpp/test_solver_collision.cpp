@@ -237,6 +237,152 @@ TEST_CASE("rope and cloth come to rest on what they fall on") {
     CHECK(world.stats().strain_max < 0.2f);
 }
 
+namespace {
+
+/// How far the threads of a square sheet are longer than at rest: the most, and all but one in a thousand.
+struct Stretch {
+    double most = 0, thousandth = 0;
+
+    Stretch(const std::vector<gphys_vec3>& p, uint32_t n, double spacing) {
+        std::vector<double> all;
+        for (uint32_t i = 0; i < n * n; ++i) {
+            if (i % n + 1 < n) all.push_back(distance(widen(p[i]), widen(p[i + 1])) / spacing - 1);
+            if (i + n < n * n) all.push_back(distance(widen(p[i]), widen(p[i + n])) / spacing - 1);
+        }
+        std::sort(all.begin(), all.end());
+        most = all.back();
+        thousandth = all[all.size() - 1 - all.size() / 1000];
+    }
+};
+
+/// A ball with bumps, of 4 n^2 triangles, around the origin: between 0.44 m and 0.56 m from it.
+MeshHandle bumpy_ball(uint32_t n) {
+    std::vector<float> vertices;
+    std::vector<uint32_t> indices;
+    for (uint32_t r = 0; r <= n; ++r) {
+        for (uint32_t k = 0; k < 2 * n; ++k) {
+            const double polar = pi * r / n, turn = pi * k / n;
+            const double radius = 0.5 * (1 + 0.12 * std::sin(3 * polar) * std::sin(4 * turn));
+            vertices.push_back(static_cast<float>(radius * std::sin(polar) * std::cos(turn)));
+            vertices.push_back(static_cast<float>(radius * std::cos(polar)));
+            vertices.push_back(static_cast<float>(radius * std::sin(polar) * std::sin(turn)));
+        }
+    }
+    for (uint32_t r = 0; r < n; ++r) {
+        for (uint32_t k = 0; k < 2 * n; ++k) {
+            const uint32_t a = r * 2 * n + k, b = r * 2 * n + (k + 1) % (2 * n);
+            indices.insert(indices.end(), {a, b, a + 2 * n, b, b + 2 * n, a + 2 * n});
+        }
+    }
+    return MeshHandle(vertices, indices);
+}
+
+/// A sheet of n x n particles falls on what the world holds below 0.6 m, and lies there.
+void drape(World& world, uint32_t n, double size, float radius, int frames, double most_peak, double most_at_rest) {
+    gphys_body_desc desc = point_mass(radius, 0.5f, 0);
+    desc.damping = 1;
+    const float half = static_cast<float>(size / 2), side = static_cast<float>(size);
+    const gphys_body_id cloth = world.cloth({-half, 0.8f, -half}, {side, 0, 0}, {0, 0, side}, n, n, desc);
+    double peak = 0, usual = 0;
+    uint32_t within = 0;
+    for (int i = 0; i < frames; ++i) {
+        world.step(1.0f / 60);
+        const std::vector<gphys_vec3> positions = world.positions(cloth);
+        const Stretch stretch(positions, n, size / (n - 1));
+        peak = std::max(peak, stretch.most);
+        usual = std::max(usual, stretch.thousandth);
+        for (const gphys_vec3& p : positions) {
+            // Grown by nearly the radius of a particle: by less than it keeps off.
+            const gphys_sphere particle{p, radius * 0.9999f};
+            uint32_t models = 0;
+            REQUIRE(gphys_scene_overlap(world.scene, GPHYS_SHAPE_SPHERE, &particle, ~0u, nullptr, 0, &models) ==
+                    GPHYS_OK);
+            within += models > 0;
+        }
+    }
+    const Stretch rest(world.positions(cloth), n, size / (n - 1));
+    figure("  peak stretch of a thread", peak * 100, "%");
+    figure("  peak stretch of all but one in 1000", usual * 100, "%");
+    figure("  stretch at the end", rest.most * 100, "%");
+    figure("  stretch at the end of all but one in 1000", rest.thousandth * 100, "%");
+    CHECK(within == 0);
+    CHECK(peak <= most_peak);
+    CHECK(rest.most <= most_at_rest);
+    CHECK(world.stats(cloth).contact_count > n / 2);
+}
+
+}  // namespace
+
+TEST_CASE("cloth that falls on a ball keeps its threads' lengths") {
+    World world(16);
+    const gphys_plane floor{{0, 1, 0}, -0.5f};
+    const gphys_sphere ball{{0, 0, 0}, 0.5f};
+    world.model(GPHYS_SHAPE_PLANE, &floor);
+    world.model(GPHYS_SHAPE_SPHERE, &ball);
+    drape(world, 61, 1.8, 0.02f, 180, 0.12, 0.02);
+}
+
+TEST_CASE("cloth that falls on a mesh keeps its threads' lengths and lets nothing through") {
+    World world(16);
+    const gphys_plane floor{{0, 1, 0}, -0.6f};
+    world.model(GPHYS_SHAPE_PLANE, &floor);
+    const MeshHandle mesh = bumpy_ball(40);
+    world.model(GPHYS_SHAPE_MESH, mesh.mesh);
+    drape(world, 41, 1.6, 0.01f, 120, 0.2, 0.12);
+}
+
+TEST_CASE("a sheet of 100 x 100 falls on 70 000 triangles", "[.long]") {
+    World world(16);
+    const gphys_plane floor{{0, 1, 0}, -0.6f};
+    world.model(GPHYS_SHAPE_PLANE, &floor);
+    const MeshHandle mesh = bumpy_ball(133);
+    world.model(GPHYS_SHAPE_MESH, mesh.mesh);
+    drape(world, 100, 2, 0.01f, 600, 0.2, 0.12);
+}
+
+TEST_CASE("cloth of points, without any radius, lies on a mesh, a box and a plane") {
+    World world(8);
+    const gphys_plane floor{{0, 1, 0}, -0.6f};
+    const gphys_aabb box{{0.3f, -0.6f, 0.3f}, {0.9f, 0.3f, 0.9f}};
+    world.model(GPHYS_SHAPE_PLANE, &floor);
+    world.model(GPHYS_SHAPE_AABB, &box);
+    const MeshHandle mesh = bumpy_ball(12);
+    world.model(GPHYS_SHAPE_MESH, mesh.mesh);
+    const gphys_body_id cloth = world.cloth({-1, 0.7f, -1}, {2, 0, 0}, {0, 0, 2}, 31, 31, point_mass(0, 0.5f, 0));
+    for (int i = 0; i < 180; ++i) {
+        world.step(1.0f / 60);
+        for (const gphys_vec3& p : world.positions(cloth)) {
+            REQUIRE(p.y >= -0.6f);
+            REQUIRE(length(widen(p)) > 0.4);
+            REQUIRE(!(p.x > 0.301f && p.x < 0.899f && p.z > 0.301f && p.z < 0.899f && p.y < 0.299f));
+        }
+    }
+}
+
+TEST_CASE("a ball that flies into a hanging sheet takes it along and does not pass") {
+    World world(8);
+    const gphys_sphere ball{{0, 0, 0}, 0.2f};
+    gphys_transform at{{0.5f, -0.5f, -1}, no_turn, 1};
+    const gphys_model_id model = world.model(GPHYS_SHAPE_SPHERE, &ball, &at);
+    const gphys_body_id cloth = world.cloth({0, 0, 0}, {1, 0, 0}, {0, -1, 0}, 41, 41, point_mass(0.01f, 0.5f, 0));
+    REQUIRE(gphys_solver_set_pinned(world.solver, cloth, 0, 41, 1) == GPHYS_OK);
+    double peak = 0;
+    for (int i = 0; i < 40; ++i) {
+        at.position.z += 2.0f / 60;  // 2 m/s
+        REQUIRE(gphys_scene_set_transform(world.scene, model, &at) == GPHYS_OK);
+        world.step(1.0f / 60);
+        const std::vector<gphys_vec3> positions = world.positions(cloth);
+        peak = std::max(peak, Stretch(positions, 41, 0.025).most);
+        for (const gphys_vec3& p : positions) {
+            REQUIRE(distance(widen(p), widen(at.position)) >= 0.21 - 1e-6);
+            // In front of the ball, not behind it.
+            if (std::hypot(p.x - 0.5, p.y + 0.5) < 0.15) REQUIRE(p.z > at.position.z);
+        }
+    }
+    figure("ball into a sheet, peak stretch", peak * 100, "%");
+    CHECK(peak <= 0.15);
+}
+
 TEST_CASE("a rope that falls over a post and is held by friction does not stay stretched") {
     World world;
     const gphys_capsule post{{-1, 1, 0}, {1, 1, 0}, 0.1f};

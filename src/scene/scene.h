@@ -31,6 +31,14 @@ struct FirstHit {
     bool operator()(const gphys_hit& a, const gphys_hit& b) const { return a.t != b.t ? a.t < b.t : a.model < b.model; }
 };
 
+/// A convex part of a model, near a point.
+struct NearPart {
+    Vec3 closest, normal;  // as those of closest_point_model
+    double signed_distance;
+    bool is_triangle;
+    Triangle triangle;  // in world space
+};
+
 class Scene {
 public:
     /// World transforms have a scale from 1 / max_scale to max_scale, so that their inverses are as
@@ -119,6 +127,10 @@ public:
     /// surface. signed_distance: < 0 inside a solid, and `out` is the nearest point of its surface.
     /// False only for a mesh without triangles.
     bool closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal, double& signed_distance) const;
+    /// The same for every part of the model within `reach` of the point, in no particular order: a
+    /// primitive is one convex part, a mesh has its triangles. Returns how many there are, of which
+    /// `out` gets the first `capacity`.
+    uint32_t parts_near(gphys_model_id model, Vec3 point, double reach, NearPart* out, uint32_t capacity) const;
 
 private:
     static constexpr uint32_t none = 0xffffffff;

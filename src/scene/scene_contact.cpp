@@ -91,6 +91,40 @@ bool find_contact(const MeshInstance& instance, Vec3 point, Contact& out) {
     return true;
 }
 
+/// Takes in parts while there is room, and counts the others.
+class PartList {
+public:
+    PartList(NearPart* out, uint32_t capacity) : out_(out), capacity_(capacity) {}
+
+    void add(const Contact& contact, const Triangle* triangle) {
+        if (count_ < capacity_) {
+            out_[count_] = {contact.point, contact.normal, contact.signed_distance, triangle != nullptr,
+                            triangle ? *triangle : Triangle{}};
+        }
+        ++count_;
+    }
+    uint32_t count() const { return count_; }
+
+private:
+    NearPart* out_;
+    uint32_t capacity_, count_ = 0;
+};
+
+template <class Primitive>
+void find_parts(const Primitive& shape, Vec3 point, double reach, PartList& parts) {
+    const Contact contact = contact_of(shape, point);
+    if (contact.signed_distance <= reach) parts.add(contact, nullptr);
+}
+
+void find_parts(const MeshInstance& instance, Vec3 point, double reach, PartList& parts) {
+    const Sphere around{instance.world.inverse_apply(point), reach / instance.world.scale};
+    instance.mesh.for_each_overlap(around, [&](uint32_t index) {
+        const Triangle triangle = transformed(instance.mesh.triangle(index), instance.world);
+        parts.add(contact_of(triangle, point), &triangle);
+        return true;
+    });
+}
+
 }  // namespace
 
 bool Scene::closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal,
@@ -102,6 +136,12 @@ bool Scene::closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec
     normal = contact.normal;
     signed_distance = contact.signed_distance;
     return true;
+}
+
+uint32_t Scene::parts_near(gphys_model_id model, Vec3 point, double reach, NearPart* out, uint32_t capacity) const {
+    PartList parts(out, capacity);
+    with_shape(IdTable::slot_of(model), [&](const auto& shape) { find_parts(shape, point, reach, parts); });
+    return parts.count();
 }
 
 bool Scene::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const {

@@ -7,6 +7,7 @@
 
 #include "foundation/ids.h"
 #include "foundation/math.h"
+#include "solver/cloth_contacts.h"
 #include "solver/plan.h"
 
 namespace gphys {
@@ -67,6 +68,7 @@ struct ClothState {
 
     Vec3 origin;              // of the positions
     double average_mass = 1;  // of the particles
+    double link_length = 0;   // metres, the average
     Vector<float> at, start, moved, velocity, velocity_before, acceleration, mass;
 };
 
@@ -92,6 +94,7 @@ struct Body {
           touches(memory),
           held(memory),
           cloth(memory),
+          cloth_contacts(memory),
           plan(memory) {}
 
     uint32_t size() const { return static_cast<uint32_t>(position.size()); }
@@ -125,6 +128,7 @@ struct Body {
     bool touched = false;   // whether any did
 
     ClothState cloth;
+    ClothContacts cloth_contacts;
     Plan plan;
 };
 

@@ -27,6 +27,8 @@ void put(float* to, Vec3 value, double limit) {
 }
 Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
 
+bool collides(const Body& body, const Surroundings& around) { return around.scene && body.settings.layers != 0; }
+
 ClothMotion motion_of(ClothState& cloth) {
     return {static_cast<uint32_t>(cloth.at.size()),
             cloth.at.data(),
@@ -69,8 +71,14 @@ double stored_energy(const ClothKernels& kernels, const Body& body) {
 
 void solve_cloth(const ClothKernels& kernels, Body& body) {
     ClothBatches& batches = body.plan.batches;
+    ClothContacts& contacts = body.cloth_contacts;
     for (const ChainBatch& batch : batches.chains) {
-        kernels.solve(body.cloth.at.data(), chains_of(batches), batch, batches.rows.data());
+        if (contacts.touching) {
+            kernels.solve_touching(body.cloth.at.data(), {contacts.normals.data(), contacts.pulls.data()},
+                                   chains_of(batches), batch, batches.rows.data());
+        } else {
+            kernels.solve(body.cloth.at.data(), chains_of(batches), batch, batches.rows.data());
+        }
     }
     kernels.limit(body.cloth.at.data(), {batches.limited.data(), batches.anchors.data(), batches.distances.data()},
                   static_cast<uint32_t>(batches.limited.size()));
@@ -111,20 +119,6 @@ void publish(Body& body) {
     }
 }
 
-void collide_cloth(Body& body, const Surroundings& around, double quiet) {
-    body.touched = false;
-    if (!around.scene || body.settings.layers == 0) return;
-    publish(body);
-    ClothState& cloth = body.cloth;
-    for (uint32_t p = 0; p < body.size(); ++p) body.start[p] = cloth.origin + get(&cloth.start[4 * size_t{p}]);
-    collide(body, around, quiet);
-    if (!body.touched) return;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        put(&cloth.at[4 * size_t{p}], body.position[p] - cloth.origin, farthest);
-        put(&cloth.velocity[4 * size_t{p}], body.velocity[p], fastest);
-    }
-}
-
 }  // namespace
 
 void reserve_cloth(Body& body) {
@@ -136,7 +130,7 @@ void reserve_cloth(Body& body) {
     }
 }
 
-void begin_cloth(Body& body, Vec3 gravity) {
+void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     ClothState& cloth = body.cloth;
     Aabb box{body.position[0], body.position[0]};
     double mass = 0;
@@ -162,6 +156,11 @@ void begin_cloth(Body& body, Vec3 gravity) {
         std::fill(values->begin() + 4 * static_cast<std::ptrdiff_t>(body.size()), values->end(), 0.0f);
     }
     cloth.at[4 * size_t{body.size()} + 4] = 1;
+    double length = 0;
+    for (const double rest : body.plan.rest) length += rest;
+    cloth.link_length = length / body.plan.rest.size();
+    body.cloth_contacts.touching = false;
+    if (collides(body, around)) look_around_cloth(body, around, gravity);
 }
 
 void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
@@ -182,18 +181,27 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     const double stored = closed ? stored_energy(kernels, body) : 0;
     kernels.predict(motion_of(cloth), step);
     follow_models(body, around.end);
+    const bool collides = gphys::collides(body, around);
+    if (collides) touch_walls(body, gravity, h);
     solve_cloth(kernels, body);
+    if (collides) leave_walls(body);
     double gain = kernels.finish(motion_of(cloth), step);
     cloth.velocity.swap(cloth.velocity_before);
     if (closed) {
         gain += stored_energy(kernels, body) - stored;
         if (gain > 0) take_back(cloth, gain);
     }
-    collide_cloth(body, around, quiet_speed(gravity, h));
+    body.touched = false;
+    if (collides) {
+        body.touched = body.cloth_contacts.touching;
+        turn_velocities(body, quiet_speed(gravity, h));
+        catch_escaped(body, around, gravity, h);
+    }
     body.earlier_step = body.touched ? 0 : h;
 }
 
-void end_cloth(Body& body) {
+void end_cloth(Body& body, const Surroundings& around) {
+    if (collides(body, around)) record_touches(body, around);
     publish(body);
     for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
 }

@@ -25,7 +25,7 @@ struct Direction {
     Float8 length;
 };
 
-Direction direction(const Quads8& a, const Quads8& b) {
+inline Direction direction(const Quads8& a, const Quads8& b) {
     const Float8 x = b.x - a.x + splat(aside), y = b.y - a.y, z = b.z - a.z;
     const Float8 length = sqrt(x * x + y * y + z * z);
     const Float8 inverse = splat(1) / length;
@@ -95,29 +95,104 @@ struct Row {
     static constexpr float zeros[cloth_row_floats] = {};
 };
 
+/// What particles touch: nothing.
+struct NoSurfaces {
+    // In exact arithmetic the pivot is larger; the rounding of some thousand links might take it away.
+    static constexpr float least_pivot_part = regularisation;
+    struct Normals {};
+    static Normals normals(const uint32_t*) { return {}; }
+    /// Of a link in this direction: what its ends may move along it.
+    static Float8 mobility(const Quads8& a, const Normals&, const Quads8& b, const Normals&, const Direction&) {
+        return (a.w + b.w) * splat(1 + regularisation);
+    }
+    /// Between the links before and after a particle.
+    static Float8 coupling(const Quads8& a, const Normals&, const Row& before, const Direction& n) {
+        return a.w * (before.x * n.x + before.y * n.y + before.z * n.z);
+    }
+    static void move(float* at, const uint32_t* particles, const Quads8& pull) {
+        Quads8 a = load_quads(at, particles);
+        a.x = a.x + pull.x * a.w;
+        a.y = a.y + pull.y * a.w;
+        a.z = a.z + pull.z * a.w;
+        store_quads(at, particles, a);
+    }
+};
+
+/// With the normals N of what they touch, particles have the inverse masses w (1 - N N^T): the system
+/// counts with them as they move along the surface. What pulls them off it does so all the same.
+struct Surfaces {
+    // A chain between two held particles asks for what cannot be: its last pivot would be 0 and would
+    // throw it aside. Those of a chain with a free end are half of the diagonal or more.
+    static constexpr float least_pivot_part = 0.5f;
+    // A link finds at least this part of the inverse masses of its ends even if it goes along the
+    // normals of both. What it pulls off the surface moves freely, by twice the error at most.
+    static constexpr float least_mobility = 0.5f;
+    // Of a link between two held particles, which move not at all: a quarter of what average ones have, so that
+    // friction yields to a quarter of the strain.
+    static constexpr float held_mobility = 0.5f;
+
+    const ClothSurfaces& arrays;
+
+    using Normals = Quads8;
+    Normals normals(const uint32_t* particles) const { return load_quads(arrays.normals, particles); }
+    static Float8 mobility(const Quads8& a, const Normals& at_a, const Quads8& b, const Normals& at_b,
+                           const Direction& n) {
+        const Float8 off_a = along(n, at_a), off_b = along(n, at_b), sum = a.w + b.w;
+        const Float8 free = sum - a.w * off_a * off_a - b.w * off_b * off_b;
+        const Float8 held = max(splat(0), splat(held_mobility) - sum * splat(1e30f));
+        return max(free, sum * splat(least_mobility)) + sum * splat(regularisation) + held;
+    }
+    static Float8 coupling(const Quads8& a, const Normals& at_a, const Row& before, const Direction& n) {
+        const Float8 straight = before.x * n.x + before.y * n.y + before.z * n.z;
+        const Float8 off = before.x * at_a.x + before.y * at_a.y + before.z * at_a.z;
+        return a.w * (straight - off * along(n, at_a));
+    }
+    void move(float* at, const uint32_t* particles, const Quads8& pull) const {
+        Quads8 a = load_quads(at, particles), sum = load_quads(arrays.pulls, particles);
+        const Normals normal = normals(particles);
+        const Float8 in = min(splat(0), pull.x * normal.x + pull.y * normal.y + pull.z * normal.z);
+        a.x = a.x + (pull.x - normal.x * in) * a.w;
+        a.y = a.y + (pull.y - normal.y * in) * a.w;
+        a.z = a.z + (pull.z - normal.z * in) * a.w;
+        sum.x = sum.x + pull.x;
+        sum.y = sum.y + pull.y;
+        sum.z = sum.z + pull.z;
+        store_quads(at, particles, a);
+        store_quads(arrays.pulls, particles, sum);
+    }
+
+private:
+    static Float8 along(const Direction& n, const Normals& normal) {
+        return n.x * normal.x + n.y * normal.y + n.z * normal.z;
+    }
+};
+
 /// Elimination from the first link to the last. With w the inverse masses and
 /// c_j = w_j (n_(j-1) . n_j), the tensions t solve
 ///   -c_j t_(j-1) + (w_j + w_(j+1) + softness_j) t_j - c_(j+1) t_(j+1) = error_j
-void solve(float* at, const ClothChains& chains, const ChainBatch& batch, float* rows) {
+template <class Touching>
+void solve_batch(float* at, const Touching& surfaces, const ClothChains& chains, const ChainBatch& batch, float* rows) {
     const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
     const float* rest = chains.rest + 8 * size_t{batch.first_link};
     const float* softness = chains.softness + 8 * size_t{batch.first_link};
     Quads8 a = load_quads(at, particles);
+    auto at_a = surfaces.normals(particles);
     Row before;
     for (uint32_t j = 0; j < batch.link_count; ++j) {
         const Quads8 b = load_quads(at, particles + 8 * (j + 1));
+        const auto at_b = surfaces.normals(particles + 8 * (j + 1));
         const Direction n = direction(a, b);
         Row row;
         row.x = n.x, row.y = n.y, row.z = n.z;
-        row.coupling = a.w * (before.x * n.x + before.y * n.y + before.z * n.z);
-        const Float8 diagonal = (a.w + b.w) * splat(1 + regularisation) + (load(softness + 8 * j) + splat(least_pivot));
-        // In exact arithmetic the pivot is larger; the rounding of some thousand links might take it away.
+        row.coupling = surfaces.coupling(a, at_a, before, n);
+        const Float8 diagonal = surfaces.mobility(a, at_a, b, at_b, n) + (load(softness + 8 * j) + splat(least_pivot));
         const Float8 pivot = diagonal - row.coupling * row.coupling * before.inverse_pivot;
-        row.inverse_pivot = splat(1) / max(pivot, diagonal * splat(regularisation));
+        row.inverse_pivot = splat(1) / max(pivot, diagonal * splat(Touching::least_pivot_part));
         row.value = (n.length - load(rest + 8 * j) + row.coupling * before.value) * row.inverse_pivot;
         row.save(rows + cloth_row_floats * j);
         before = row;
         a = b;
+        at_a = at_b;
     }
     // Substitution, from the last link to the first, moving each particle once both links are known.
     const Float8 none = splat(0);
@@ -128,18 +203,19 @@ void solve(float* at, const ClothChains& chains, const ChainBatch& batch, float*
         tension = row.value + coupling * row.inverse_pivot * tension;
         coupling = row.coupling;
         const Quads8 own{row.x * tension, row.y * tension, row.z * tension, none};
-        Quads8 b = load_quads(at, particles + 8 * (j + 1));
-        b.x = b.x + (pull.x - own.x) * b.w;
-        b.y = b.y + (pull.y - own.y) * b.w;
-        b.z = b.z + (pull.z - own.z) * b.w;
-        store_quads(at, particles + 8 * (j + 1), b);
+        surfaces.move(at, particles + 8 * (j + 1), {pull.x - own.x, pull.y - own.y, pull.z - own.z, none});
         pull = own;
     }
-    a = load_quads(at, particles);
-    a.x = a.x + pull.x * a.w;
-    a.y = a.y + pull.y * a.w;
-    a.z = a.z + pull.z * a.w;
-    store_quads(at, particles, a);
+    surfaces.move(at, particles, pull);
+}
+
+void solve(float* at, const ClothChains& chains, const ChainBatch& batch, float* rows) {
+    solve_batch(at, NoSurfaces{}, chains, batch, rows);
+}
+
+void solve_touching(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
+                    float* rows) {
+    solve_batch(at, Surfaces{surfaces}, chains, batch, rows);
 }
 
 double stored(const float* at, const ClothChains& chains, const ChainBatch& batch) {
@@ -195,6 +271,6 @@ double finish(const ClothMotion& motion, const ClothStep& step) {
 
 }  // namespace
 
-const ClothKernels cloth_kernels = {predict, solve, stored, limit, finish};
+const ClothKernels cloth_kernels = {predict, solve, solve_touching, stored, limit, finish};
 
 }  // namespace gphys::GPHYS_ISA

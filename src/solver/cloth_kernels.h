@@ -47,10 +47,19 @@ struct ClothMotion {
     const float* mass;          // relative to the average, 0 of those
 };
 
+/// Of all particles, four floats each, the fourth unused.
+struct ClothSurfaces {
+    const float* normals;  // unit, of what the particle touches; 0 if nothing
+    float* pulls;          // of the links: what they add would move an average particle, in metres
+};
+
 struct ClothKernels {
     void (*predict)(const ClothMotion& motion, const ClothStep& step);
     /// Room for 6 vectors a link in `rows`.
     void (*solve)(float* at, const ClothChains& chains, const ChainBatch& batch, float* rows);
+    /// The same while particles that touch something move along it or off, and not into it.
+    void (*solve_touching)(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
+                           float* rows);
     /// What elastic links hold, per average mass.
     double (*stored)(const float* at, const ClothChains& chains, const ChainBatch& batch);
     void (*limit)(float* at, const ClothLimits& limits, uint32_t count);

@@ -6,17 +6,6 @@ namespace {
 // A particle slides along this many models in one substep; in a corner it meets three.
 constexpr int most_contacts = 6;
 
-/// How far a particle stays off: 1e-4 of its radius, which nobody sees, and at least 2^-40 of the
-/// coordinates, which is 2^12 times their rounding; for points at the origin, a nanometre.
-double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * max_component(abs(at)) + 1e-9; }
-
-bool touch(const Box& a, const Box& b) {
-    for (int k = 0; k < 3; ++k) {
-        if (a.min[k] > b.max[k] || b.min[k] > a.max[k]) return false;
-    }
-    return true;
-}
-
 Box path_box(const Sphere& moving, Vec3 displacement) {
     const Vec3 r{moving.radius, moving.radius, moving.radius}, end = moving.center + displacement;
     return bounds(Aabb{min(moving.center, end) - r, max(moving.center, end) + r});
@@ -27,6 +16,13 @@ void keep_first(gphys_model_id model, const Hit& hit, Impact& first, const Impac
 }
 
 }  // namespace
+
+bool touch(const Box& a, const Box& b) {
+    for (int k = 0; k < 3; ++k) {
+        if (a.min[k] > b.max[k] || b.min[k] > a.max[k]) return false;
+    }
+    return true;
+}
 
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {
     const double rest = 1 - fraction;
@@ -59,34 +55,36 @@ void Collider::meet(gphys_model_id model, const Sphere& moving, Vec3 displacemen
     Hit hit;
     if (!around_.scene->sweep_model(model, moving, displacement, hit)) return;
     keep_first(model, hit, first,
-               {hit.t, model, (hit.flags & GPHYS_HIT_INSIDE) != 0, moving.center + displacement * hit.t, hit.point,
-                hit.normal, Vec3{}});
+               {hit.t, model, (hit.flags & GPHYS_HIT_INSIDE) != 0, false, moving.center + displacement * hit.t,
+                hit.point, hit.normal, Vec3{}});
 }
 
 /// As seen from the model, which moves during the substep as well: both ends of the path are taken
 /// into its coordinates, each at its own time, and from there to where the scene has the model now.
-void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, Impact& first) const {
+void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, bool at_the_end,
+                          Impact& first) const {
     const gphys_transform& after = around_.scene->world(before.model);
     const Transform now = widen(after);
     const Transform at_begin = interpolate(before.world, after, around_.begin);
     const Transform at_end = interpolate(before.world, after, around_.end);
-    const Vec3 from = now.apply(at_begin.inverse_apply(moving.center));
+    const Transform& at_start = at_the_end ? at_end : at_begin;
+    const Vec3 from = now.apply(at_start.inverse_apply(moving.center));
     const Vec3 to = now.apply(at_end.inverse_apply(moving.center + displacement));
     const Sphere seen{from, moving.radius};
     Box box;
     if (around_.scene->bounds(before.model, box) && !touch(box, path_box(seen, to - from))) return;
     Hit hit;
     if (!around_.scene->sweep_model(before.model, seen, to - from, hit)) return;
-    const auto at_the_end = [&](Vec3 p) { return at_end.apply(now.inverse_apply(p)); };
-    const Vec3 point = at_the_end(hit.point);
+    const auto placed = [&](Vec3 p) { return at_end.apply(now.inverse_apply(p)); };
+    const Vec3 point = placed(hit.point);
     const double time = around_.step_time * (around_.end - around_.begin);
     keep_first(before.model, hit, first,
-               {hit.t, before.model, (hit.flags & GPHYS_HIT_INSIDE) != 0, at_the_end(from + (to - from) * hit.t), point,
-                at_end.rotation * transpose_times(now.rotation, hit.normal),
+               {hit.t, before.model, (hit.flags & GPHYS_HIT_INSIDE) != 0, true, placed(from + (to - from) * hit.t),
+                point, at_end.rotation * transpose_times(now.rotation, hit.normal),
                 (point - at_begin.apply(at_end.inverse_apply(point))) / time});
 }
 
-bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first) const {
+void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first) const {
     const Sphere moving{from, body_.radius[particle]};
     const Box box = path_box(moving, displacement);
     first = {};
@@ -100,19 +98,36 @@ bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& fi
             if (!has_moved(model)) meet(model, moving, displacement, first);
         });
     }
+}
+
+bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first, bool at_the_end) const {
+    sweep_unmoved(particle, from, displacement, first);
     for (const PlacedModel& before : *around_.moved) {
         if (around_.scene->layers(before.model) & body_.settings.layers) {
-            meet_moved(before, moving, displacement, first);
+            meet_moved(before, {from, body_.radius[particle]}, displacement, at_the_end, first);
         }
     }
     return first.model != 0;
 }
 
+Vec3 Collider::carried(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
+    const Vec3 way = impact.carried + impact.normal * skin(body.radius[particle], at) - at;
+    Impact stopped;
+    sweep_unmoved(particle, at, way, stopped);
+    return at + way * (stopped.model != 0 ? stop_short(body, particle, at, way, stopped) : 1);
+}
+
 Vec3 Collider::pushed_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
+    // The scene has models that move where they stand at the end of the step.
+    const gphys_transform& after = around_.scene->world(impact.model);
+    const auto before = std::lower_bound(around_.moved->begin(), around_.moved->end(), PlacedModel{impact.model, {}});
+    const Transform now = widen(after), then = interpolate(impact.moves ? before->world : after, after, around_.end);
+    const Vec3 seen = impact.moves ? now.apply(then.inverse_apply(at)) : at;
     Vec3 point, normal;
     double distance = 0;
-    if (!around_.scene->closest_point_model(impact.model, at, point, normal, distance)) return at;
-    return at + normal * std::max(0.0, body.radius[particle] - distance + skin(body.radius[particle], at));
+    if (!around_.scene->closest_point_model(impact.model, seen, point, normal, distance)) return at;
+    const Vec3 out = normal * std::max(0.0, body.radius[particle] - distance + skin(body.radius[particle], at));
+    return at + (impact.moves ? then.rotation * transpose_times(now.rotation, out) : out);
 }
 
 double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement,
@@ -122,15 +137,19 @@ double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3
     return approach * impact.t > room ? impact.t - room / approach : 0;
 }
 
+void record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal) {
+    Touch* const first = &body.touches[size_t{particle} * touches_per_particle];
+    for (Touch* touch = first; touch != first + touches_per_particle; ++touch) {
+        if (touch->model != 0 && touch->model != model) continue;
+        *touch = {model, scene.tag(model), narrow(point), narrow(normal)};
+        return;
+    }
+}
+
 void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
     body.touched = true;
     body.held[particle] = 1;
-    Touch* const first = &body.touches[size_t{particle} * touches_per_particle];
-    for (Touch* touch = first; touch != first + touches_per_particle; ++touch) {
-        if (touch->model != 0 && touch->model != impact.model) continue;
-        *touch = {impact.model, around_.scene->tag(impact.model), narrow(impact.point), narrow(impact.normal)};
-        return;
-    }
+    record_touch(body, particle, *around_.scene, impact.model, impact.point, impact.normal);
 }
 
 Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, double friction) {
@@ -147,15 +166,22 @@ Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, doubl
 void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet) const {
     Vec3 at = from;
     Vec3& velocity = body.velocity[particle];
+    bool at_the_end = false;
     for (int contact = 0; contact < most_contacts; ++contact) {
         Impact impact;
-        if (!sweep(particle, at, displacement, impact)) {
+        if (!sweep(particle, at, displacement, impact, at_the_end)) {
             at += displacement;
             break;
         }
         record(body, particle, impact);
         if (impact.inside) {
             at = pushed_out(body, particle, at, impact);
+        } else if (impact.moves && !at_the_end) {
+            // Along with the model to the end of the substep; what is left is motion beside it.
+            const Vec3 hit = at + displacement * impact.t, then = carried(body, particle, hit, impact);
+            displacement = displacement * (1 - impact.t) - (then - hit);
+            at = then;
+            at_the_end = true;
         } else {
             const double t = stop_short(body, particle, at, displacement, impact);
             at += displacement * t;

@@ -34,6 +34,7 @@ struct Impact {
     double t = infinity;  // fraction of the path
     gphys_model_id model = 0;
     bool inside = false;    // touching or within at the start
+    bool moves = false;     // the model does
     Vec3 carried;           // where the centre is at the impact, if it then stays with the model to the end
     Vec3 point;             // on the model
     Vec3 normal;            // unit, from the model to the particle
@@ -49,8 +50,9 @@ public:
     /// Whether there is nothing at all.
     bool idle() const { return listed_ && count_ == 0 && around_.moved->empty(); }
 
-    /// The first model that the particle would meet; the lowest id of those met at once.
-    bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& impact) const;
+    /// The first model that the particle would meet; the lowest id of those met at once. At the end of the
+    /// substep, models that move stand still.
+    bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& impact, bool at_the_end = false) const;
     /// Take the particle from one place as far along as it can go, sliding along what it meets with
     /// friction, and change the velocity that it would arrive with accordingly. Speeds of approach
     /// below `quiet` do not bounce. Records what was touched.
@@ -74,7 +76,13 @@ private:
 
     bool has_moved(gphys_model_id model) const;
     void meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
-    void meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, Impact& first) const;
+    void meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, bool at_the_end,
+                    Impact& first) const;
+    /// Of models that have not moved.
+    void sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first) const;
+    /// Where a particle that has met a moving model is at the end of the substep, unless something that does
+    /// not move is in the way.
+    Vec3 carried(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
 
     const Surroundings& around_;
     const Body& body_;
@@ -107,11 +115,28 @@ void collide_again(Body& body, const Surroundings& around, double quiet, const S
 /// What gravity adds in two substeps is no speed to bounce with.
 inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravity); }
 
+bool touch(const Box& a, const Box& b);
+
+void record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);
+
+/// How far a particle stays off what it touches: 1e-4 of its radius, which nobody sees, and at least
+/// 2^-40 of the coordinates, which is 2^12 times their rounding; for points at the origin, a nanometre.
+inline double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * max_component(abs(at)) + 1e-9; }
+
+/// cloth_contacts.cpp: by turns before and after the chains of a substep.
+void reserve_cloth_contacts(Body& body);
+void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity);
+void touch_walls(Body& body, Vec3 gravity, double h);
+void leave_walls(Body& body);
+void turn_velocities(Body& body, double quiet);
+void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void record_touches(Body& body, const Surroundings& around);
+
 /// cloth.cpp: a body of many chains. A step begins and ends with its own functions.
 void reserve_cloth(Body& body);
-void begin_cloth(Body& body, Vec3 gravity);
+void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity);
 void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
-void end_cloth(Body& body);
+void end_cloth(Body& body, const Surroundings& around);
 
 /// free_flight.cpp: a body without constraints, moved and collided.
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h);

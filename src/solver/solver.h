@@ -10,6 +10,7 @@
 //   cloth.cpp           cloth and graphs: families of chains
 //   cloth_kernels.cpp   their inner loops
 //   reach_limits.cpp    how far cloth can be from its pins
+//   cloth_contacts.cpp  what cloth touches, as part of its chains
 //   plan_cloth.cpp      chains and limits, packed for the kernels
 //   collision.cpp       particles against the scene
 //   stats.cpp           strain, energy, contacts

@@ -149,6 +149,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         if (scene && body.settings.layers != 0) {
             body.touches.resize(size_t{body.size()} * touches_per_particle);
             body.held.resize(body.size());
+            if (body.plan.method == GPHYS_SOLVE_GRAPH) reserve_cloth_contacts(body);
         }
     }
     std::sort(moving_.begin(), moving_.end());
@@ -188,13 +189,14 @@ void Solver::move_through(Body& body, const Scene* scene, double dt) const {
     std::fill(body.touches.begin(), body.touches.end(), Touch{});
     const uint32_t substeps = substeps_of(body, dt, state_.settings.substeps);
     const double h = dt / substeps;
-    if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, state_.settings.gravity);
+    const Surroundings whole{scene, &moved_, dt, 0, 1};
+    if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, whole, state_.settings.gravity);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
         const Surroundings around{scene, &moved_, dt, begin, end};
         move(body, around, state_.settings.gravity, h);
     }
-    if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body);
+    if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
 }
 
 void Solver::step(const Scene* scene, double dt) {
