@@ -10,6 +10,7 @@
 package gamephys
 
 // #cgo pkg-config: gamephys
+// #cgo CFLAGS: -Werror=implicit-function-declaration
 // #include "shims.h"
 import "C"
 

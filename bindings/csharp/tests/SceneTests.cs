@@ -211,47 +211,78 @@ public class SceneTests {
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     private delegate void Release(IntPtr user, IntPtr memory, UIntPtr size, UIntPtr alignment);
 
+    // Memory that runs out: as many bytes as are left, and what is held of it.
+    private sealed class Ration : IDisposable {
+        public long Left, Held;
+        public readonly IntPtr Allocator = Marshal.AllocHGlobal(Marshal.SizeOf<Allocator>());
+        private readonly Dictionary<IntPtr, IntPtr> starts = new Dictionary<IntPtr, IntPtr>(); // of aligned memory
+        private readonly Allocate allocate;
+        private readonly Release release;
+
+        public Ration() {
+            allocate = (user, size, alignment) => {
+                if ((Left -= (long)size) < 0) return IntPtr.Zero;
+                Held += (long)size;
+                var start = Marshal.AllocHGlobal((int)size + (int)alignment);
+                var aligned = (IntPtr)(((long)start + (long)alignment - 1) / (long)alignment * (long)alignment);
+                starts[aligned] = start;
+                return aligned;
+            };
+            release = (user, memory, size, alignment) => {
+                Held -= (long)size;
+                Marshal.FreeHGlobal(starts[memory]);
+                starts.Remove(memory);
+            };
+            var functions = new Allocator {
+                Allocate = Marshal.GetFunctionPointerForDelegate(allocate), Release = Marshal.GetFunctionPointerForDelegate(release)
+            };
+            Marshal.StructureToPtr(functions, Allocator, false);
+        }
+
+        public void Dispose() { Marshal.FreeHGlobal(Allocator); }
+    }
+
     [Test]
     public void RunningOutOfMemoryIsAnExceptionAndLeaksNothing() {
-        long left = 0, held = 0;
-        var starts = new Dictionary<IntPtr, IntPtr>(); // of aligned memory
-        Allocate allocate = (user, size, alignment) => {
-            if ((left -= (long)size) < 0) return IntPtr.Zero;
-            held += (long)size;
-            var start = Marshal.AllocHGlobal((int)size + (int)alignment);
-            var aligned = (IntPtr)(((long)start + (long)alignment - 1) / (long)alignment * (long)alignment);
-            starts[aligned] = start;
-            return aligned;
-        };
-        Release release = (user, memory, size, alignment) => {
-            held -= (long)size;
-            Marshal.FreeHGlobal(starts[memory]);
-            starts.Remove(memory);
-        };
-        var allocator = Marshal.AllocHGlobal(Marshal.SizeOf<Allocator>());
-        Marshal.StructureToPtr(new Allocator { Allocate = Marshal.GetFunctionPointerForDelegate(allocate), Release = Marshal.GetFunctionPointerForDelegate(release) }, allocator, false);
-        var desc = SceneDesc.Default;
-        desc.Allocator = allocator;
-        var failed = 0;
-        for (var ration = 0; ration < 400000; ration += 4000) {
-            left = ration;
-            try {
-                using (var scene = new Scene(desc)) {
-                    try {
-                        for (var i = 0; i < 50; ++i) scene.Add(new Sphere());
-                    } finally {
-                        left = 1 << 30;
-                        scene.Validate();
+        using (var ration = new Ration()) {
+            var desc = SceneDesc.Default;
+            desc.Allocator = ration.Allocator;
+            var failed = 0;
+            for (var bytes = 0; bytes < 400000; bytes += 4000) {
+                ration.Left = bytes;
+                try {
+                    using (var scene = new Scene(desc)) {
+                        try {
+                            for (var i = 0; i < 50; ++i) scene.Add(new Sphere());
+                        } finally {
+                            ration.Left = 1 << 30;
+                            scene.Validate();
+                        }
                     }
+                } catch (OutOfMemoryException) {
+                    ++failed;
                 }
-            } catch (OutOfMemoryException) {
-                ++failed;
+                Assert.AreEqual(0, ration.Held);
             }
-            Assert.AreEqual(0, held);
+            Assert.That(failed, Is.InRange(1, 99));
         }
-        Assert.That(failed, Is.InRange(1, 99));
-        GC.KeepAlive(allocate);
-        GC.KeepAlive(release);
-        Marshal.FreeHGlobal(allocator);
+    }
+
+    [Test]
+    public void EveryKindOfObjectGivesItsMemoryBack() {
+        using (var ration = new Ration { Left = 1 << 30 }) {
+            var mesh = MeshDesc.Default;
+            var scene = SceneDesc.Default;
+            var camera = CameraDesc.Default;
+            var solver = SolverDesc.Default;
+            mesh.Allocator = scene.Allocator = camera.Allocator = solver.Allocator = ration.Allocator;
+            var objects = new IDisposable[] { new Mesh(new Vec3[3], new uint[] { 0, 1, 2 }, mesh), new Scene(scene), new Camera(camera), new Solver(solver) };
+            foreach (var made in objects) {
+                var held = ration.Held;
+                made.Dispose();
+                Assert.Less(ration.Held, held, made.GetType().Name);
+            }
+            Assert.AreEqual(0, ration.Held);
+        }
     }
 }

@@ -244,6 +244,23 @@ fn running_out_of_memory_is_an_error_and_leaks_nothing() {
     assert_eq!(Scene::new(Some(&desc)).unwrap_err().status, Status::ERROR_OUT_OF_MEMORY);
 }
 
+#[test]
+fn every_kind_of_object_gives_its_memory_back() {
+    let ration = Ration { left: AtomicIsize::new(1 << 30), held: AtomicIsize::new(0) };
+    let allocator =
+        Allocator { allocate: Some(allocate), release: Some(release), user: &ration as *const Ration as *mut c_void };
+    let allocator = unsafe { Hook::new(&allocator) };
+    let mesh = Mesh::new(&[[0.0; 3]; 3], &[0, 1, 2], Some(&MeshDesc { allocator, ..Default::default() })).unwrap();
+    let objects = (
+        Scene::new(Some(&SceneDesc { allocator, ..Default::default() })).unwrap(),
+        Camera::new(Some(&CameraDesc { allocator, ..Default::default() })).unwrap(),
+        Solver::new(Some(&SolverDesc { allocator, ..Default::default() })).unwrap(),
+    );
+    assert!(ration.held.load(Ordering::Relaxed) > 0);
+    drop((mesh, objects));
+    assert_eq!(ration.held.load(Ordering::Relaxed), 0);
+}
+
 unsafe extern "C" fn run(user: *mut c_void, task: Task, context: *mut c_void, count: u32) {
     (*(user as *const AtomicUsize)).fetch_add(1, Ordering::Relaxed);
     for index in 0..count {
