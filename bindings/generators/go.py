@@ -45,17 +45,9 @@ def comment(text, indent=""):
 
 
 def types(api):
+    structs = [s for s in api["structs"] if s["name"] not in CALLBACKS]
     out = [HEADER + "package gamephys\n\n// #include \"shims.h\"\nimport \"C\"\n\nimport \"unsafe\"\n"]
-    for enum in api["enums"]:
-        kind = go_name(enum["name"]) if enum["name"] else "uint32"
-        if enum["name"]:
-            doc = next(t["doc"] for t in api["types"] if t["name"] == enum["name"])
-            out.append(comment(doc) + f"type {kind} int32\n")
-        out.append("const (")
-        for v in enum["values"]:
-            out.append(comment(v["doc"], "\t") + f"\t{value_name(enum, v['name'])} {kind} = {v['value']}")
-        out.append(")\n")
-    out.append("const (")
+    out += [enumeration(api, enum) for enum in api["enums"]] + ["const ("]
     for name, value in api["constants"].items():
         if value.endswith("f") and not value.startswith("0x"):
             out.append(f"\t{camel(name)} float32 = {value.rstrip('f')}")
@@ -65,41 +57,59 @@ def types(api):
     for t in api["types"]:
         if base_type(api, t["name"]) == "uint32_t":
             out.append(comment(t["doc"]) + f"type {go_name(t['name'])} = uint32\n")
-    structs = [s for s in api["structs"] if s["name"] not in CALLBACKS]
-    for s in structs:
-        out.append(comment(s["doc"]) + f"type {go_name(s['name'])} struct {{")
-        for f in s["fields"]:
-            kind = "unsafe.Pointer" if "*" in f["type"] else go_type(api, f["type"])
-            kind = f"[{f['count']}]{kind}" if f["count"] > 1 else kind
-            text = f["doc"]
-            if "*" in f["type"]:
-                text = (text + "\n" if text else "") + f"A {element(f)} in C memory."
-            out.append(comment(text, "\t") + f"\t{field(f['name'])} {kind}")
-        out.append("}\n")
-    out.append("// The layouts are those of C, or this does not compile.\nvar (")
-    for s in structs:
-        name, go = s["name"], go_name(s["name"])
-        if not any("*" in f["type"] for f in s["fields"]):  # go vet leaves out the padding behind a pointer
-            out.append(f"\t_ [C.sizeof_{name}]byte = [unsafe.Sizeof({go}{{}})]byte{{}}")
-        for f in s["fields"]:
-            c_field = "_type" if f["name"] == "type" else f["name"]
-            out.append(f"\t_ [unsafe.Offsetof(C.{name}{{}}.{c_field})]byte = [unsafe.Offsetof({go}{{}}.{field(f['name'])})]byte{{}}")
-    out.append(")\n")
-    plain_shapes = [s for s in SHAPES if s != "mesh"]
-    for s in plain_shapes:
+    out += [struct(api, s) for s in structs]
+    out += ["// The layouts are those of C, or this does not compile.\nvar ("] + [layout(s) for s in structs] + [")\n"]
+    return "\n".join(out) + "\n" + shape_kinds()
+
+
+def enumeration(api, enum):
+    kind, out = "uint32", []
+    if enum["name"]:
+        kind = go_name(enum["name"])
+        doc = next(t["doc"] for t in api["types"] if t["name"] == enum["name"])
+        out.append(comment(doc) + f"type {kind} int32\n")
+    out.append("const (")
+    out += [comment(v["doc"], "\t") + f"\t{value_name(enum, v['name'])} {kind} = {v['value']}" for v in enum["values"]]
+    return "\n".join(out) + "\n)\n"
+
+
+def struct(api, s):
+    text = comment(s["doc"]) + f"type {go_name(s['name'])} struct {{\n"
+    for f in s["fields"]:
+        kind, doc = ("[%d]" % f["count"] if f["count"] > 1 else "") + go_type(api, f["type"]), f["doc"]
+        if "*" in f["type"]:
+            kind, doc = "unsafe.Pointer", (doc + "\n" if doc else "") + f"A {element(f)} in C memory."
+        text += comment(doc, "\t") + f"\t{field(f['name'])} {kind}\n"
+    return text + "}\n"
+
+
+def layout(s):
+    name, go, lines = s["name"], go_name(s["name"]), []
+    if not any("*" in f["type"] for f in s["fields"]):  # go vet leaves out the padding behind a pointer
+        lines.append(f"\t_ [C.sizeof_{name}]byte = [unsafe.Sizeof({go}{{}})]byte{{}}")
+    for f in s["fields"]:
+        c_field = "_type" if f["name"] == "type" else f["name"]
+        lines.append(f"\t_ [unsafe.Offsetof(C.{name}{{}}.{c_field})]byte = [unsafe.Offsetof({go}{{}}.{field(f['name'])})]byte{{}}")
+    return "\n".join(lines)
+
+
+def shape_kinds():
+    """What makes a struct a shape, and a slice of them shapes."""
+    out, cases = [], []
+    for s in SHAPES:
+        if s == "mesh":
+            continue
         name, kind = go_name(s), f"C.GPHYS_SHAPE_{s.upper()}"
-        many = {"Capsule": "Capsules", "Frustum": "Frusta"}.get(name, name + ("es" if name.endswith("x") else "s"))
+        many = "Frusta" if s == "frustum" else name + "s"
         out.append(f"// {many} are shapes of one kind.\ntype {many} []{name}\n\n"
                    f"func (s {name}) shapes() (shapes, error) {{\n\treturn shapes{{{kind}, unsafe.Pointer(&s), 1, 0}}, nil\n}}\n\n"
                    f"func ({name}) single() {{}}\n\n"
                    f"func (s {many}) shapes() (shapes, error) {{\n\treturn shapes{{{kind}, data(s), len(s), step(s)}}, nil\n}}\n")
-    out.append("func readShape(kind ShapeType, read func(out unsafe.Pointer, size uintptr) error) (Shape, error) {\n\tswitch kind {")
-    for s in plain_shapes:
-        name = go_name(s)
-        out.append(f"\tcase Shape{go_name(s)}:\n\t\tvar shape {name}\n\t\terr := read(unsafe.Pointer(&shape), unsafe.Sizeof(shape))\n\t\treturn shape, err")
-    # The library knows why there is no struct of this kind.
-    out.append("\t}\n\treturn nil, read(unsafe.Pointer(new(Sphere)), unsafe.Sizeof(Sphere{}))\n}\n")
-    return "\n".join(out)
+        cases.append(f"\tcase Shape{name}:\n\t\tvar shape {name}\n"
+                     "\t\terr := read(unsafe.Pointer(&shape), unsafe.Sizeof(shape))\n\t\treturn shape, err")
+    # The library knows why there is no struct of another kind.
+    return "\n".join(out + ["func readShape(kind ShapeType, read func(out unsafe.Pointer, size uintptr) error) (Shape, error) {\n\tswitch kind {",
+                            *cases, "\t}\n\treturn nil, read(unsafe.Pointer(new(Sphere)), unsafe.Sizeof(Sphere{}))\n}\n"])
 
 
 def field(name):
