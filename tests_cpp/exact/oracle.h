@@ -141,13 +141,16 @@ inline double size_of(const gphys_plane& plane, gphys_vec3 point) {
     return largest(widen(point)) + std::fabs(plane.distance) / length(widen(plane.normal));
 }
 
-/// The squared distance of the hulls of two sets of corners, exact in what the doubles are.
-inline CGAL::Quotient<CGAL::Gmpzf> squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    using Doubles = CGAL::Simple_cartesian<double>;
-    using Traits = CGAL::Polytope_distance_d_traits_3<Doubles, CGAL::Gmpzf, double>;
-    std::vector<Doubles::Point_3> p, q;
-    for (Vec3 v : a) p.emplace_back(v.x, v.y, v.z);
-    for (Vec3 v : b) q.emplace_back(v.x, v.y, v.z);
+/// The squared distance of the hulls of two sets of corners, exact in what the doubles are. With
+/// `Pricing` double CGAL looks for a nearer pair of points in double arithmetic and may stop a rounding
+/// early: what it gives then is the distance of two points of the hulls, but not always the least.
+template <class Pricing>
+CGAL::Quotient<CGAL::Gmpzf> squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    using Coordinates = CGAL::Simple_cartesian<Pricing>;
+    using Traits = CGAL::Polytope_distance_d_traits_3<Coordinates, CGAL::Gmpzf, Pricing>;
+    std::vector<typename Coordinates::Point_3> p, q;
+    for (Vec3 v : a) p.emplace_back(Pricing(v.x), Pricing(v.y), Pricing(v.z));
+    for (Vec3 v : b) q.emplace_back(Pricing(v.x), Pricing(v.y), Pricing(v.z));
     const CGAL::Polytope_distance_d<Traits> distance(p.begin(), p.end(), q.begin(), q.end());
     return {distance.squared_distance_numerator(), distance.squared_distance_denominator()};
 }

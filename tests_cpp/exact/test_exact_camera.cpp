@@ -239,3 +239,157 @@ TEST_CASE("the ray of a pixel has its image there, to a thousandth of a pixel or
     CHECK(score.kept());
     CHECK_FALSE(examine(turned, 2000).kept());
 }
+
+namespace {
+
+/// A ray in 300 digits and how it meets a triangle.
+struct Sight {
+    BigVec from, along;  // along: unit
+    Big length;          // to the far plane
+    bool endless;
+
+    Sight(const Lens& lens, double x, double y) : endless(std::isinf(lens.far_distance)) {
+        const BigVec zero(0, 0, 0);
+        BigVec start(0, 0, 0), way = lens.direction(x, y);
+        if (!lens.perspective) {
+            start = {(2 * Big(x) / lens.desc.viewport_width - 1) * lens.half_width(),
+                     (1 - 2 * Big(y) / lens.desc.viewport_height) * lens.half_height(), lens.near_distance};
+        }
+        const Big size = sqrt(dot(way, way));
+        from = lens.out(start);
+        along = (lens.out(way) - lens.out(zero)) * (1 / size);
+        if (!endless)
+            length = lens.perspective ? lens.far_distance * size : Big(lens.far_distance) - lens.near_distance;
+    }
+};
+
+struct Sighting {
+    bool may_be = false, must_be = false;
+    Big t = 0;
+    double slack = 0;  // of t
+};
+
+/// The direction of a double ray is off by a few 2^-53; what it passes by at an angle of less than
+/// 2^-46 may be hit or not, and t is off by as much of itself over the cosine.
+Sighting sighting(const Sight& sight, const gphys_triangle& triangle) {
+    const BigVec corner[3] = {BigVec(triangle.a) - sight.from, BigVec(triangle.b) - sight.from,
+                              BigVec(triangle.c) - sight.from};
+    bool positive = false, negative = false, clear = true;
+    for (int i = 0; i < 3; ++i) {
+        const BigVec normal = cross(corner[i], corner[(i + 1) % 3]);
+        const Big volume = dot(sight.along, normal), size = sqrt(dot(normal, normal));
+        if (abs(volume) <= size * Big(0x1p-46)) {
+            clear = false;
+        } else {
+            (volume > 0 ? positive : negative) = true;
+        }
+    }
+    const BigVec normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const Big climb = dot(normal, sight.along), size = sqrt(dot(normal, normal));
+    Sighting result;
+    if (positive && negative) return result;
+    if (abs(climb) <= size * Big(0x1p-20)) {  // seen from the side, or degenerate: not examined
+        result.may_be = true;
+        result.slack = INFINITY;
+        return result;
+    }
+    result.t = dot(normal, corner[0]) / climb;
+    result.slack = std::fabs(rounded(result.t)) * 0x1p-46 * rounded(size / abs(climb));
+    const Big slack = result.slack;
+    result.may_be = result.t >= -slack && (sight.endless || result.t <= sight.length + slack);
+    result.must_be = clear && result.t >= slack && (sight.endless || result.t <= sight.length - slack);
+    return result;
+}
+
+/// Asks for what a pixel shows: the tag of a model, or the triangle of a mesh.
+using Pick = gphys_status (*)(const gphys_camera*, const gphys_scene*, float, float, uint32_t, gphys_hit*);
+
+gphys_status pick_beside(const gphys_camera* camera, const gphys_scene* scene, float x, float y, uint32_t layers,
+                         gphys_hit* hit) {
+    return gphys_camera_pick(camera, scene, x + .01f, y, layers, hit);
+}
+gphys_status pick_by_floats(const gphys_camera* camera, const gphys_scene* scene, float x, float y, uint32_t layers,
+                            gphys_hit* hit) {
+    gphys_ray ray;
+    gphys_camera_pick_ray(camera, x, y, &ray);
+    return gphys_scene_raycast(scene, &ray, layers, hit);
+}
+
+constexpr uint32_t seen_count = 6;
+
+/// Triangles near each other, behind or beside one another, as models or as one mesh.
+gphys_scene* scene_of(const gphys_triangle (&triangles)[seen_count], bool as_mesh) {
+    gphys_scene* scene = nullptr;
+    REQUIRE(gphys_scene_create(nullptr, &scene) == GPHYS_OK);
+    gphys_model_id model = 0;
+    if (as_mesh) {
+        uint32_t indices[3 * seen_count];
+        for (uint32_t i = 0; i < 3 * seen_count; ++i) indices[i] = i;
+        gphys_mesh* mesh = nullptr;
+        REQUIRE(gphys_mesh_create(nullptr, &triangles[0].a.x, sizeof(gphys_vec3), 3 * seen_count, indices,
+                                  3 * seen_count, &mesh) == GPHYS_OK);
+        REQUIRE(gphys_scene_add(scene, GPHYS_SHAPE_MESH, mesh, nullptr, nullptr, &model) == GPHYS_OK);
+        gphys_mesh_destroy(mesh);
+        return scene;
+    }
+    for (uint32_t i = 0; i < seen_count; ++i) {
+        REQUIRE(gphys_scene_add(scene, GPHYS_SHAPE_TRIANGLE, &triangles[i], nullptr, nullptr, &model) == GPHYS_OK);
+        REQUIRE(gphys_scene_set_tag(scene, model, i) == GPHYS_OK);
+    }
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a pixel shows the model, and of a mesh the triangle, that the exact line of sight meets first", "[camera]") {
+    const auto examine = [](Pick pick, long count) {
+        Cases c(84);
+        Score score("pick", 1, "of 1 ulp of t and its band");
+        for (long i = 0; i < count; ++i) {
+            const Lens lens(c);
+            gphys_camera* camera = lens.make();
+            gphys_triangle triangles[seen_count];
+            const Vec3 middle = widen(seen_point(c, lens));
+            const double size = length(middle - widen(lens.position)) * std::pow(10.0, c.random.uniform(-3, 0));
+            for (gphys_triangle& t : triangles) {
+                for (gphys_vec3* corner : {&t.a, &t.b, &t.c}) {
+                    *corner = narrow(middle + c.random.direction() * (size * c.random.uniform(.1, 1)));
+                }
+                if (&t != triangles && c.one_in(2)) t.a = (&t - 1)->b, t.b = (&t - 1)->a;  // a shared edge
+            }
+            const bool as_mesh = c.one_in(2);
+            gphys_scene* scene = scene_of(triangles, as_mesh);
+            const gphys_vec3 target = target_on(c, triangles[c.random.index(seen_count)]);
+            gphys_vec3 pixel;
+            if (gphys_camera_project(camera, &target, &pixel) == GPHYS_OK) {
+                gphys_hit hit{};
+                const bool given = pick(camera, scene, pixel.x, pixel.y, GPHYS_ALL_LAYERS, &hit) == GPHYS_OK;
+                const uint32_t found = as_mesh ? hit.triangle : hit.tag;
+                const Sight sight(lens, pixel.x, pixel.y);
+                Sighting sightings[seen_count];
+                // No later than this something is met for certain.
+                Big latest = -1;
+                for (uint32_t k = 0; k < seen_count; ++k) {
+                    sightings[k] = sighting(sight, triangles[k]);
+                    const Big end = sightings[k].t + Big(sightings[k].must_be ? sightings[k].slack : 0);
+                    if (sightings[k].must_be && (latest < 0 || end < latest)) latest = end;
+                }
+                bool right = !given && latest < 0;
+                if (given && found < seen_count) {
+                    const Sighting& s = sightings[found];
+                    const bool examined = !std::isinf(s.slack);
+                    right = s.may_be && (!examined || latest < 0 || s.t - Big(s.slack) <= latest);
+                    if (right && examined) {
+                        score.error(error_of(hit.t, s.t) / (ulp_of(rounded(s.t)) + s.slack), lens.position, pixel);
+                    }
+                }
+                score.answer(given, right == given, lens.position, lens.rotation, pixel, triangles);
+            }
+            gphys_scene_destroy(scene);
+            gphys_camera_destroy(camera);
+            c.next();
+        }
+        return score;
+    };
+    prove(cases(1500, 1000000), examine, gphys_camera_pick, pick_beside, pick_by_floats);
+}

@@ -84,11 +84,12 @@ auto examine(const std::string& name, uint64_t seed) {
             if (!c.one_in(4)) touch(c, target_on(c, a), b);
             const bool given = overlaps(a, b);
 
-            // Corners of boxes that are not rotated, and of triangles, are exact as they stand.
-            const double allowed = band_of(type_of(a), type_of(b));
-            const Vec3 from = allowed > 0 ? widen(target_on(c, a)) : Vec3{};
+            // Only the corners of rotated boxes are rounded; those of others are exact as they stand.
+            const Vec3 near = widen(target_on(c, a));
+            const Vec3 from = is_obb(type_of(a)) || is_obb(type_of(b)) ? near : Vec3{};
             const Rounded p = rounded_of(a, from), q = rounded_of(b, from);
-            const double size = reach(p) + reach(q), band = allowed * size;
+            const double size = reach(rounded_of(a, near)) + reach(rounded_of(b, near));
+            const double band = band_of(type_of(a), type_of(b)) * size;
             // An axis that separates beyond the roundings of double precision is a proof.
             const double radii = p.radius + q.radius;
             const double gap_in_double = gap(hull_of(p), hull_of(q)).gap;
@@ -96,11 +97,12 @@ auto examine(const std::string& name, uint64_t seed) {
                 score.answer(given, false, a, b);
                 continue;
             }
-            const CGAL::Quotient<CGAL::Gmpzf> square = squared_distance(p.corners, q.corners);
+            CGAL::Quotient<CGAL::Gmpzf> square = squared_distance<double>(p.corners, q.corners);
             const auto within = [&](double more) {
                 const CGAL::Gmpzf sum = CGAL::Gmpzf(p.radius) + CGAL::Gmpzf(q.radius) + CGAL::Gmpzf(more);
                 return CGAL::sign(sum) >= 0 && square.numerator() <= sum * sum * square.denominator();
             };
+            if (!within(0)) square = squared_distance<CGAL::Gmpzf>(p.corners, q.corners);
             const bool truth = within(0);
             // Without radii there is no distance to be less than: depth is that of the axes.
             const bool shallow = band > 0 && (radii > 0 ? !within(-band) : std::fabs(gap_in_double) <= band);
