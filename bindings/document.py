@@ -13,7 +13,7 @@ from reach.check import called, left_out
 
 sys.dont_write_bytecode = True
 NAMES = {"c": "C", "cpp": "C++", "python": "Python", "javascript": "JavaScript (Node, koffi)", "lua": "Lua (LuaJIT)",
-         "ruby": "Ruby", "java": "Java (JNA)", "rust": "Rust", "go": "Go", "csharp": "C#",
+         "ruby": "Ruby", "java": "Java (JNA)", "rust": "Rust", "go": "Go", "csharp": "C# (Mono)",
          "wasm": "JavaScript (WebAssembly)"}
 CASES = {"scalar": "number", "vec3": "vector", "raycast": "one ray", "raycast_batch": "ray of a batch"}
 TEXT = """# Languages
@@ -26,11 +26,11 @@ Nanoseconds for each call through the package of the language, the library's own
 
 {times}
 
-In a batch every language is as fast as C: one call, and the arrays stay where they are.
+In a batch the language does not matter: one call, and the arrays stay where they are. WebAssembly runs the library's own WebAssembly build, with 128-bit instead of 256-bit vectors.
 
 ## What the tests call
 
-Which C functions the tests of each package were seen to call, recorded by a library that stands in between ([bindings/reach](../bindings/reach)). Destroying, default settings and error texts are called by the packages themselves.
+Which C functions the tests of each package were seen to call, recorded by a library that stands in between ([bindings/reach](../bindings/reach)). Packages call some by themselves: those that destroy objects, fill in default settings and tell the text of errors.
 
 {reach}
 """
