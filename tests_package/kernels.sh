@@ -10,7 +10,7 @@ case $CONFIG in
 esac
 
 cd "$WORK"
-find "$BUILD" -path '*/src/*' -name '*_kernels.cpp.o' >objects.txt
+find "$BUILD/CMakeFiles" -path '*/src/*' -name '*_kernels.cpp.o' >objects.txt
 [ -s objects.txt ] || fail "no kernels found"
 xargs -d '\n' -a objects.txt nm -C -g --defined-only | sed -n 's/^[0-9a-f]\+ . //p' >defined.txt
 [ -s defined.txt ] || fail "no symbols found"
