@@ -22,7 +22,7 @@ case ${1:-} in
         ;;
     --bindings)
         presets=(bindings)
-        packages+=(python3-numpy python3-pip nodejs emscripten ruby ruby-ffi openjdk-17-jdk-headless
+        packages+=(python3-numpy python3-pip nodejs emscripten chromium ruby ruby-ffi openjdk-17-jdk-headless
             libjna-java junit4 mono-mcs mono-runtime libmono-system-core4.0-cil nunit-console libnunit-cil-dev)
         command -v npm >/dev/null || packages+=(npm)
         command -v cargo >/dev/null || packages+=(cargo)
@@ -51,8 +51,10 @@ install_packages "${packages[@]}" || {
     finish
 }
 
-if [ "${1:-}" = --bindings ] && ! (cd bindings/javascript && npm install --no-package-lock --no-audit --no-fund && ./build_wasm.sh); then
-    failed=$((failed + 1))
+if [ "${1:-}" = --bindings ]; then
+    fetch=(npm install --no-package-lock --no-audit --no-fund)
+    (cd bindings/javascript && "${fetch[@]}" && ./build_wasm.sh) || failed=$((failed + 1))
+    (cd examples/web && "${fetch[@]}") || failed=$((failed + 1))
 fi
 
 jobs=$(nproc)

@@ -126,7 +126,6 @@ export class Shapes {
 function viewOf(value, name) {
     const view = value instanceof Records ? value.views.f32 : value;
     if (!ArrayBuffer.isView(view)) throw new TypeError(`${name} must be a typed array or Records`);
-    if (view.byteLength === 0) new Uint8Array(view.buffer); // throws if memory grew and left the view behind
     return view;
 }
 

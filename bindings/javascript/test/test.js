@@ -169,6 +169,7 @@ test('objects of another kind are refused', () => {
 test('memory of objects that nothing refers to comes back', { skip: !globalThis.gc && 'needs --expose-gc' }, async () => {
     for (let round = 0; round < 40; ++round) {
         for (let i = 0; i < 8; ++i) gp.records('hit', 1 << 20); // 40 rounds hold 17 GB, more than there is of WebAssembly's
+        new gp.Scene({ reserve_models: 1 << 20 }); // and as much again
         globalThis.gc();
         await new Promise((resolve) => setTimeout(resolve));
     }

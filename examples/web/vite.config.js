@@ -1,0 +1,8 @@
+import { defineConfig } from 'vite';
+
+export default defineConfig({
+    server: { fs: { allow: ['../..'] } }, // the package is a link to bindings/javascript
+    resolve: { conditions: ['browser'] },
+    optimizeDeps: { exclude: ['gamephys'], include: ['bunny'] }, // its module is found beside its source
+    build: { target: 'esnext' },
+});
