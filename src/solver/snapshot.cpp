@@ -60,6 +60,7 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.start);
     archive.array(body.start_velocity);
     archive.value(body.earlier_step);
+    archive.flag(body.touched);
     archive.array(body.touches);
     archive.array(body.cloth.moved);
     archive.array(body.cloth.velocity_before);
