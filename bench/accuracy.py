@@ -9,9 +9,9 @@ import pathlib
 import sys
 
 CASES = {
-    "boxes_random": "random rays through 100,000 boxes",
+    "boxes_random": "random rays through {n:,} boxes",
     "boxes_camera": "rays of a camera that sees them",
-    "mesh_random": "random rays around a mesh of 81,920 triangles",
+    "mesh_random": "random rays around a mesh of {n:,} triangles",
     "mesh_camera": "rays of a camera that sees it",
     "leaks_near": "rays out of a closed mesh, through edges and vertices",
     "leaks_far": "the same 370 km from the origin, 1 km large",
@@ -115,8 +115,12 @@ def price_table(cases):
         by = {row["implementation"]: row for row in implementations}
         own, rough = by["gamephys"], by["gamephys_float"]
         times = float(own["value"]), float(rough["value"])
-        rows.append([CASES[case], number(times[0]), number(times[1]), f"{times[0] / times[1]:.2f}", share(rough)])
+        rows.append([what(own), number(times[0]), number(times[1]), f"{times[0] / times[1]:.2f}", share(rough)])
     return table(["case", "gamephys, ns", "gamephys_float, ns", "ratio", "its false answers"], 1, rows)
+
+
+def what(row):
+    return CASES[row["case"]].format(n=int(row["n"]))
 
 
 def share(row):
@@ -133,11 +137,11 @@ def main():
     lines = []
     for case, rows in cases.items():
         for i, row in enumerate(rows):
-            what = f"`{case}`: {CASES[case]}" if i == 0 else ""
-            lines.append([what, row["implementation"], number(float(row["value"])), share(row)])
+            first = f"`{case}`: {what(row)}" if i == 0 else ""
+            lines.append([first, row["implementation"], number(float(row["value"])), share(row)])
     with pathlib.Path(sys.argv[2]).open(newline="") as file:
         scores, inputs, builds = score_tables(list(csv.DictReader(file)))
-    plots = "\n".join(f"![{CASES[case]}](images/accuracy_{case}.png)" for case in cases)
+    plots = "\n".join(f"![{what(rows[0])}](images/accuracy_{case}.png)" for case, rows in cases.items())
     machine = "  \n".join((directory / "machine.txt").read_text().splitlines())
     print(PAGE.format(machine=machine, table=table(["case", "library", "ns", "false answers"], 2, lines), plots=plots,
                       scores=scores, inputs=inputs, builds=builds, price=price_table(cases)), end="")

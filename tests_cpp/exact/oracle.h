@@ -141,16 +141,17 @@ inline double size_of(const gphys_plane& plane, gphys_vec3 point) {
     return largest(widen(point)) + std::fabs(plane.distance) / length(widen(plane.normal));
 }
 
-/// The squared distance of the hulls of two sets of corners, exact in what the doubles are. With
-/// `Pricing` double CGAL looks for a nearer pair of points in double arithmetic and may stop a rounding
-/// early: what it gives then is the distance of two points of the hulls, but not always the least.
-template <class Pricing>
-CGAL::Quotient<CGAL::Gmpzf> squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    using Coordinates = CGAL::Simple_cartesian<Pricing>;
-    using Traits = CGAL::Polytope_distance_d_traits_3<Coordinates, CGAL::Gmpzf, Pricing>;
-    std::vector<typename Coordinates::Point_3> p, q;
-    for (Vec3 v : a) p.emplace_back(Pricing(v.x), Pricing(v.y), Pricing(v.z));
-    for (Vec3 v : b) q.emplace_back(Pricing(v.x), Pricing(v.y), Pricing(v.z));
+/// The squared distance of the hulls of two sets of corners, exact in what the doubles are. Coordinates
+/// go to CGAL as Gmpzf: with doubles it makes products in double, and what those round away can turn an answer.
+inline CGAL::Quotient<CGAL::Gmpzf> squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    using Coordinates = CGAL::Simple_cartesian<CGAL::Gmpzf>;
+    using Traits = CGAL::Polytope_distance_d_traits_3<Coordinates, CGAL::Gmpzf, CGAL::Gmpzf>;
+    const auto points = [](const std::vector<Vec3>& corners) {
+        std::vector<Coordinates::Point_3> result;
+        for (Vec3 v : corners) result.emplace_back(CGAL::Gmpzf(v.x), CGAL::Gmpzf(v.y), CGAL::Gmpzf(v.z));
+        return result;
+    };
+    const std::vector<Coordinates::Point_3> p = points(a), q = points(b);
     const CGAL::Polytope_distance_d<Traits> distance(p.begin(), p.end(), q.begin(), q.end());
     return {distance.squared_distance_numerator(), distance.squared_distance_denominator()};
 }

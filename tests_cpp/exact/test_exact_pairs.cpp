@@ -97,12 +97,11 @@ auto examine(const std::string& name, uint64_t seed) {
                 score.answer(given, false, a, b);
                 continue;
             }
-            CGAL::Quotient<CGAL::Gmpzf> square = squared_distance<double>(p.corners, q.corners);
+            const CGAL::Quotient<CGAL::Gmpzf> square = squared_distance(p.corners, q.corners);
             const auto within = [&](double more) {
                 const CGAL::Gmpzf sum = CGAL::Gmpzf(p.radius) + CGAL::Gmpzf(q.radius) + CGAL::Gmpzf(more);
                 return CGAL::sign(sum) >= 0 && square.numerator() <= sum * sum * square.denominator();
             };
-            if (!within(0)) square = squared_distance<CGAL::Gmpzf>(p.corners, q.corners);
             const bool truth = within(0);
             // Without radii there is no distance to be less than: depth is that of the axes.
             const bool shallow = band > 0 && (radii > 0 ? !within(-band) : std::fabs(gap_in_double) <= band);
