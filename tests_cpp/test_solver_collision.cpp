@@ -359,6 +359,23 @@ TEST_CASE("cloth of points, without any radius, lies on a mesh, a box and a plan
     }
 }
 
+TEST_CASE("thick particles of cloth that are put into a fine mesh come out of it") {
+    // Around each some hundred triangles are nearer than its radius.
+    World world(4);
+    const MeshHandle mesh = bumpy_ball(133);
+    world.model(GPHYS_SHAPE_MESH, mesh.mesh);
+    const gphys_body_id cloth =
+        world.cloth({-0.2f, 0.52f, -0.2f}, {0.4f, 0, 0}, {0, 0, 0.4f}, 5, 5, point_mass(0.1f, 0.5f, 0));
+    for (int i = 0; i < 30; ++i) world.step(1.0f / 60);
+    for (const gphys_vec3& v : world.velocities(cloth)) CHECK(length(widen(v)) < 10);
+    for (const gphys_vec3& p : world.positions(cloth)) {
+        const gphys_sphere particle{p, 0.1f * 0.9999f};
+        uint32_t models = 0;
+        REQUIRE(gphys_scene_overlap(world.scene, GPHYS_SHAPE_SPHERE, &particle, ~0u, nullptr, 0, &models) == GPHYS_OK);
+        CHECK(models == 0);
+    }
+}
+
 TEST_CASE("a ball that flies into a hanging sheet takes it along and does not pass") {
     World world(8);
     const gphys_sphere ball{{0, 0, 0}, 0.2f};

@@ -158,7 +158,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     cloth.at[4 * size_t{body.size()} + 4] = 1;
     double length = 0;
     for (const double rest : body.plan.rest) length += rest;
-    cloth.link_length = length / body.plan.rest.size();
+    cloth.link_length = length / static_cast<double>(body.plan.rest.size());
     body.cloth_contacts.touching = false;
     if (collides(body, around)) look_around_cloth(body, around, gravity);
 }

@@ -37,9 +37,13 @@ public:
         Neighbour found{};
         found.particle = p;
         uint32_t count = 0;
-        for (;; reach /= 2) {
+        for (int halvings = 0; halvings < 4; ++halvings, reach /= 2) {
             count = collect(body_.cloth.origin + get(at), radius + reach);
             if (count <= most_parts) break;
+        }
+        if (count > most_parts) {  // on a mesh much finer than the particle: it is swept in each substep
+            count = most_parts;
+            reach = 0;
         }
         if (moves_beside(body_.cloth.origin + get(at), radius + reach)) reach = 0;
         choose_walls(p, get(at), count, reach, found);
