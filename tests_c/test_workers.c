@@ -398,13 +398,6 @@ static void threads_that_cannot_be_started_are_refused(void** state) {
     assert_null(scene);
 }
 
-/* A WebAssembly module has none unless it is built for shared memory. */
-#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-enum { HAS_THREADS = 0 };
-#else
-enum { HAS_THREADS = 1 };
-#endif
-
 int main(void) {
     const struct CMUnitTest without_threads[] = {
         cmocka_unit_test(threads_that_cannot_be_started_are_refused),
