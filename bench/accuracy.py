@@ -30,13 +30,13 @@ Answers refer to the exact objects that the float bits of the input denote. W is
 | containment in sphere, capsule, AABB, plane, triangle, segment, ray, frustum | 0 false | | exact signs: Shewchuk 1997 |
 | containment in an OBB; within a tolerance of an OBB | 0 false beyond the band | 2^-40 S | axes of the rotation in double |
 | within a tolerance of the others | 0 false beyond the band | 2^-46 S | squared distances in double, relative to the point |
-| triangle, AABB, frustum, plane among each other | 0 false | | Guigue and Devillers 2003; Akenine-Moeller 2001; Helly and Farkas on exact determinants |
+| triangle, AABB, frustum, plane among each other | 0 false | | Guigue and Devillers 2003; Akenine-Moeller 2001; points and proofs of emptiness guessed in double (Matousek, Sharir, Welzl 1996), then decided by exact signs, else Helly and Farkas on exact determinants |
 | sphere or capsule with AABB or triangle | 0 false beyond the band | 2^-48 S | Arvo 1990; Ericson 2005 |
 | pairs with an OBB | 0 false beyond the band | 2^-40 S | Gottschalk 1996 |
 | ray with sphere | 0 false; t within 1 ulp | | exact sign of the discriminant; the root that adds numbers of one sign: Haines, Guenther, Akenine-Moeller 2019 |
 | ray with capsule | 0 false beyond the band; t within 1 ulp | 2^-48 D | the same for the cylinder between the ends |
 | ray with AABB, plane | 0 false; t within 1 ulp | | slabs by division: Williams et al. 2005; products where quotients are too close |
-| ray with triangle | 0 false; t within 1 ulp | | Woop, Benthin, Wald 2013, then exact volumes |
+| ray with triangle | 0 false; t within 1 ulp | | Woop, Benthin, Wald 2013; where that is not certain, volumes in 128-bit integers or expansions (Shewchuk 1997) |
 | ray with OBB | 0 false beyond the band; t within 1 ulp of a time at which the band is crossed | 2^-40 S | Majercik et al. 2018, in double |
 | ray with mesh, alone or as an instance in a scene | no leak through edges and vertices | | the triangle's; trees are walked with a margin |
 | sphere sweep | 0 false beyond the band; t within 1 ulp of a time at which the band is crossed | 2^-40 S | rays against the grown shape |
@@ -44,7 +44,7 @@ Answers refer to the exact objects that the float bits of the input denote. W is
 | distance | 1 ulp + 2^-40 S | | the same |
 | camera: project | 1e-3 pixel + 1 ulp; depth 4 * 2^-24 + 1 ulp | | camera basis and tangents, in double: Upchurch and Desbrun 2012 |
 | camera: unproject | 2 ulps of W on each axis | | the same |
-| camera: pick | the double ray of the pixel | | never rounded to float |
+| camera: pick | the first hit of the exact line of sight; t within 1 ulp and the band | an angle of 2^-46 | the double ray of the pixel, never rounded to float |
 | camera: pick ray as floats | 1e-3 pixel, or half an ulp of the direction where the field of view is below about 3 degrees | | |
 
 `tests_cpp/exact` holds each line against arithmetic that is not ours (CGAL's exact kernel, linear and quadratic programs, MPFR with 300 digits), on whole numbers, coordinates moved by an ulp, slivers, tangents, shapes far out and below the smallest normal float, and shows that each check notices a spoiled function. `ctest -R exact: -V` prints the score of each function.

@@ -246,6 +246,7 @@ namespace {
 struct Sight {
     BigVec from, along;  // along: unit
     Big length;          // to the far plane
+    double slack = 0;    // of where it starts: in orthographic views that is rounded
     bool endless;
 
     Sight(const Lens& lens, double x, double y) : endless(std::isinf(lens.far_distance)) {
@@ -257,6 +258,7 @@ struct Sight {
         }
         const Big size = sqrt(dot(way, way));
         from = lens.out(start);
+        if (!lens.perspective) slack = 0x1p-50 * (largest(widen(lens.position)) + rounded(sqrt(dot(start, start))));
         along = (lens.out(way) - lens.out(zero)) * (1 / size);
         if (!endless)
             length = lens.perspective ? lens.far_distance * size : Big(lens.far_distance) - lens.near_distance;
@@ -270,7 +272,7 @@ struct Sighting {
 };
 
 /// The direction of a double ray is off by a few 2^-53; what it passes by at an angle of less than
-/// 2^-46 may be hit or not, and t is off by as much of itself over the cosine.
+/// 2^-46, or nearer than its start is off, may be hit or not, and t is off by as much over the cosine.
 Sighting sighting(const Sight& sight, const gphys_triangle& triangle) {
     const BigVec corner[3] = {BigVec(triangle.a) - sight.from, BigVec(triangle.b) - sight.from,
                               BigVec(triangle.c) - sight.from};
@@ -278,7 +280,9 @@ Sighting sighting(const Sight& sight, const gphys_triangle& triangle) {
     for (int i = 0; i < 3; ++i) {
         const BigVec normal = cross(corner[i], corner[(i + 1) % 3]);
         const Big volume = dot(sight.along, normal), size = sqrt(dot(normal, normal));
-        if (abs(volume) <= size * Big(0x1p-46)) {
+        // Twice the area over the edge is how far the edge's line is from the start.
+        const BigVec edge = corner[(i + 1) % 3] - corner[i];
+        if (abs(volume) <= size * Big(0x1p-46) + sqrt(dot(edge, edge)) * Big(sight.slack)) {
             clear = false;
         } else {
             (volume > 0 ? positive : negative) = true;
@@ -294,7 +298,7 @@ Sighting sighting(const Sight& sight, const gphys_triangle& triangle) {
         return result;
     }
     result.t = dot(normal, corner[0]) / climb;
-    result.slack = std::fabs(rounded(result.t)) * 0x1p-46 * rounded(size / abs(climb));
+    result.slack = (std::fabs(rounded(result.t)) * 0x1p-46 + sight.slack) * rounded(size / abs(climb));
     const Big slack = result.slack;
     result.may_be = result.t >= -slack && (sight.endless || result.t <= sight.length + slack);
     result.must_be = clear && result.t >= slack && (sight.endless || result.t <= sight.length - slack);
