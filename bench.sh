@@ -42,6 +42,7 @@ rm -f build/bench/*.csv
     echo "Compiler: $(c++ --version | head -n 1)"
     [ $peers = OFF ] || echo "Peers: $(dpkg-query -W -f '${source:Package} ${source:Upstream-Version}, ' "${peer_packages[@]}" | sed 's/, $//')"
     echo "Date: $(date -u +%F)"
+    case " ${arguments[*]} " in *" --quick "*) echo "Work: a part, by --quick" ;; esac
 } | tee build/bench/machine.txt
 if [ ${#suites[@]} -gt 0 ] || [ $solver = OFF ]; then
     build/release/bench/gamephys_bench --out=build/bench "${suites[@]}" "${arguments[@]}"
