@@ -928,6 +928,9 @@ typedef struct gphys_solver_desc {
     uint32_t max_steps;                   /* most steps of one advance; time beyond is dropped; 8 */
     const gphys_task_runner* task_runner; /* whose threads worker_count counts; NULL: the solver's own */
     uint32_t worker_count; /* threads for one step, its own included, at most 1024; 0 and 1: that alone */
+    float sleep_speed;     /* m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0 */
+    float sleep_strain;    /* of rigid constraints, |length / rest length - 1|; default 0.01 */
+    float sleep_time;      /* seconds; default 0.5 */
 } gphys_solver_desc;
 
 GPHYS_API gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size);
@@ -1001,6 +1004,19 @@ GPHYS_API gphys_status gphys_solver_remove_body(gphys_solver* solver, gphys_body
 /** Ids of all bodies, ascending. Kept when too many: the lowest. */
 GPHYS_API gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
                                                uint32_t* out_total);
+
+/** Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+ *  A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+ *  sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+ *  keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+ *  wakes in the step before which a model came, went or moved as near as it could come in a step at
+ *  50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+ *  its state, of gravity or of the origin. */
+GPHYS_API gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id* out_bodies,
+                                                 uint32_t capacity, uint32_t* out_total);
+/** Wake a body; its time of rest begins again.
+ *  @param body  0: all */
+GPHYS_API gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id body);
 
 typedef int32_t gphys_body_kind;
 enum { GPHYS_BODY_PARTICLES = 1, GPHYS_BODY_ROPE = 2, GPHYS_BODY_CLOTH = 3 };
@@ -1095,7 +1111,8 @@ GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, 
  *  than 25 ms.
  *  @param scene  to collide with and to follow attachments; NULL: none. Not modified.
  *  @param dt     1e-6 .. 0.5
- *  Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+ *  Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+ *  through particles. Cost: O(particles + constraints)
  *  substeps, and a scene query for particles near models. */
 GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt);
 /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next

@@ -423,6 +423,51 @@ static void test_snapshots(void** state) {
     assert_int_equal(gphys_solver_remove_body(f->solver, f->rope), GPHYS_OK);
 }
 
+static void test_sleep(void** state) {
+    fixture* f = *state;
+    gphys_solver_desc desc;
+    gphys_solver* solver = NULL;
+    gphys_body_id body = 0, bodies[2] = {7, 7};
+    uint32_t total = 7;
+    float* const amounts[] = {&desc.sleep_speed, &desc.sleep_strain, &desc.sleep_time};
+    size_t field, i;
+    gphys_solver_desc_init(&desc, sizeof desc);
+    assert_true(desc.sleep_speed == 0);
+    for (field = 0; field < sizeof amounts / sizeof *amounts; ++field) {
+        const float fine = *amounts[field];
+        for (i = 0; i < BAD_COUNT; ++i) {
+            *amounts[field] = bad_values[i];
+            assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+        }
+        *amounts[field] = -1;
+        assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+        *amounts[field] = fine;
+    }
+    desc.sleep_speed = 0.001f;
+    desc.sleep_time = 0;
+    desc.gravity.y = 0;
+    assert_int_equal(gphys_solver_create(&desc, &solver), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_particles(solver, NULL, points, 12, 4, &body), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_sleeping(solver, bodies, 2, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    assert_int_equal(gphys_solver_step(solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_sleeping(NULL, bodies, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_sleeping(solver, NULL, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_sleeping(solver, bodies, 2, NULL), BAD);
+    assert_int_equal(gphys_solver_get_sleeping(solver, NULL, 0, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(gphys_solver_get_sleeping(solver, bodies, 2, &total), GPHYS_OK);
+    assert_int_equal(total, 1);
+    assert_int_equal(bodies[0], body);
+    assert_int_equal(bodies[1], 7);
+    assert_int_equal(gphys_solver_wake(NULL, body), BAD);
+    assert_int_equal(gphys_solver_wake(f->solver, f->removed), STALE);
+    assert_int_equal(gphys_solver_wake(solver, body), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_sleeping(solver, bodies, 2, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    assert_int_equal(gphys_solver_wake(solver, 0), GPHYS_OK);
+    gphys_solver_destroy(solver);
+}
+
 static void an_origin_is_checked_kept_and_returned(void** state) {
     const double origin[3] = {1e9, -2e9, 0.125}, bad[3] = {0, 0, 2e15};
     double now[3] = {7, 7, 7};
@@ -455,6 +500,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_constraints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_snapshots, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_sleep, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,6 +33,9 @@ static world make_world(uint32_t worker_count, const gphys_task_runner* runner) 
     desc.worker_count = worker_count;
     desc.task_runner = runner;
     desc.substeps = 3;
+    desc.sleep_speed = 0.2f; /* so that some bodies come to sleep, and the hammer wakes them */
+    desc.sleep_strain = 1;
+    desc.sleep_time = 0.05f;
     assert_int_equal(gphys_solver_create(&desc, &w.solver), GPHYS_OK);
     for (i = 0; i < ROPES; ++i) {
         for (k = 0; k <= LINKS; ++k) {
@@ -66,16 +69,20 @@ static void end_world(const world* w) {
 
 typedef struct outcome {
     uint32_t hash[STEPS][2];
-    uint32_t contacts;
+    uint32_t contacts, most_asleep;
 } outcome;
 
 static void run(uint32_t worker_count, const gphys_task_runner* runner, outcome* out) {
     const world w = make_world(worker_count, runner);
     gphys_solver_stats stats;
+    uint32_t asleep;
     int i;
+    out->most_asleep = 0;
     for (i = 0; i < STEPS; ++i) {
         step(&w, i);
         assert_int_equal(gphys_solver_get_hash(w.solver, out->hash[i]), GPHYS_OK);
+        gphys_solver_get_sleeping(w.solver, NULL, 0, &asleep);
+        if (asleep > out->most_asleep) out->most_asleep = asleep;
     }
     assert_int_equal(gphys_solver_get_stats(w.solver, 0, &stats), GPHYS_OK);
     out->contacts = stats.contact_count;
@@ -101,6 +108,7 @@ static void any_number_of_threads_gives_the_same_bits(void** state) {
     (void)state;
     run(1, NULL, &expected);
     assert_true(expected.contacts > 50);
+    assert_true(expected.most_asleep > 0);
     for (i = 0; i < sizeof counts / sizeof *counts; ++i) {
         run(counts[i], NULL, &other);
         assert_memory_equal(&other, &expected, sizeof other);

@@ -169,4 +169,6 @@ func TestASolverGoesOnFromASnapshot(t *testing.T) {
 	try(t, twin.Step(nil, 0.01))
 	same(t, must(twin.Hash()), must(solver.Hash()))
 	same(t, must(twin.Snapshot()), must(solver.Snapshot()))
+	try(t, twin.Wake(0))
+	same(t, len(must(twin.Sleeping())), 0)
 }

@@ -1627,6 +1627,39 @@ func (o *Solver) Bodies() (result []BodyID, err error) {
 	return
 }
 
+// Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+// A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+// sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+// keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+// wakes in the step before which a model came, went or moved as near as it could come in a step at
+// 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+// its state, of gravity or of the origin.
+func (o *Solver) Sleeping() (result []BodyID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[BodyID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_solver_get_sleeping(self, (*C.gphys_body_id)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// Wake a body; its time of rest begins again.
+// @param body  0: all
+func (o *Solver) Wake(body BodyID) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_wake(self, C.gphys_body_id(body))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // What a body is made of and how it is solved.
 func (o *Solver) BodyInfo(body BodyID) (info BodyInfo, err error) {
 	self, err := o.open()
@@ -1880,7 +1913,8 @@ func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 // than 25 ms.
 // @param scene  to collide with and to follow attachments; NULL: none. Not modified.
 // @param dt     1e-6 .. 0.5
-// Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+// Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+// through particles. Cost: O(particles + constraints)
 // substeps, and a scene query for particles near models.
 func (o *Solver) Step(scene *Scene, dt float32) (err error) {
 	self, err := o.open()

@@ -1395,6 +1395,29 @@ static inline go_gphys_solver_get_bodies_result go_gphys_solver_get_bodies(void*
     return r;
 }
 
+typedef struct go_gphys_solver_get_sleeping_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_solver_get_sleeping_result;
+static inline go_gphys_solver_get_sleeping_result go_gphys_solver_get_sleeping(void* solver, gphys_body_id * out_bodies, uint32_t capacity) {
+    go_gphys_solver_get_sleeping_result r = {0};
+    r.status = gphys_solver_get_sleeping(solver, out_bodies, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_wake_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_wake_result;
+static inline go_gphys_solver_wake_result go_gphys_solver_wake(void* solver, gphys_body_id body) {
+    go_gphys_solver_wake_result r = {0};
+    r.status = gphys_solver_wake(solver, body);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_get_body_info_result {
     gphys_status status;
     char* message;

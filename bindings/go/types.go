@@ -443,6 +443,12 @@ type SolverDesc struct {
 	TaskRunner unsafe.Pointer
 	// threads for one step, its own included, at most 1024; 0 and 1: that alone
 	WorkerCount uint32
+	// m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0
+	SleepSpeed float32
+	// of rigid constraints, |length / rest length - 1|; default 0.01
+	SleepStrain float32
+	// seconds; default 0.5
+	SleepTime float32
 }
 
 // Settings shared by all kinds of bodies.
@@ -651,6 +657,9 @@ var (
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_steps)]byte = [unsafe.Offsetof(SolverDesc{}.MaxSteps)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.task_runner)]byte = [unsafe.Offsetof(SolverDesc{}.TaskRunner)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.worker_count)]byte = [unsafe.Offsetof(SolverDesc{}.WorkerCount)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.sleep_speed)]byte = [unsafe.Offsetof(SolverDesc{}.SleepSpeed)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.sleep_strain)]byte = [unsafe.Offsetof(SolverDesc{}.SleepStrain)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.sleep_time)]byte = [unsafe.Offsetof(SolverDesc{}.SleepTime)]byte{}
 	_ [C.sizeof_gphys_body_desc]byte = [unsafe.Sizeof(BodyDesc{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.struct_size)]byte = [unsafe.Offsetof(BodyDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.mass)]byte = [unsafe.Offsetof(BodyDesc{}.Mass)]byte{}

@@ -298,6 +298,12 @@ export interface SolverDesc {
     max_steps: number;
     /** threads for one step, its own included, at most 1024; 0 and 1: that alone */
     worker_count: number;
+    /** m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0 */
+    sleep_speed: number;
+    /** of rigid constraints, |length / rest length - 1|; default 0.01 */
+    sleep_strain: number;
+    /** seconds; default 0.5 */
+    sleep_time: number;
 }
 /** Settings shared by all kinds of bodies. */
 export interface BodyDesc {
@@ -718,6 +724,17 @@ export class Solver {
     removeBody(body: number): void;
     /** Ids of all bodies, ascending. Kept when too many: the lowest. */
     getBodies(): Records<number>;
+    /** Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+     * A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+     * sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+     * keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+     * wakes in the step before which a model came, went or moved as near as it could come in a step at
+     * 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+     * its state, of gravity or of the origin. */
+    getSleeping(): Records<number>;
+    /** Wake a body; its time of rest begins again.
+     * @param body  0: all */
+    wake(body: number): void;
     /** What a body is made of and how it is solved. */
     getBodyInfo(body: number): BodyInfo;
     /** Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles. */
@@ -764,7 +781,8 @@ export class Solver {
      * than 25 ms.
      * @param scene  to collide with and to follow attachments; NULL: none. Not modified.
      * @param dt     1e-6 .. 0.5
-     * Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+     * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+     * through particles. Cost: O(particles + constraints)
      * substeps, and a scene query for particles near models. */
     step(scene: Scene | null, dt: number): void;
     /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next

@@ -19,7 +19,7 @@ constexpr size_t body_desc_size = sizeof(gphys_body_desc);
 constexpr uint32_t most_particles = (1u << 24) - 1;  // as many as constraints
 
 constexpr gphys_solver_desc default_solver_desc{
-    sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8, nullptr, 0};
+    sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8, nullptr, 0, 0, 0.01f, 0.5f};
 constexpr gphys_body_desc default_body_desc{
     sizeof(gphys_body_desc), 1, 0.01f, 0, 0.5f, 0, 0, 0.001f, GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND, 0xffffffff};
 
@@ -85,8 +85,12 @@ gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** o
         GPHYS_REQUIRE(settings.max_steps >= 1, "desc.max_steps: must be at least 1");
         GPHYS_REQUIRE(!settings.task_runner || settings.task_runner->run, "desc.task_runner: run must be set");
         GPHYS_REQUIRE(settings.worker_count <= Workers::max_count, "desc.worker_count: at most 1024");
+        GPHYS_REQUIRE(is_amount(settings.sleep_speed), "desc.sleep_speed: must be at least 0 and in range");
+        GPHYS_REQUIRE(is_amount(settings.sleep_strain), "desc.sleep_strain: must be at least 0 and in range");
+        GPHYS_REQUIRE(is_amount(settings.sleep_time), "desc.sleep_time: must be at least 0 and in range");
         GPHYS_REQUIRE(out_solver, "out_solver is null");
-        const SolverSettings in{widen(settings.gravity), settings.substeps, settings.fixed_step, settings.max_steps};
+        const SolverSettings in{widen(settings.gravity), settings.substeps,     settings.fixed_step, settings.max_steps,
+                                settings.sleep_speed,    settings.sleep_strain, settings.sleep_time};
         *out_solver = wrap(create<Solver>(settings.allocator, in, settings.worker_count, settings.task_runner));
         return GPHYS_OK;
     });
@@ -202,6 +206,26 @@ gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* 
     Smallest<gphys_body_id> bodies(out_bodies, capacity);
     unwrap(solver)->list(bodies);
     return listed(bodies.finish(), capacity, out_total);
+}
+
+gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
+                                       uint32_t* out_total) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(check_list(out_bodies, capacity, out_total));
+    Smallest<gphys_body_id> bodies(out_bodies, capacity);
+    unwrap(solver)->list_sleeping(bodies);
+    return listed(bodies.finish(), capacity, out_total);
+}
+
+gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id body) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    if (body == 0) {
+        unwrap(solver)->wake_all();
+        return GPHYS_OK;
+    }
+    GPHYS_TRY(unwrap(solver)->check(body));
+    unwrap(solver)->edit(body);
+    return GPHYS_OK;
 }
 
 gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body, gphys_body_info* out_info) {

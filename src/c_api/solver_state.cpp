@@ -66,7 +66,7 @@ gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body
                                         const gphys_vec3* positions, uint32_t stride) {
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_TRY(check_array(positions, stride, count, is_vector));
-    set_positions(unwrap(solver)->body(body), first, count, positions, stride);
+    set_positions(unwrap(solver)->edit(body), first, count, positions, stride);
     return GPHYS_OK;
 }
 
@@ -80,7 +80,7 @@ gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id bod
                                          const gphys_vec3* velocities, uint32_t stride) {
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_TRY(check_array(velocities, stride, count, is_vector));
-    set_velocities(unwrap(solver)->body(body), first, count, velocities, stride);
+    set_velocities(unwrap(solver)->edit(body), first, count, velocities, stride);
     return GPHYS_OK;
 }
 
@@ -97,7 +97,7 @@ gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, u
                                      const float* masses, uint32_t stride) {
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_TRY(check_array(masses, stride, count, is_mass));
-    set_masses(unwrap(solver)->body(body), first, count, masses, stride);
+    set_masses(unwrap(solver)->edit(body), first, count, masses, stride);
     return GPHYS_OK;
 }
 
@@ -106,7 +106,8 @@ gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, ui
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_TRY(check_array(radii, stride, count, is_amount));
     const Strided<float> from(radii, stride);
-    for (uint32_t i = 0; i < count; ++i) unwrap(solver)->body(body).radius[first + i] = from[i];
+    Body& b = unwrap(solver)->edit(body);
+    for (uint32_t i = 0; i < count; ++i) b.radius[first + i] = from[i];
     return GPHYS_OK;
 }
 
@@ -115,7 +116,8 @@ gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, u
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_TRY(check_array(forces, stride, count, is_vector));
     const Strided<gphys_vec3> from(forces, stride);
-    for (uint32_t i = 0; i < count; ++i) unwrap(solver)->body(body).force[first + i] = widen(from[i]);
+    Body& b = unwrap(solver)->edit(body);
+    for (uint32_t i = 0; i < count; ++i) b.force[first + i] = widen(from[i]);
     return GPHYS_OK;
 }
 
@@ -123,7 +125,7 @@ gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, u
                                      int32_t pinned) {
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_REQUIRE(is_bool(pinned), "pinned: must be 0 or 1");
-    set_pinned(unwrap(solver)->body(body), first, count, pinned != 0);
+    set_pinned(unwrap(solver)->edit(body), first, count, pinned != 0);
     return GPHYS_OK;
 }
 
@@ -135,7 +137,7 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
         GPHYS_REQUIRE(unwrap(solver)->origin() == unwrap(scene)->origin(), "solver and scene have different origins");
         GPHYS_TRY(unwrap(scene)->check(model));
         if (local_point) GPHYS_REQUIRE_VALID(*local_point);
-        Body& b = unwrap(solver)->body(body);
+        Body& b = unwrap(solver)->edit(body);
         const Vec3 local = local_point ? widen(*local_point)
                                        : unwrap(scene)->world_transform(model).inverse_apply(b.position[particle]);
         attach(b, particle, model, local);
@@ -145,7 +147,7 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
 
 gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle) {
     GPHYS_TRY(check_particle(solver, body, particle));
-    Body& b = unwrap(solver)->body(body);
+    Body& b = unwrap(solver)->edit(body);
     GPHYS_REQUIRE(is_attached(b, particle), "particle: not attached");
     set_pinned(b, particle, 1, false);
     return GPHYS_OK;
@@ -161,7 +163,7 @@ gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body,
         GPHYS_REQUIRE(std::fabs(rest_length) <= GPHYS_MAX_COORDINATE, "rest_length: not finite or out of range");
         GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
         GPHYS_REQUIRE(out_constraint, "out_constraint is null");
-        return add_distance(unwrap(solver)->body(body), particle_a, particle_b, rest_length, compliance,
+        return add_distance(unwrap(solver)->edit(body), particle_a, particle_b, rest_length, compliance,
                             *out_constraint);
     });
 }
@@ -169,7 +171,7 @@ gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body,
 gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body, gphys_constraint_id constraint) {
     GPHYS_REQUIRE(solver, "solver is null");
     GPHYS_TRY(unwrap(solver)->check(body));
-    return remove_constraint(unwrap(solver)->body(body), constraint);
+    return remove_constraint(unwrap(solver)->edit(body), constraint);
 }
 
 gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,

@@ -7,6 +7,7 @@
 
 #include "foundation/ids.h"
 #include "foundation/math.h"
+#include "shapes/shapes.h"
 #include "solver/cloth_contacts.h"
 #include "solver/plan.h"
 
@@ -52,6 +53,14 @@ inline void keep_in_range(Vec3& position, Vec3& velocity) {
 struct BodySettings {
     double damping = 0, friction = 0, restitution = 0;
     uint32_t layers = 0;  // of the models it collides with
+};
+
+/// Of a body at rest.
+struct Sleep {
+    double calm = 0;  // seconds that it has been at rest
+    bool asleep = false;
+    Box box;                     // if asleep: what lies in it may wake it,
+    uint64_t neighbourhood = 0;  // and this is a hash of that
 };
 
 /// The state of cloth during a step, as cloth_kernels.h takes it: four floats for each particle, and
@@ -127,6 +136,7 @@ struct Body {
     Vector<uint8_t> held;   // by particle: whether it touched something in the substep under way
     bool touched = false;   // whether any did
 
+    Sleep sleep;
     ClothState cloth;
     ClothContacts cloth_contacts;
     Plan plan;

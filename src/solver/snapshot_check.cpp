@@ -27,6 +27,12 @@ bool sizes_agree(const Body& body) {
            none_or(body.touches.size(), n * touches_per_particle) && body.triangles.size() % 3 == 0;
 }
 
+/// Empty, or of finite floats.
+bool fine_box(const Box& box) {
+    return std::all_of(box.min, box.min + 3, [](float v) { return std::isfinite(v); }) &&
+           std::all_of(box.max, box.max + 3, [](float v) { return std::isfinite(v); });
+}
+
 bool particles_fine(const Body& body) {
     for (uint32_t p = 0; p < body.size(); ++p) {
         const double mass = body.mass[p], inverse = body.inverse_mass[p];
@@ -38,7 +44,8 @@ bool particles_fine(const Body& body) {
            all(body.force, [](Vec3 force) { return in_range(force); }) && all(body.radius, is_amount) &&
            all(body.rest_position, vector_finite) && all(body.start, vector_finite) &&
            all(body.start_velocity, is_speed) && all(body.cloth.moved, float_finite) &&
-           all(body.cloth.velocity_before, float_finite) && is_amount(body.earlier_step);
+           all(body.cloth.velocity_before, float_finite) && is_amount(body.earlier_step) &&
+           is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
 bool attachments_fine(const Body& body) {
@@ -87,6 +94,9 @@ bool plan_fine(const Body& body) {
 const char* defect_of_globals(const SolverState& state) {
     const SolverSettings& settings = state.settings;
     if (!in_range(settings.gravity) || !in_range(state.origin) || !is_amount(state.owed)) {
+        return "words: a setting is out of range";
+    }
+    if (!is_amount(settings.sleep_speed) || !is_amount(settings.sleep_strain) || !is_amount(settings.sleep_time)) {
         return "words: a setting is out of range";
     }
     if (settings.substeps < 1 || settings.substeps > most_substeps || settings.max_steps < 1 ||

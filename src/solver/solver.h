@@ -13,6 +13,7 @@
 //   cloth_contacts.cpp  what cloth touches, as part of its chains
 //   plan_cloth.cpp      chains and limits, packed for the kernels
 //   collision.cpp       particles against the scene
+//   sleep.cpp           bodies at rest
 //   stats.cpp           strain, energy, contacts
 //   snapshot.cpp        the whole state as words, and back; its hash
 #pragma once
@@ -29,9 +30,16 @@ struct SolverSettings {
     uint32_t substeps = 8;
     double fixed_step = 1.0 / 60;
     uint32_t max_steps = 8;
+    double sleep_speed = 0;  // m/s; 0: bodies never sleep
+    double sleep_strain = 0;
+    double sleep_time = 0;  // seconds
 };
 constexpr uint32_t most_substeps = 1000;
 constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
+
+/// A model that moves up to this fast, m/s, is seen to come before it meets a particle at rest, and is then
+/// met on its way; a faster one only where it arrives. Twice as fast: more models around each body to note.
+constexpr double fastest_model = 50;
 
 /// All that the next step depends on, apart from the scene: what a snapshot holds.
 struct SolverState {
@@ -56,6 +64,10 @@ struct ConstraintOrder {
     bool operator()(const gphys_constraint_info& a, const gphys_constraint_info& b) const { return a.id < b.id; }
 };
 
+/// sleep.cpp: after the body has been moved by a step, see whether it is at rest and falls asleep.
+void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
+void wake(Body& body);
+
 class Solver {
 public:
     Solver(const gphys_allocator* hooks, const SolverSettings& settings, uint32_t worker_count = 1,
@@ -68,9 +80,10 @@ public:
 
     Memory memory;
 
-    void set_gravity(Vec3 gravity) { state_.settings.gravity = gravity; }
+    /// Wakes all bodies if it changes.
+    void set_gravity(Vec3 gravity);
     void set_substeps(uint32_t substeps) { state_.settings.substeps = substeps; }
-    /// All particles stay where they are in the world; false if one leaves the range of coordinates.
+    /// All particles stay where they are in the world, and wake; false if one leaves the range of coordinates.
     bool set_origin(Vec3 origin);
     Vec3 origin() const { return state_.origin; }
 
@@ -91,8 +104,16 @@ public:
     gphys_status check(gphys_body_id body) const;
     void list(Smallest<gphys_body_id>& out) const;
     /// Of a valid id.
-    Body& body(gphys_body_id id) { return state_.bodies[IdTable::slot_of(id)]; }
     const Body& body(gphys_body_id id) const { return state_.bodies[IdTable::slot_of(id)]; }
+
+    /// The same to be changed, which wakes it.
+    Body& edit(gphys_body_id id) {
+        Body& body = state_.bodies[IdTable::slot_of(id)];
+        wake(body);
+        return body;
+    }
+    void wake_all();
+    void list_sleeping(Smallest<gphys_body_id>& out) const;
 
     /// May throw std::bad_alloc before anything has moved, not after.
     void step(const Scene* scene, double dt);
@@ -121,6 +142,8 @@ private:
     gphys_status insert(Body&& body, gphys_body_id& out);
     void prepare(const Scene* scene, double dt);
     void move_through(Body& body, const Scene* scene, double dt) const;
+    /// Whether the body sleeps and nothing wakes it.
+    bool sleeps_on(Body& body, const Scene* scene);
     void look_around(const Scene& scene, double dt);
 
     const Workers workers_;  // each moves a body at a time

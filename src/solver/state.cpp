@@ -100,6 +100,7 @@ bool Solver::set_origin(Vec3 origin) {
         for (Vector<Vec3>* places : {&b.position, &b.predicted, &b.start, &b.earlier}) {
             for (Vec3& p : *places) p += shift;
         }
+        wake(b);
         for (Touch& touch : b.touches) {
             if (touch.model != 0) touch.point = narrow(widen(touch.point) + shift);
         }

@@ -158,9 +158,12 @@ void reserve_history(Body& body) {
 /// Everything that may fail for want of memory, before anything moves.
 void Solver::prepare(const Scene* scene, double dt) {
     moving_.clear();
+    next_seen_.clear();
+    moved_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (!state_.ids.live(slot)) continue;
         Body& body = state_.bodies[slot];
+        if (sleeps_on(body, scene)) continue;
         moving_.push_back({body.size(), slot});
         aim_attachments(body, scene);
         update_plan(body);
@@ -172,8 +175,6 @@ void Solver::prepare(const Scene* scene, double dt) {
         }
     }
     std::sort(moving_.begin(), moving_.end());
-    next_seen_.clear();
-    moved_.clear();
     if (scene) look_around(*scene, dt);
 }
 
@@ -184,8 +185,8 @@ void Solver::look_around(const Scene& scene, double dt) {
         const Body& body = state_.bodies[moving_[i].slot];
         double fastest = 0;
         for (const Vec3& velocity : body.velocity) fastest = std::max(fastest, length_squared(velocity));
-        // Twice as far as a particle may come in this step: a model that it can meet in the next.
-        const double margin = 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity));
+        // Twice as far as a particle may come in this step, and a model in the next: what it can meet then.
+        const double margin = 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity)) + dt * fastest_model;
         nearby_[i] = swept_box(body, body.position, body.position, margin);
     });
     for (size_t i = 0; i < moving_.size(); ++i) {
@@ -216,6 +217,7 @@ void Solver::move_through(Body& body, const Scene* scene, double dt) const {
         move(body, around, state_.settings.gravity, h);
     }
     if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+    rest(body, scene, state_.settings, dt);
 }
 
 void Solver::step(const Scene* scene, double dt) {

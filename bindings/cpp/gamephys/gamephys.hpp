@@ -821,6 +821,23 @@ public:
         return list<gphys_body_id>([&](gphys_body_id* out_bodies, uint32_t capacity, uint32_t* total) { return gphys_solver_get_bodies(handle(), out_bodies, capacity, total); });
     }
 
+    // Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+    // A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+    // sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+    // keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+    // wakes in the step before which a model came, went or moved as near as it could come in a step at
+    // 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+    // its state, of gravity or of the origin.
+    std::vector<gphys_body_id> get_sleeping() const {
+        return list<gphys_body_id>([&](gphys_body_id* out_bodies, uint32_t capacity, uint32_t* total) { return gphys_solver_get_sleeping(handle(), out_bodies, capacity, total); });
+    }
+
+    // Wake a body; its time of rest begins again.
+    // @param body  0: all
+    void wake(gphys_body_id body) {
+        check(gphys_solver_wake(handle(), body));
+    }
+
     // What a body is made of and how it is solved.
     BodyInfo get_body_info(gphys_body_id body) const {
         BodyInfo out_info{};
@@ -927,7 +944,8 @@ public:
     // than 25 ms.
     // @param scene  to collide with and to follow attachments; NULL: none. Not modified.
     // @param dt     1e-6 .. 0.5
-    // Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+    // Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+    // through particles. Cost: O(particles + constraints)
     // substeps, and a scene query for particles near models.
     void step(const Scene* scene, float dt) {
         check(gphys_solver_step(handle(), scene ? scene->handle() : nullptr, dt));

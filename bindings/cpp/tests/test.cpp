@@ -356,6 +356,8 @@ TEST_CASE("rope and cloth") {
     CHECK(solver.get_hash() != past);
     solver.restore(snapshot);
     CHECK(solver.get_hash() == past);
+    solver.wake(rope);
+    CHECK(solver.get_sleeping().empty());
 }
 
 TEST_CASE("errors have the library's message") {

@@ -134,6 +134,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_add_cloth_mesh(SolverHandle solver, BodyDesc* desc, MeshHandle mesh, Transform* transform, uint* out_body);
     [DllImport(Library)] internal static extern Status gphys_solver_remove_body(SolverHandle solver, uint body);
     [DllImport(Library)] internal static extern Status gphys_solver_get_bodies(SolverHandle solver, uint* out_bodies, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_sleeping(SolverHandle solver, uint* out_bodies, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_wake(SolverHandle solver, uint body);
     [DllImport(Library)] internal static extern Status gphys_solver_get_body_info(SolverHandle solver, uint body, BodyInfo* out_info);
     [DllImport(Library)] internal static extern Status gphys_solver_get_triangles(SolverHandle solver, uint body, uint* out_indices, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_get_positions(SolverHandle solver, uint body, uint first, uint count, Vec3* out_positions, uint out_stride);

@@ -1049,6 +1049,39 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
+    /// <summary>
+    /// Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+    /// A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+    /// sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+    /// keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+    /// wakes in the step before which a model came, went or moved as near as it could come in a step at
+    /// 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+    /// its state, of gravity or of the origin.
+    /// </summary>
+    public unsafe uint[] GetSleeping() {
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_solver_get_sleeping(Handle, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
+    /// <summary>
+    /// Wake a body; its time of rest begins again.
+    /// @param body  0: all
+    /// </summary>
+    public unsafe void Wake(uint body) {
+        Check(Low.gphys_solver_wake(Handle, body));
+    }
+
     /// <summary>What a body is made of and how it is solved.</summary>
     public unsafe BodyInfo GetBodyInfo(uint body) {
         var info = default(BodyInfo);
@@ -1199,7 +1232,8 @@ public sealed partial class Solver : IDisposable {
     /// than 25 ms.
     /// @param scene  to collide with and to follow attachments; NULL: none. Not modified.
     /// @param dt     1e-6 .. 0.5
-    /// Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+    /// Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+    /// through particles. Cost: O(particles + constraints)
     /// substeps, and a scene query for particles near models.
     /// </summary>
     public unsafe void Step(float dt, Scene scene = null) {

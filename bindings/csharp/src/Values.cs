@@ -542,6 +542,12 @@ public partial struct SolverDesc {
     public IntPtr TaskRunner;
     /// <summary>threads for one step, its own included, at most 1024; 0 and 1: that alone</summary>
     public uint WorkerCount;
+    /// <summary>m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0</summary>
+    public float SleepSpeed;
+    /// <summary>of rigid constraints, |length / rest length - 1|; default 0.01</summary>
+    public float SleepStrain;
+    /// <summary>seconds; default 0.5</summary>
+    public float SleepTime;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe SolverDesc Default {
         get {

@@ -164,4 +164,16 @@ public class MotionTests {
         twin.Step(0.01f);
         CollectionAssert.AreEqual(solver.GetSnapshot(), twin.GetSnapshot());
     }
+
+    [Test]
+    public void ABodyAtRestSleepsUntilItIsWoken() {
+        var settings = SolverDesc.Default;
+        (settings.SleepSpeed, settings.SleepTime) = (1, 0);
+        var solver = new Solver(settings);
+        var body = solver.AddCloth((0, 0, 0), (1, 0, 0), (0, 0, 1), 3, 3);
+        solver.Step(0.01f);
+        CollectionAssert.AreEqual(new[] { body }, solver.GetSleeping());
+        solver.Wake(body);
+        CollectionAssert.IsEmpty(solver.GetSleeping());
+    }
 }

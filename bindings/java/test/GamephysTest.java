@@ -338,6 +338,8 @@ public class GamephysTest {
         assertFalse(Arrays.equals(then, solver.getHash()));
         solver.restore(snapshot);
         assertArrayEquals(then, solver.getHash());
+        solver.wake(0);
+        assertEquals(List.of(), solver.getSleeping());
     }
 
     @Test

@@ -419,9 +419,9 @@ export function objects(memory) {
     class Solver extends Handle {
         constructor(desc) {
             super(() => {
-                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 56 : 40)); writeSolverDesc(v, 0, desc); }
-                check(native.gphys_solver_create(desc == null ? 0 : base, base + 56));
-                return made(56);
+                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 64 : 52)); writeSolverDesc(v, 0, desc); }
+                check(native.gphys_solver_create(desc == null ? 0 : base, base + 64));
+                return made(64);
             }, native.gphys_solver_destroy);
         }
         setOrigin(origin) {
@@ -475,6 +475,13 @@ export function objects(memory) {
         getBodies() {
             begin();
             return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_bodies(this.pointer, room, capacity, base));
+        }
+        getSleeping() {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_sleeping(this.pointer, room, capacity, base));
+        }
+        wake(body) {
+            check(native.gphys_solver_wake(this.pointer, body));
         }
         getBodyInfo(body) {
             check(native.gphys_solver_get_body_info(this.pointer, body, base));

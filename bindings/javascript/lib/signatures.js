@@ -129,6 +129,8 @@ export const signatures = {
     gphys_solver_add_cloth_mesh: 'ippppp',
     gphys_solver_remove_body: 'ipu',
     gphys_solver_get_bodies: 'ipaup',
+    gphys_solver_get_sleeping: 'ipaup',
+    gphys_solver_wake: 'ipu',
     gphys_solver_get_body_info: 'ipup',
     gphys_solver_get_triangles: 'ipuaup',
     gphys_solver_get_positions: 'ipuuuau',

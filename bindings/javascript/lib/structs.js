@@ -224,6 +224,9 @@ export function writeSolverDesc(v, at, value) {
             case 'fixed_step': v.f32[at + (v.wide ? 8 : 6)] = number(value[name], 'fixed_step'); break;
             case 'max_steps': v.u32[at + (v.wide ? 9 : 7)] = number(value[name], 'max_steps'); break;
             case 'worker_count': v.u32[at + (v.wide ? 12 : 9)] = number(value[name], 'worker_count'); break;
+            case 'sleep_speed': v.f32[at + (v.wide ? 13 : 10)] = number(value[name], 'sleep_speed'); break;
+            case 'sleep_strain': v.f32[at + (v.wide ? 14 : 11)] = number(value[name], 'sleep_strain'); break;
+            case 'sleep_time': v.f32[at + (v.wide ? 15 : 12)] = number(value[name], 'sleep_time'); break;
             default: throw new TypeError(`solver_desc has no field ${name}`);
         }
     }

@@ -188,6 +188,8 @@ test('bodies', () => {
     same(other.getHash(), hash);
     assert.throws(() => other.restore(snapshot.u32.subarray(1)), gp.GamephysError);
     same([...solver.getBodies()], []);
+    other.wake(0);
+    same([...other.getSleeping()], []);
 });
 
 test('bodies and models', () => {

@@ -258,6 +258,8 @@ function tests.solver()
     assert(not same(past, solver:get_hash()))
     solver:restore(snapshot)
     assert(same(past, solver:get_hash()))
+    solver:wake(0)
+    assert(select(2, solver:get_sleeping()) == 0)
     solver:set_origin { 0, 1, 0 }
     assert(solver:get_origin()[1] == 1 and near(solver:get_positions(free, 0, 1)[0].y, -0.5, 1e-3))
 end

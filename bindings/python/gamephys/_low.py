@@ -384,7 +384,10 @@ class SolverDesc(Desc, Structure):
     max_steps: int  # most steps of one advance; time beyond is dropped; 8
     task_runner: int | None  # whose threads worker_count counts; NULL: the solver's own
     worker_count: int  # threads for one step, its own included, at most 1024; 0 and 1: that alone
-    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32)]
+    sleep_speed: float  # m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0
+    sleep_strain: float  # of rigid constraints, |length / rest length - 1|; default 0.01
+    sleep_time: float  # seconds; default 0.5
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float)]
 
 
 class BodyDesc(Desc, Structure):
@@ -592,6 +595,8 @@ gphys_solver_add_cloth = function("gphys_solver_add_cloth", c_int32, [c_void_p, 
 gphys_solver_add_cloth_mesh = function("gphys_solver_add_cloth_mesh", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p])
 gphys_solver_remove_body = function("gphys_solver_remove_body", c_int32, [c_void_p, c_uint32])
 gphys_solver_get_bodies = function("gphys_solver_get_bodies", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_solver_get_sleeping = function("gphys_solver_get_sleeping", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_solver_wake = function("gphys_solver_wake", c_int32, [c_void_p, c_uint32])
 gphys_solver_get_body_info = function("gphys_solver_get_body_info", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_triangles = function("gphys_solver_get_triangles", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_solver_get_positions = function("gphys_solver_get_positions", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])

@@ -675,6 +675,21 @@ class Solver(Object):
         """Ids of all bodies, ascending. Kept when too many: the lowest."""
         return list_of(low.gphys_solver_get_bodies, (self._handle,), "<u4")
 
+    def get_sleeping(self) -> np.ndarray:
+        """Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+        A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+        sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+        keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+        wakes in the step before which a model came, went or moved as near as it could come in a step at
+        50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+        its state, of gravity or of the origin."""
+        return list_of(low.gphys_solver_get_sleeping, (self._handle,), "<u4")
+
+    def wake(self, body: int) -> None:
+        """Wake a body; its time of rest begins again.
+        @param body  0: all"""
+        check(low.gphys_solver_wake(self._handle, body))
+
     def get_body_info(self, body: int) -> low.BodyInfo:
         """What a body is made of and how it is solved."""
         out_info = low.BodyInfo()
@@ -775,7 +790,8 @@ class Solver(Object):
         than 25 ms.
         @param scene  to collide with and to follow attachments; NULL: none. Not modified.
         @param dt     1e-6 .. 0.5
-        Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+        Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+        through particles. Cost: O(particles + constraints)
         substeps, and a scene query for particles near models."""
         check(low.gphys_solver_step(self._handle, handle_of(scene), dt))
 

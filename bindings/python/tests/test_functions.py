@@ -226,6 +226,8 @@ class Functions(unittest.TestCase):
         self.assertNotEqual(solver.get_hash().tolist(), past.tolist())
         solver.restore(snapshot)
         self.assertEqual(solver.get_hash().tolist(), past.tolist())
+        solver.wake(0)
+        self.assertEqual(solver.get_sleeping().tolist(), [])
 
     def test_names(self):
         self.assertEqual(gp.status_name(gp.NO_HIT), "GPHYS_NO_HIT")

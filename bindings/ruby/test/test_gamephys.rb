@@ -274,6 +274,8 @@ class TestGamephys < Minitest::Test
     refute_equal past, solver.get_hash
     solver.restore(snapshot)
     assert_equal past, solver.get_hash
+    solver.wake(0)
+    assert_equal [], solver.get_sleeping.to_a
   end
 
   def test_errors_have_the_librarys_message

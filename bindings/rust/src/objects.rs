@@ -958,6 +958,23 @@ impl Solver {
         list(|out_bodies, capacity, total| unsafe { sys::gphys_solver_get_bodies(self.handle.as_ptr(), out_bodies, capacity, total) })
     }
 
+    /// Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+    /// A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+    /// sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+    /// keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+    /// wakes in the step before which a model came, went or moved as near as it could come in a step at
+    /// 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+    /// its state, of gravity or of the origin.
+    pub fn get_sleeping(&self) -> Result<Vec<BodyId>> {
+        list(|out_bodies, capacity, total| unsafe { sys::gphys_solver_get_sleeping(self.handle.as_ptr(), out_bodies, capacity, total) })
+    }
+
+    /// Wake a body; its time of rest begins again.
+    /// * `body`: 0: all
+    pub fn wake(&mut self, body: BodyId) -> Result<()> {
+        check(unsafe { sys::gphys_solver_wake(self.handle.as_ptr(), body) })
+    }
+
     /// What a body is made of and how it is solved.
     pub fn get_body_info(&self, body: BodyId) -> Result<BodyInfo> {
         let mut out_info = BodyInfo::default();
@@ -1076,7 +1093,8 @@ impl Solver {
     /// than 25 ms.
     /// * `scene`: to collide with and to follow attachments; NULL: none. Not modified.
     /// * `dt`: 1e-6 .. 0.5
-    ///   Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+    ///   Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+    ///   through particles. Cost: O(particles + constraints)
     ///   substeps, and a scene query for particles near models.
     pub fn step(&mut self, scene: Option<&Scene>, dt: f32) -> Result<()> {
         check(unsafe { sys::gphys_solver_step(self.handle.as_ptr(), scene.map_or(null_mut(), |o| o.handle.as_ptr()), dt) })

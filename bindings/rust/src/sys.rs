@@ -150,6 +150,8 @@ extern "C" {
     pub fn gphys_solver_add_cloth_mesh(solver: *mut gphys_solver, desc: *const BodyDesc, mesh: *mut gphys_mesh, transform: *const Transform, out_body: *mut BodyId) -> Status;
     pub fn gphys_solver_remove_body(solver: *mut gphys_solver, body: BodyId) -> Status;
     pub fn gphys_solver_get_bodies(solver: *mut gphys_solver, out_bodies: *mut BodyId, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_get_sleeping(solver: *mut gphys_solver, out_bodies: *mut BodyId, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_wake(solver: *mut gphys_solver, body: BodyId) -> Status;
     pub fn gphys_solver_get_body_info(solver: *mut gphys_solver, body: BodyId, out_info: *mut BodyInfo) -> Status;
     pub fn gphys_solver_get_triangles(solver: *mut gphys_solver, body: BodyId, out_indices: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_get_positions(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_positions: *mut Vec3, out_stride: u32) -> Status;

@@ -513,6 +513,12 @@ pub struct SolverDesc {
     pub task_runner: Hook<TaskRunner>,
     /// threads for one step, its own included, at most 1024; 0 and 1: that alone
     pub worker_count: u32,
+    /// m/s, see `gphys_solver_get_sleeping`; 0: bodies never sleep; default 0
+    pub sleep_speed: f32,
+    /// of rigid constraints, |length / rest length - 1|; default 0.01
+    pub sleep_strain: f32,
+    /// seconds; default 0.5
+    pub sleep_time: f32,
 }
 
 /// Settings shared by all kinds of bodies.
@@ -629,7 +635,7 @@ const _: () = {
     assert!(std::mem::size_of::<ModelInfo>() == 20);
     assert!(std::mem::size_of::<CameraDesc>() == 40);
     assert!(std::mem::size_of::<Orbit>() == 60);
-    assert!(std::mem::size_of::<SolverDesc>() == 56);
+    assert!(std::mem::size_of::<SolverDesc>() == 64);
     assert!(std::mem::size_of::<BodyDesc>() == 40);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
@@ -664,7 +670,7 @@ const _: () = {
     assert!(std::mem::size_of::<ModelInfo>() == 20);
     assert!(std::mem::size_of::<CameraDesc>() == 28);
     assert!(std::mem::size_of::<Orbit>() == 60);
-    assert!(std::mem::size_of::<SolverDesc>() == 40);
+    assert!(std::mem::size_of::<SolverDesc>() == 52);
     assert!(std::mem::size_of::<BodyDesc>() == 40);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
@@ -841,6 +847,9 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).max_steps) } as usize - p as usize, 36);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).task_runner) } as usize - p as usize, 40);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).worker_count) } as usize - p as usize, 48);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_speed) } as usize - p as usize, 52);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_strain) } as usize - p as usize, 56);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_time) } as usize - p as usize, 60);
     let s = std::mem::MaybeUninit::<BodyDesc>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);

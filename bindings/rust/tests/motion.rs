@@ -154,6 +154,8 @@ fn a_solver_goes_on_from_a_snapshot() {
     assert_ne!(twin.get_hash().unwrap(), solver.get_hash().unwrap());
     twin.step(None, 0.01).unwrap();
     assert_eq!(twin.get_snapshot().unwrap(), solver.get_snapshot().unwrap());
+    twin.wake(body).unwrap();
+    assert!(twin.get_sleeping().unwrap().is_empty());
 }
 
 #[test]

@@ -21,7 +21,7 @@ module Gamephys
     end
 
     class SolverDesc < FFI::Struct
-      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32
+      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32, :sleep_speed, :float, :sleep_strain, :float, :sleep_time, :float
     end
 
     class BodyDesc < FFI::Struct
@@ -154,6 +154,8 @@ module Gamephys
     attach_function :gphys_solver_add_cloth_mesh, [:pointer, :pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_solver_remove_body, [:pointer, :uint32], :int32
     attach_function :gphys_solver_get_bodies, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_sleeping, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_wake, [:pointer, :uint32], :int32
     attach_function :gphys_solver_get_body_info, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_triangles, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_positions, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32

@@ -739,6 +739,24 @@ module Gamephys
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_bodies(opened, out, capacity, total) }
     end
 
+    # Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+    # A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+    # sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+    # keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+    # wakes in the step before which a model came, went or moved as near as it could come in a step at
+    # 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+    # its state, of gravity or of the origin.
+    def get_sleeping
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_sleeping(opened, out, capacity, total) }
+    end
+
+    # Wake a body; its time of rest begins again.
+    # @param body  0: all
+    def wake(body)
+      Low.check(Low.gphys_solver_wake(opened, body))
+      nil
+    end
+
     # What a body is made of and how it is solved.
     def get_body_info(body)
       out_info = BodyInfo.room
@@ -862,7 +880,8 @@ module Gamephys
     # than 25 ms.
     # @param scene  to collide with and to follow attachments; NULL: none. Not modified.
     # @param dt     1e-6 .. 0.5
-    # Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+    # Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+    # through particles. Cost: O(particles + constraints)
     # substeps, and a scene query for particles near models.
     def step(scene, dt)
       Low.check(Low.gphys_solver_step(opened, scene&.opened, dt))

@@ -135,6 +135,8 @@ class LowFunctions {
     static native int gphys_solver_add_cloth_mesh(Pointer solver, Pointer desc, Pointer mesh, Pointer transform, Pointer outBody);
     static native int gphys_solver_remove_body(Pointer solver, int body);
     static native int gphys_solver_get_bodies(Pointer solver, Pointer outBodies, int capacity, Pointer outTotal);
+    static native int gphys_solver_get_sleeping(Pointer solver, Pointer outBodies, int capacity, Pointer outTotal);
+    static native int gphys_solver_wake(Pointer solver, int body);
     static native int gphys_solver_get_body_info(Pointer solver, int body, Pointer outInfo);
     static native int gphys_solver_get_triangles(Pointer solver, int body, Pointer outIndices, int capacity, Pointer outTotal);
     static native int gphys_solver_get_positions(Pointer solver, int body, int first, int count, Pointer outPositions, int outStride);

@@ -196,6 +196,37 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
+     * Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
+     * A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
+     * sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
+     * keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
+     * wakes in the step before which a model came, went or moved as near as it could come in a step at
+     * 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
+     * its state, of gravity or of the origin.
+     * </pre>
+     */
+    public Batch<Integer> getSleeping() {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_sleeping(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Wake a body; its time of rest begins again.
+     * &#64;param body  0: all
+     * </pre>
+     */
+    public void wake(int body) {
+        int status = Low.gphys_solver_wake(opened(), body);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
      * What a body is made of and how it is solved.
      * </pre>
      */
@@ -431,7 +462,8 @@ public final class Solver extends Owned {
      * than 25 ms.
      * &#64;param scene  to collide with and to follow attachments; NULL: none. Not modified.
      * &#64;param dt     1e-6 .. 0.5
-     * Particles do not pass through models, whatever their speed. Cost: O(particles + constraints)
+     * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+     * through particles. Cost: O(particles + constraints)
      * substeps, and a scene query for particles near models.
      * </pre>
      */

@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 
 /** Settings: the library's defaults, until one is changed. */
 public final class SolverDesc {
-    private final ByteBuffer memory = Batch.direct(Low.pick(56, 40));
+    private final ByteBuffer memory = Batch.direct(Low.pick(64, 52));
 
     public SolverDesc() {
         Low.check(Low.gphys_solver_desc_init(pointer(), memory.capacity()));
@@ -104,5 +104,47 @@ public final class SolverDesc {
 
     public int workerCount() {
         return memory.getInt(Low.pick(48, 36));
+    }
+
+    /**
+     * <pre>
+     * m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0
+     * </pre>
+     */
+    public SolverDesc sleepSpeed(float value) {
+        memory.putFloat(Low.pick(52, 40), value);
+        return this;
+    }
+
+    public float sleepSpeed() {
+        return memory.getFloat(Low.pick(52, 40));
+    }
+
+    /**
+     * <pre>
+     * of rigid constraints, |length / rest length - 1|; default 0.01
+     * </pre>
+     */
+    public SolverDesc sleepStrain(float value) {
+        memory.putFloat(Low.pick(56, 44), value);
+        return this;
+    }
+
+    public float sleepStrain() {
+        return memory.getFloat(Low.pick(56, 44));
+    }
+
+    /**
+     * <pre>
+     * seconds; default 0.5
+     * </pre>
+     */
+    public SolverDesc sleepTime(float value) {
+        memory.putFloat(Low.pick(60, 48), value);
+        return this;
+    }
+
+    public float sleepTime() {
+        return memory.getFloat(Low.pick(60, 48));
     }
 }

@@ -1,0 +1,94 @@
+// Bodies at rest fall asleep, and then cost one question to the scene a step. A body sleeps once it has
+// been slow for long enough and is hardly strained: speed alone would let a rope sleep that is about to
+// snap back. It wakes when it is edited, when gravity changes, and when anything about the models around
+// it does: one comes, goes or moves, or the scene is another.
+#include "solver/archive.h"
+#include "solver/solver.h"
+
+namespace gphys {
+namespace {
+
+bool is_slow(const Body& body, double speed) {
+    return std::all_of(body.velocity.begin(), body.velocity.end(),
+                       [&](Vec3 velocity) { return length_squared(velocity) <= speed * speed; });
+}
+
+/// Of rigid constraints: what elastic ones hold may be at rest at any length.
+bool is_hardly_strained(const Body& body, double strain) {
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        if (!body.constraint_ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints[slot];
+        if (c.compliance > 0) continue;
+        if (std::fabs(distance(body.position[c.a], body.position[c.b]) - c.rest) > strain * c.rest) return false;
+    }
+    return true;
+}
+
+/// The models in the box of a sleeping body, as a sum over them, which no order changes. visit(model, world).
+template <class Visit>
+uint64_t neighbourhood(const Body& body, const Scene* scene, Visit&& visit) {
+    if (!scene || body.settings.layers == 0) return 0;
+    uint64_t sum = 0;
+    scene->for_each_in_box(body.sleep.box, body.settings.layers, [&](gphys_model_id model) {
+        const gphys_transform& world = scene->world(model);
+        WordHash hash;
+        hash.put(&model, 1);
+        hash.put(&world, sizeof world / 4);
+        sum += hash.value();
+        visit(model, world);
+    });
+    return sum;
+}
+
+bool attachments_moved(const Body& body, const Scene* scene) {
+    return scene && std::any_of(body.attachments.begin(), body.attachments.end(), [&](const Attachment& a) {
+               return !scene->has(a.model) || scene->world_transform(a.model).apply(a.local) != a.end;
+           });
+}
+
+}  // namespace
+
+void wake(Body& body) {
+    body.sleep.calm = 0;
+    body.sleep.asleep = false;
+}
+
+void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
+    if (settings.sleep_speed == 0) return;
+    Sleep& sleep = body.sleep;
+    const bool calm = is_slow(body, settings.sleep_speed) && is_hardly_strained(body, settings.sleep_strain);
+    sleep.calm = calm ? sleep.calm + dt : 0;
+    if (sleep.calm < settings.sleep_time) return;
+    sleep.asleep = true;
+    std::fill(body.velocity.begin(), body.velocity.end(), Vec3{});
+    body.earlier_step = 0;
+    // What is beyond cannot come near before it is seen to come.
+    sleep.box = swept_box(body, body.position, body.position, dt * fastest_model);
+    sleep.neighbourhood = neighbourhood(body, scene, [](gphys_model_id, const gphys_transform&) {});
+}
+
+bool Solver::sleeps_on(Body& body, const Scene* scene) {
+    if (!body.sleep.asleep) return false;
+    // Its models are seen like those of others: if one moves and wakes it, where it came from is known.
+    const auto see = [&](gphys_model_id model, const gphys_transform& world) { next_seen_.push_back({model, world}); };
+    if (neighbourhood(body, scene, see) == body.sleep.neighbourhood && !attachments_moved(body, scene)) return true;
+    wake(body);
+    return false;
+}
+
+void Solver::set_gravity(Vec3 gravity) {
+    if (gravity != state_.settings.gravity) wake_all();
+    state_.settings.gravity = gravity;
+}
+
+void Solver::wake_all() {
+    for (Body& body : state_.bodies) wake(body);
+}
+
+void Solver::list_sleeping(Smallest<gphys_body_id>& out) const {
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (state_.ids.live(slot) && state_.bodies[slot].sleep.asleep) out.add(state_.ids.id(slot));
+    }
+}
+
+}  // namespace gphys
