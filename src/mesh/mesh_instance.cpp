@@ -26,8 +26,9 @@ bool misses(const Ray& ray, const Box& box) {
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         const double to_center = along[k] < 0 ? from[k] : -from[k];
+        const double across = std::fabs(from[i] * along[j] - from[j] * along[i]);
         apart |= (to_center + reach[k] < 0) | (to_center - reach[k] > end * speed[k]) |
-                 (std::fabs(from[i] * along[j] - from[j] * along[i]) > reach[i] * speed[j] + reach[j] * speed[i]);
+                 (across > reach[i] * speed[j] + reach[j] * speed[i]);
     }
     return apart;
 }
