@@ -26,9 +26,10 @@ bool misses(const Ray& ray, const Box& box) {
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         const double to_center = along[k] < 0 ? from[k] : -from[k];
+        const double near = to_center - reach[k], far = to_center + reach[k], way = end * speed[k];
         const double across = std::fabs(from[i] * along[j] - from[j] * along[i]);
-        apart |= (to_center + reach[k] < 0) | (to_center - reach[k] > end * speed[k]) |
-                 (across > reach[i] * speed[j] + reach[j] * speed[i]);
+        const double width = reach[i] * speed[j] + reach[j] * speed[i];
+        apart |= (far < 0) | (near > way) | (across > width);
     }
     return apart;
 }
