@@ -369,8 +369,8 @@ GPHYS_API gphys_status gphys_shape_classify_frustum(gphys_shape_type type, const
  *  @return GPHYS_OK or GPHYS_NO_HIT */
 GPHYS_API gphys_status gphys_shape_raycast(gphys_shape_type type, const void* shape, const gphys_ray* ray,
                                            gphys_hit* out_hit);
-/** The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
- *  element.  @return GPHYS_OK */
+/** The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
+ *  GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK */
 GPHYS_API gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape, const gphys_ray* rays,
                                                  uint32_t ray_stride, uint32_t count, gphys_hit* out_hits,
                                                  uint32_t out_stride);
@@ -611,7 +611,8 @@ GPHYS_API gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_mode
  *  its type: out_size is that room in bytes. For a mesh GPHYS_ERROR_UNSUPPORTED. */
 GPHYS_API gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id model, void* out_shape,
                                              uint32_t out_size);
-/** World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position. */
+/** World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
+ *  of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position. */
 GPHYS_API gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id model, gphys_aabb* out_bounds);
 /** World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out. */
 GPHYS_API gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds);
@@ -643,8 +644,8 @@ GPHYS_API gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene
 
 /* Queries. `layers` is a mask, GPHYS_ALL_LAYERS sees everything. All of them are const, allocate
  * nothing and take O(log n + k) expected. The batch forms answer item i as the single call does;
- * where that would return GPHYS_NO_HIT the element gets model = 0, t or distance = INFINITY and
- * zeros, and the batch returns GPHYS_OK. */
+ * where that would return GPHYS_NO_HIT the element gets model = 0, t or distance = INFINITY,
+ * triangle = GPHYS_NO_TRIANGLE and zeros, and the batch returns GPHYS_OK. */
 
 /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
  *  @return GPHYS_OK or GPHYS_NO_HIT */

@@ -140,7 +140,7 @@ TEST_CASE("quick tests raise no floating-point exception, however far the ray an
     for (const Vec3 direction : {Vec3{1, 0, 0}, Vec3{1e-45, 0, 0}, Vec3{1e15, 1e15, 1e15}, Vec3{}}) {
         const Ray ray{{-1e15, 0, 0}, direction};
         const QuickRay quick(ray);
-        denied += quick(quick_shape(box, world), ray.t_max) == Verdict::no;
+        denied += quick(QuickPlacedBox<gphys_aabb>{box, world}, ray.t_max) == Verdict::no;
         denied += quick(quick_shape(gphys_sphere{{1e15f, 0, 0}, 1e15f}, world), ray.t_max) == Verdict::no;
     }
     denied += QuickPoint({})(quick_shape(box, world), infinity) == Verdict::no;

@@ -494,8 +494,11 @@ TEST_CASE("the world box of a turned box holds its corners, and little more") {
             }
             REQUIRE(box_min[k] <= low);
             REQUIRE(box_max[k] >= high);
-            // One rounding to float, and the slack of quick_shape.h, of at most three times the magnitude.
-            const long double more = 0x1p-23L * std::max(std::fabs(low), std::fabs(high)) + 0x1p-41L * magnitude;
+            // As the header says.
+            const long double sizes = place.scale * (std::fabs(maxs[0] - mins[0]) + std::fabs(maxs[1] - mins[1]) +
+                                                     std::fabs(maxs[2] - mins[2]));
+            const long double furthest = std::max(std::fabs(low), std::fabs(high));
+            const long double more = 3 * 0x1p-23L * furthest + 0x1p-19L * sizes + 0x1p-41L * magnitude;
             REQUIRE(box_min[k] >= low - more);
             REQUIRE(box_max[k] <= high + more);
         }

@@ -420,7 +420,8 @@ func (o *Scene) Info(model ModelID) (info ModelInfo, err error) {
 	return
 }
 
-// World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+// World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
+// of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
 func (o *Scene) Bounds(model ModelID) (bounds AABB, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2281,8 +2282,8 @@ func Raycast(shape Shape, ray Ray) (hit Hit, found bool, err error) {
 	return
 }
 
-// The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
-// element.  @return GPHYS_OK
+// The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
+// GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK
 func RaycastBatch(shape Shape, rays []Ray, hits []Hit) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {

@@ -495,7 +495,8 @@ export class Scene {
     getModels(): Records<number>;
     /** Kind, parent, layers, tag and number of children of a model. */
     getInfo(model: number): ModelInfo;
-    /** World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position. */
+    /** World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
+     * of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position. */
     getBounds(model: number): Aabb | null;
     /** World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out. */
     getSceneBounds(): Aabb | null;
@@ -869,8 +870,8 @@ export function classifyFrustum(shape: AnyShape, frustum: Given<Frustum>): numbe
  * smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
  * @return GPHYS_OK or GPHYS_NO_HIT */
 export function raycast(shape: AnyShape, ray: Given<Ray>): Hit | null;
-/** The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
- * element.  @return GPHYS_OK */
+/** The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
+ * GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK */
 export function raycastBatch(shape: AnyShape, rays: Elements, out?: Elements): Records<Hit>;
 /** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
  * A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which

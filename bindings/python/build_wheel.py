@@ -27,7 +27,9 @@ def _library(folder):
         return Path(built)
     options = ["-DCMAKE_BUILD_TYPE=Release", "-DGAMEPHYS_TESTS=OFF", "-DGAMEPHYS_EXAMPLES=OFF", "-DGAMEPHYS_BENCH=OFF"]
     subprocess.run(["cmake", "-S", SOURCE, "-B", folder, *options], check=True)
-    subprocess.run(["cmake", "--build", folder, "--target", "gamephys", "--parallel", "--config", "Release"], check=True)
+    jobs = str(os.cpu_count() or 1)  # without a number make starts them all
+    subprocess.run(["cmake", "--build", folder, "--target", "gamephys", "--parallel", jobs, "--config", "Release"],
+                   check=True)
     return next(path for name in ("libgamephys.so.1", "libgamephys.1.dylib", "gamephys.dll", "libgamephys.dll")
                 for path in Path(folder).rglob(name))
 

@@ -9,6 +9,7 @@
 // roundings and several times what the two can be apart; within it neither yes nor no is said.
 #pragma once
 
+#include "foundation/float4.h"
 #include "mesh/mesh.h"
 #include "scene/placed.h"
 
@@ -19,6 +20,10 @@ enum class Verdict { no, yes, open };
 constexpr Verdict unless_no(Verdict verdict) { return verdict == Verdict::no ? Verdict::no : Verdict::open; }
 
 constexpr double slack = 0x1p-43;
+
+/// The same in float32. A rotation of a vector takes 23 roundings of 2^-24 at most; no test has more
+/// than two of them and a dozen others, and this stands for 128.
+constexpr float float_slack = 0x1p-17f;
 
 constexpr double sum(Vec3 v) { return v.x + v.y + v.z; }
 
@@ -32,6 +37,33 @@ constexpr Mat3 scaled_rotation(Quat q) {
             {xz + wy, yz - wx, ww - xx - yy + zz}};
 }
 constexpr double norm_squared(Quat q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
+
+/// |q|^2 times a rotation, for vectors of float32. u: the vector of the quaternion.
+class ScaledTurn {
+public:
+    explicit ScaledTurn(Float4 q) : u_(__builtin_shufflevector(q, Float4{}, 0, 1, 2, 4)), w_(splat4(q[3])) {
+        const Float4 uu = sum(u_ * u_), ww = w_ * w_;
+        unit_ = ww + uu;
+        rest_ = ww - uu;
+    }
+
+    Float4 unit() const { return unit_; }
+    /// By the conjugate: (w^2 - u.u) v + 2 (u.v) u + 2 w (v x u).
+    Float4 back(Float4 v) const {
+        const Float4 cross = yzx(v * yzx(u_) - yzx(v) * u_);
+        return rest_ * v + 2 * (sum(u_ * v) * u_ + w_ * cross);
+    }
+    /// How far a box with these half sizes reaches along each axis: absolute values of the matrix.
+    Float4 reach(Float4 half) const {
+        const Float4 products = u_ * yzx(u_), turns = zxy(w_ * u_);
+        const Float4 same = abs(rest_ + 2 * u_ * u_), next = abs(products - turns),
+                     previous = abs(zxy(products + turns));
+        return same * half + 2 * (next * yzx(half) + previous * zxy(half));
+    }
+
+private:
+    Float4 u_, w_, unit_, rest_;
+};
 
 struct QuickSphere {
     Vec3 center;
@@ -49,11 +81,15 @@ struct QuickBox {
     Vec3 local(Vec3 point) const { return transpose_times(axes, point - center); }
 };
 
+/// Rare: not to be copied to wherever a shape is placed.
+[[gnu::noinline]] inline Vec3 turned_point(Vec3 point, const gphys_quat& rotation) {
+    const Quat q = widen(rotation);
+    return scaled_rotation(q) * point * (1 / norm_squared(q));
+}
 inline Vec3 quick_point(Vec3 point, const gphys_transform& world) {
     const Vec3 position = widen(world.position), scaled = point * world.scale;
     if (!is_turned(world.rotation) || point == Vec3{}) return position + scaled;
-    const Quat q = widen(world.rotation);
-    return position + scaled_rotation(q) * scaled * (1 / norm_squared(q));
+    return position + turned_point(scaled, world.rotation);
 }
 
 inline QuickSphere quick_sphere(Vec3 center, double radius, const gphys_transform& world) {
@@ -65,31 +101,30 @@ inline QuickSphere quick_shape(const gphys_sphere& sphere, const gphys_transform
     return quick_sphere(widen(sphere.center), sphere.radius, world);
 }
 
-inline QuickBox quick_box(Vec3 center, Vec3 half, const gphys_transform& world) {
-    const Quat q = widen(world.rotation);
-    const double scale = world.scale;
-    return {scaled_rotation(q), norm_squared(q), quick_point(center, world), half * scale,
-            sum(abs(widen(world.position))) + (sum(abs(center)) + sum(half)) * scale};
-}
-/// A float box that holds it.
-inline Box quick_bounds(const QuickBox& box) {
-    const Vec3 reach = abs(box.axes.x) * box.half.x + abs(box.axes.y) * box.half.y + abs(box.axes.z) * box.half.z;
-    const double error = slack * box.magnitude, shorten = 1 / box.unit;
-    Box result;
-    for (int k = 0; k < 3; ++k) {
-        const double half = reach[k] * shorten + error;
-        result.min[k] = round_down(box.center[k] - half);
-        result.max[k] = round_up(box.center[k] + half);
-    }
-    return result;
-}
+struct CenterAndHalf {
+    Vec3 center, half;
 
+    /// Sum of the coordinates of the box placed in the world.
+    double magnitude(const gphys_transform& world) const {
+        return sum(abs(widen(world.position))) + (sum(abs(center)) + sum(half)) * world.scale;
+    }
+};
+inline CenterAndHalf center_and_half(const Vec3& low, const Vec3& high) {
+    return {(low + high) * 0.5, (high - low) * 0.5};
+}
+inline CenterAndHalf center_and_half(const gphys_aabb& box) { return center_and_half(widen(box.min), widen(box.max)); }
+inline CenterAndHalf center_and_half(const gphys_obb& box) { return {widen(box.center), widen(box.half_extents)}; }
+
+inline QuickBox quick_box(const CenterAndHalf& box, const gphys_transform& world) {
+    const Quat q = widen(world.rotation);
+    return {scaled_rotation(q), norm_squared(q), quick_point(box.center, world), box.half * world.scale,
+            box.magnitude(world)};
+}
 inline QuickBox quick_shape(const gphys_aabb& box, const gphys_transform& world) {
-    const Vec3 low = widen(box.min), high = widen(box.max);
-    return quick_box((low + high) * 0.5, (high - low) * 0.5, world);
+    return quick_box(center_and_half(box), world);
 }
 inline QuickBox quick_shape(const gphys_obb& box, const gphys_transform& world) {
-    QuickBox result = quick_box(widen(box.center), widen(box.half_extents), world);
+    QuickBox result = quick_box(center_and_half(box), world);
     if (!is_turned(box.rotation)) return result;
     const Quat q = widen(box.rotation);
     const Mat3 outer = result.axes, inner = scaled_rotation(q);
@@ -101,10 +136,47 @@ inline QuickBox quick_shape(const gphys_obb& box, const gphys_transform& world) 
 inline QuickBox quick_shape(const Mesh* mesh, const gphys_transform& world) {
     const Box box = mesh->octree().bounds();
     const Vec3 low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
-    return quick_box((low + high) * 0.5, (high - low) * 0.5, world);
+    return quick_box(center_and_half(low, high), world);
 }
 
-/// The same when asked for: rays are quicker with the sphere that holds the mesh.
+/// A component of a rotated half size takes 11 roundings of 2^-24 of what it is summed from, the unit
+/// six; this stands for 32.
+constexpr float reach_slack = 0x1p-19f;
+
+/// A float box that holds a stored one where it is.
+template <class Stored>
+Box quick_bounds(const Stored& stored, const gphys_transform& world) {
+    const CenterAndHalf box = center_and_half(stored);
+    Float4 rotation = load4(world.rotation);
+    if constexpr (std::is_same_v<Stored, gphys_obb>) {
+        if (is_turned(stored.rotation)) rotation = narrow4(widen(world.rotation) * widen(stored.rotation));
+    }
+    const ScaledTurn turn(rotation);
+    const Float4 half = narrow4(box.half * world.scale);
+    const Float4 reach4 = turn.reach(half) / turn.unit() + reach_slack * sum(half);
+    const double error = slack * box.magnitude(world);
+    const Vec3 center = quick_point(box.center, world), reach{reach4[0] + error, reach4[1] + error, reach4[2] + error};
+    const Float4 low = narrow4(center - reach), high = narrow4(center + reach);
+    // Two more roundings, and what underflow may have taken.
+    const Float4 below = abs(low) * 0x1p-23f + 0x1p-126f, above = abs(high) * 0x1p-23f + 0x1p-126f;
+    Box result;
+    for (int k = 0; k < 3; ++k) {
+        result.min[k] = (low - below)[k];
+        result.max[k] = (high + above)[k];
+    }
+    return result;
+}
+
+/// A stored box and where it is: rays have a test of their own for it.
+template <class Stored>
+struct QuickPlacedBox {
+    const Stored& box;
+    const gphys_transform& world;
+
+    operator QuickBox() const { return quick_shape(box, world); }
+};
+
+/// The box of a mesh when asked for: rays are quicker with the sphere that holds the mesh.
 struct QuickMesh {
     const Mesh* mesh;
     const gphys_transform& world;
@@ -117,6 +189,9 @@ template <class Stored>
 constexpr bool has_quick_shape = !std::is_same_v<Stored, gphys_capsule> && !std::is_same_v<Stored, gphys_plane> &&
                                  !std::is_same_v<Stored, gphys_triangle>;
 
+template <class Stored>
+constexpr bool is_box = std::is_same_v<Stored, gphys_aabb> || std::is_same_v<Stored, gphys_obb>;
+
 /// Ask a quick test about a stored shape: test(quick shape) gives the Verdict.
 template <class Stored, class Test>
 Verdict quick_verdict(const Stored& shape, const gphys_transform& world, Test&& test) {
@@ -124,6 +199,8 @@ Verdict quick_verdict(const Stored& shape, const gphys_transform& world, Test&& 
         return Verdict::open;
     } else if constexpr (std::is_pointer_v<Stored>) {
         return unless_no(test(QuickMesh{shape, world}));
+    } else if constexpr (is_box<Stored>) {
+        return test(QuickPlacedBox<Stored>{shape, world});
     } else {
         return test(quick_shape(shape, world));
     }

@@ -18,7 +18,10 @@ public:
           direction_(ray.direction),
           direction_squared_(length_squared(ray.direction)),
           origin_magnitude_(sum(abs(ray.origin))),
-          direction_slack_(slack * sum(abs(ray.direction))) {}
+          direction_slack_(slack * sum(abs(ray.direction))),
+          direction_size_(std::max(max_component(abs(ray.direction)), 0x1p-200)),
+          unit_direction_(narrow4(ray.direction * (1 / direction_size_))),
+          unit_direction_slack_(float_slack * sum(abs(unit_direction_))) {}
 
     template <class QuickShape>
     Verdict operator()(const QuickShape& shape, double t_max) const {
@@ -52,39 +55,45 @@ private:
 
     /// The slabs of a box, with times left as fractions: a distance over the speed along the axis.
     /// Margins make distances and speeds such that the ray certainly misses, or certainly meets.
-    template <bool also_yes>
-    Verdict verdict(const QuickBox& box, double t_max) const {
-        const Vec3 from = box.local(origin_), along = transpose_times(box.axes, direction_);
-        const double margin = slack * box.unit * (origin_magnitude_ + box.magnitude);
-        const double speed_margin = direction_slack_ * box.unit, end = clipped(t_max);
-        double near[3], far[3], slow[3], fast[3];
-        for (int k = 0; k < 3; ++k) {
-            const double to_center = along[k] < 0 ? from[k] : -from[k], half = box.half[k] * box.unit;
-            near[k] = to_center - half - margin;
-            far[k] = to_center + half + margin;
-            slow[k] = std::max(std::fabs(along[k]) - speed_margin, 0.0);
-            fast[k] = std::fabs(along[k]) + speed_margin;
+    ///
+    /// In float32, all axes at once: what is large is subtracted in double precision before.
+    template <bool also_yes, class Stored>
+    Verdict verdict(const QuickPlacedBox<Stored>& placed, double t_max) const {
+        const CenterAndHalf box = center_and_half(placed.box);
+        const gphys_transform& world = placed.world;
+        Float4 from = narrow4(origin_ - quick_point(box.center, world)), along = unit_direction_;
+        Float4 half = narrow4(box.half * world.scale), unit = splat4(1);
+        const float rounding = static_cast<float>(slack * (origin_magnitude_ + box.magnitude(world)));
+        Float4 margin = float_slack * sum(abs(from) + half) + rounding, speed_margin = unit_direction_slack_;
+        const auto turn_back = [&](const gphys_quat& rotation) {
+            const ScaledTurn turn(load4(rotation));
+            from = turn.back(from);
+            along = turn.back(along);
+            unit *= turn.unit();
+        };
+        turn_back(world.rotation);
+        if constexpr (std::is_same_v<Stored, gphys_obb>) {
+            if (is_turned(placed.box.rotation)) turn_back(placed.box.rotation);
         }
+        half *= unit;
+        margin *= unit;
+        speed_margin *= unit;
+
+        const Float4 to_center = along < Float4{} ? from : -from, speed = abs(along);
+        const Float4 end = splat4(static_cast<float>(std::min(t_max * direction_size_, 0x1p100)));
+        const Float4 slow = positive(speed - speed_margin), fast = speed + speed_margin;
+        Float4 near = to_center - half - margin, far = to_center + half + margin;
         // No branches between: which of them decides is not to be foreseen.
-        bool missed = false;
-        for (int k = 0; k < 3; ++k) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            missed |= (far[k] < 0) | (near[k] > end * fast[k]) | (near[k] * slow[i] > far[i] * fast[k]) |
-                      (near[k] * slow[j] > far[j] * fast[k]);
+        if (any((far < Float4{}) | (near > end * fast) | (near * yzx(slow) > yzx(far) * fast) |
+                (near * zxy(slow) > zxy(far) * fast))) {
+            return Verdict::no;
         }
-        if (missed) return Verdict::no;
         if (!also_yes) return Verdict::open;
-        bool met = true;
-        for (int k = 0; k < 3; ++k) {
-            near[k] = std::max(near[k] + 2 * margin, 0.0);
-            far[k] -= 2 * margin;
-        }
-        for (int k = 0; k < 3; ++k) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            met &= (far[k] > 0) & (near[k] <= end * slow[k]) & (near[k] * fast[i] <= far[i] * slow[k]) &
-                   (near[k] * fast[j] <= far[j] * slow[k]);
-        }
-        return met ? Verdict::yes : Verdict::open;
+        near = positive(near + 2 * margin);
+        far -= 2 * margin;
+        const Mask4 unmet = (far <= Float4{}) | (near > end * slow) | (near * yzx(fast) > yzx(far) * slow) |
+                            (near * zxy(fast) > zxy(far) * slow);
+        return any(unmet & Mask4{-1, -1, -1, 0}) ? Verdict::open : Verdict::yes;
     }
 
     /// The box of the mesh is for mesh_instance.cpp, which has the ray in the mesh's space.
@@ -99,6 +108,9 @@ private:
 
     Vec3 origin_, direction_;
     double direction_squared_, origin_magnitude_, direction_slack_;
+    double direction_size_;  // its largest component
+    Float4 unit_direction_;  // in parts of that
+    Float4 unit_direction_slack_;
 };
 
 /// Whether a shape comes within `reach` of a point.

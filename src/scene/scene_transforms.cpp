@@ -31,9 +31,8 @@ void Scene::derive_world(uint32_t slot) {
 /// Not for planes.
 Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
     return with_stored(slot, [&](const auto& stored) {
-        using Stored = std::decay_t<decltype(stored)>;
-        if constexpr (std::is_same_v<Stored, gphys_aabb> || std::is_same_v<Stored, gphys_obb>) {
-            if (is_turned(world.rotation)) return quick_bounds(quick_shape(stored, world));
+        if constexpr (is_box<std::decay_t<decltype(stored)>>) {
+            if (is_turned(world.rotation)) return quick_bounds(stored, world);
         }
         return with_placed(stored, world, [](const auto& shape) {
             if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Plane>) {

@@ -279,7 +279,10 @@ public sealed partial class Scene : IDisposable {
         return info;
     }
 
-    /// <summary>World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.</summary>
+    /// <summary>
+    /// World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
+    /// of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+    /// </summary>
     public unsafe Aabb? GetBounds(uint model) {
         var bounds = default(Aabb);
         var status = Low.gphys_scene_get_bounds(Handle, model, &bounds);
@@ -1513,8 +1516,8 @@ public static partial class Geometry {
     }
 
     /// <summary>
-    /// The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
-    /// element.  @return GPHYS_OK
+    /// The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
+    /// GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK
     /// </summary>
     public static unsafe void RaycastBatch(Shape shape, ReadOnlySpan<Ray> rays, Span<Hit> hits) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;

@@ -176,7 +176,8 @@ module Gamephys
       ModelInfo.unpack(out_info)
     end
 
-    # World box of a model; GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+    # World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
+    # of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
     def get_bounds(model)
       out_bounds = Aabb.room
       Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_bounds(opened, model, out_bounds))
@@ -1066,8 +1067,8 @@ module Gamephys
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_raycast(Low.kind(shape), Low.shape(shape), Ray.pack(ray), out_hit))
   end
 
-  # The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
-  # element.  @return GPHYS_OK
+  # The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
+  # GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK
   def self.raycast_batch(shape, rays, out: nil)
     rays = Low.array(Ray, rays)
     count = Low.common(rays)

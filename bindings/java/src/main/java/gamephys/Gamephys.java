@@ -282,8 +282,8 @@ public final class Gamephys extends GamephysBase {
 
     /**
      * <pre>
-     * The same for count rays. A ray that hits nothing gets t = INFINITY and zeros in its out_hits
-     * element.  &#64;return GPHYS_OK
+     * The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
+     * GPHYS_NO_TRIANGLE and zeros in its out_hits element.  &#64;return GPHYS_OK
      * </pre>
      */
     public static Batch<Hit> raycastBatch(Shape shape, Batch<Ray> rays, Batch<Hit> out) {
