@@ -307,7 +307,8 @@ function tests.the_collector_frees()
         bytes = bytes - tonumber(size)
         ffi.C.free(memory)
     end
-    jit.off() -- callbacks from compiled code are not allowed
+    jit.off() -- callbacks from compiled code are not allowed,
+    jit.flush() -- nor from code that is compiled already
     do
         local mesh = gp.Mesh({ 0, 0, 0, 1, 0, 0, 0, 1, 0 }, { 0, 1, 2 }, { allocator = allocator })
         local scene = gp.Scene { allocator = allocator }
