@@ -66,8 +66,9 @@ int main(void) {
         }
     }
     printf("%u frames, %u steps of 1/60 s, largest strain %.3f %%\n", (unsigned)frame, (unsigned)steps, 100 * strain);
-    EXPECT(steps >= 359 && steps <= 361);              /* 6 s; the last frame may end past them */
-    EXPECT(strain < 0.1f && stats.strain_max < 0.01f); /* when it strikes the ball, and at rest */
+    EXPECT(steps >= 359 && steps <= 361);                          /* 6 s; the last frame may end past them */
+    EXPECT(strain < 0.1f);                                         /* when the cloth strikes the ball */
+    EXPECT(stats.strain_rms < 0.002f && stats.strain_max < 0.03f); /* friction may hold a link pressed together */
 
     /* The weight hangs below the nail, by the rope's length. */
     MUST(gphys_solver_get_positions(solver, rope_id, 0, LINKS + 1, rope, sizeof rope[0]));

@@ -78,6 +78,7 @@ struct ClothState {
     Vec3 origin;              // of the positions
     double average_mass = 1;  // of the particles
     double link_length = 0;   // metres, the average
+    bool pulled = false;      // the caller may have done work on it since the last step
     Vector<float> at, start, moved, velocity, velocity_before, acceleration, mass;
 };
 
@@ -130,11 +131,11 @@ struct Body {
     // and the one a substep before it. Of cloth it is in `cloth`.
     Vector<Vec3> predicted;  // where the particles would go without constraints
     Vector<Vec3> start, start_velocity, earlier, earlier_velocity;
-    double earlier_step = 0;  // seconds between the two; 0 when motion was interrupted
+    double earlier_step = 0;  // seconds between the two; 0 when motion was interrupted, by the caller or a contact
 
     Vector<Touch> touches;  // touches_per_particle each; empty until the body meets a scene
     Vector<uint8_t> held;   // by particle: whether it touched something in the substep under way
-    bool touched = false;   // whether any did
+    bool touched = false;   // whether any did, unless the caller has interrupted the motion since
 
     Sleep sleep;
     ClothState cloth;

@@ -140,6 +140,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     }
     cloth.origin = (box.min + box.max) / 2;
     cloth.average_mass = mass / body.size();
+    cloth.pulled = body.earlier_step == 0 && !body.touched;
     for (uint32_t p = 0; p < body.size(); ++p) {
         const size_t i = 4 * size_t{p};
         put(&cloth.at[i], body.position[p] - cloth.origin, farthest);
@@ -177,7 +178,7 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
                          narrowed(damping),
                          narrowed(scheme.drag(damping))};
     soften(body.plan.batches, cloth.average_mass, scheme.step(damping));
-    const bool closed = body.attachments.empty();  // moving models do work
+    const bool closed = body.attachments.empty() && !cloth.pulled;  // moving models do work
     const double stored = closed ? stored_energy(kernels, body) : 0;
     kernels.predict(motion_of(cloth), step);
     follow_models(body, around.end);
