@@ -167,7 +167,7 @@ std::vector<gphys_aabb> query_boxes(float half_side, uint32_t count, float half)
 gphys_frustum view(float half_side) {
     // From a corner region towards the middle: about a tenth of the objects lie within.
     const View v = outside_looking_in(0.62f * half_side);
-    const float tan_x = 0.55f, tan_y = 0.42f, near_distance = 0.1f, far_distance = 1.65f * half_side;
+    const float tan_x = 0.4f, tan_y = 0.3f, near_distance = 0.1f, far_distance = 1.65f * half_side;
     const auto side = [](gphys_vec3 axis, gphys_vec3 forward, float tangent) {
         return gphys_plane{unit(axis + forward * tangent), 0};
     };
