@@ -180,6 +180,15 @@ TEST_CASE("determinants in integers are those of expansions, as long as their nu
     REQUIRE_FALSE(integer_determinant({1, 0, 0}, {0, 0x1p-201, 0}, {0, 0, 1}, value));
 }
 
+TEST_CASE("numbers that overflow lose their sign, not their room") {
+    const Exact beyond = Exact(1e200) * Exact(1e200);
+    Exact sum = beyond;
+    for (int i = 0; i < 1000; ++i) sum = sum + beyond * Exact(std::ldexp(1.0, i - 500)) + Exact(i);
+    const Exact product = sum * sum * beyond;
+    CHECK(std::abs(product.sign()) <= 1);
+    CHECK((Exact(3) * Exact(5) - Exact(15)).sign() == 0);
+}
+
 TEST_CASE("a difference is known to be exact or not") {
     Vec3 difference;
     REQUIRE(difference_is_exact({1, 2, 3}, {0x1p-50, 5, -3}, difference));

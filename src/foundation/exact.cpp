@@ -85,6 +85,8 @@ private:
         if (top != 0) term_[--bottom] = top;
         std::copy(term_ + bottom, term_ + size_, term_);
         size_ -= bottom;
+        // Only what has overflowed, and is no number any more, keeps more: its sign is unknown.
+        if (size_ > Exact::capacity) size_ = 0;
     }
 
     // Any multiple of the bound of a compressed expansion: a larger one is compressed less often.

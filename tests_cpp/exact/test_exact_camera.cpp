@@ -355,11 +355,13 @@ TEST_CASE("a pixel shows the model, and of a mesh the triangle, that the exact l
             gphys_triangle triangles[seen_count];
             const Vec3 middle = widen(seen_point(c, lens));
             const double size = length(middle - widen(lens.position)) * std::pow(10.0, c.random.uniform(-3, 0));
+            const gphys_triangle* last = nullptr;
             for (gphys_triangle& t : triangles) {
                 for (gphys_vec3* corner : {&t.a, &t.b, &t.c}) {
                     *corner = narrow(middle + c.random.direction() * (size * c.random.uniform(.1, 1)));
                 }
-                if (&t != triangles && c.one_in(2)) t.a = (&t - 1)->b, t.b = (&t - 1)->a;  // a shared edge
+                if (last && c.one_in(2)) t.a = last->b, t.b = last->a;  // a shared edge
+                last = &t;
             }
             const bool as_mesh = c.one_in(2);
             gphys_scene* scene = scene_of(triangles, as_mesh);
