@@ -956,7 +956,7 @@ GPHYS_API gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphy
 GPHYS_API gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps);
 
 enum {
-    GPHYS_CLOTH_SHEAR = 1, /* constraints along both diagonals of each grid cell */
+    GPHYS_CLOTH_SHEAR = 1, /* constraints along both diagonals of each grid cell: stiff like paper */
     GPHYS_CLOTH_BEND = 2   /* constraints that resist folding */
 };
 

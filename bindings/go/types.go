@@ -118,7 +118,7 @@ const (
 )
 
 const (
-	// constraints along both diagonals of each grid cell
+	// constraints along both diagonals of each grid cell: stiff like paper
 	ClothShear uint32 = 1
 	// constraints that resist folding
 	ClothBend uint32 = 2

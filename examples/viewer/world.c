@@ -99,6 +99,7 @@ static void add_cloth(world* w) {
     desc.friction = 0.6f;
     desc.layers = LAYER_SOLID;
     const gphys_vec3 corner = {-2, 2.95f, -2}, u = {4, 0, 0}, v = {0, 0, 4};
+    desc.cloth_flags = GPHYS_CLOTH_BEND; /* woven: it shears, and so lies on what is round both ways */
     check(gphys_solver_add_cloth(w->solver, &desc, &corner, &u, &v, CLOTH_SIDE, CLOTH_SIDE, &w->cloth_body), "cloth");
 
     triangle_mesh* cloth = &w->cloth;

@@ -49,7 +49,7 @@ export class World {
     #hang() {
         const { size, particles, height } = CLOTH;
         this.cloth = this.solver.addCloth([-size / 2, height, -size / 2], [size, 0, 0], [0, 0, size], particles, particles,
-            { mass: 4, damping: 0.5, radius: 0.05, friction: 0.6, bend_compliance: 0.1 });
+            { mass: 4, damping: 0.5, radius: 0.05, friction: 0.6, bend_compliance: 0.1, cloth_flags: gp.CLOTH_BEND });
         this.clothTriangles = this.solver.getTriangles(this.cloth).u32;
         this.clothPositions = gp.records('vec3', particles * particles);
         this.#readCloth();

@@ -113,7 +113,7 @@ public static class Constants {
     public const uint HitInside = 1;
     /// <summary>a surface was met from behind its normal</summary>
     public const uint HitBack = 2;
-    /// <summary>constraints along both diagonals of each grid cell</summary>
+    /// <summary>constraints along both diagonals of each grid cell: stiff like paper</summary>
     public const uint ClothShear = 1;
     /// <summary>constraints that resist folding</summary>
     public const uint ClothBend = 2;

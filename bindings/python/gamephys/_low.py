@@ -57,7 +57,7 @@ PROJECTION_USER = 2
 LEFT_HANDED = 0  # looks along its own +Z
 RIGHT_HANDED = 1  # looks along its own -Z
 
-CLOTH_SHEAR = 1  # constraints along both diagonals of each grid cell
+CLOTH_SHEAR = 1  # constraints along both diagonals of each grid cell: stiff like paper
 CLOTH_BEND = 2  # constraints that resist folding
 
 BODY_PARTICLES = 1

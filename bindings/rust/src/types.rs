@@ -120,7 +120,7 @@ impl Handedness {
     pub const RIGHT_HANDED: Handedness = Handedness(1);
 }
 
-/// constraints along both diagonals of each grid cell
+/// constraints along both diagonals of each grid cell: stiff like paper
 pub const CLOTH_SHEAR: u32 = 1;
 /// constraints that resist folding
 pub const CLOTH_BEND: u32 = 2;
