@@ -2,7 +2,7 @@
 # Tests the library: ./test.sh [--long | --bindings | --platforms]
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
 # under the address and undefined-behaviour sanitizers. --long adds a build with clang, tests of
-# minutes, such as a million queries of each kind against a linear scan, tests of some hours against
+# minutes, such as a million queries of each kind against a linear scan, an hour of tests against
 # exact arithmetic, and the workers under the thread sanitizer. --bindings instead tests the packages in bindings/, --platforms runs the C tests
 # on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and WebAssembly (Node); both install what they need.
 # The last line is "N passed, N failed"; a build that fails counts as one failed test.

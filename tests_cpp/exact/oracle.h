@@ -4,9 +4,12 @@
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Gmpzf.h>
+#include <CGAL/Interval_nt.h>
 #include <CGAL/Polytope_distance_d.h>
 #include <CGAL/Polytope_distance_d_traits_3.h>
 
+#include <boost/container/static_vector.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 #include <vector>
 
@@ -22,6 +25,12 @@ using Big =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<300, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;
 
+/// Integers times powers of two: all that sums and products of floats need.
+using Binary = CGAL::Gmpzf;
+/// An interval that holds the number; only right while an Upward lives.
+using Range = CGAL::Interval_nt<false>;
+using Upward = CGAL::Protect_FPU_rounding<true>;
+
 inline Point exact(gphys_vec3 v) { return {v.x, v.y, v.z}; }
 inline Vector exact_vector(gphys_vec3 v) { return {v.x, v.y, v.z}; }
 inline Point exact(Vec3 v) { return {v.x, v.y, v.z}; }
@@ -34,21 +43,42 @@ inline double error_of(double computed, const Big& truth) { return abs(Big(compu
 inline double rounded(const Number& value) { return CGAL::to_double(value); }
 inline double rounded(const Big& value) { return value.convert_to<double>(); }
 
-/// A vector of Big.
-struct BigVec {
-    Big x, y, z;
-    BigVec() = default;
-    BigVec(Big x_, Big y_, Big z_) : x(x_), y(y_), z(z_) {}
-    explicit BigVec(gphys_vec3 v) : x(v.x), y(v.y), z(v.z) {}
-    explicit BigVec(Vec3 v) : x(v.x), y(v.y), z(v.z) {}
+/// A vector of numbers of any kind.
+template <class Scalar>
+struct VectorOf {
+    Scalar x, y, z;
+    VectorOf() = default;
+    VectorOf(Scalar x_, Scalar y_, Scalar z_) : x(x_), y(y_), z(z_) {}
+    explicit VectorOf(gphys_vec3 v) : x(v.x), y(v.y), z(v.z) {}
+    explicit VectorOf(Vec3 v) : x(v.x), y(v.y), z(v.z) {}
 };
-inline BigVec operator+(const BigVec& a, const BigVec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline BigVec operator-(const BigVec& a, const BigVec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline BigVec operator*(const BigVec& a, const Big& s) { return {a.x * s, a.y * s, a.z * s}; }
-inline Big dot(const BigVec& a, const BigVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline BigVec cross(const BigVec& a, const BigVec& b) {
+template <class T>
+VectorOf<T> operator+(const VectorOf<T>& a, const VectorOf<T>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+VectorOf<T> operator-(const VectorOf<T>& a, const VectorOf<T>& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+VectorOf<T> operator-(const VectorOf<T>& a) {
+    return {-a.x, -a.y, -a.z};
+}
+template <class T>
+VectorOf<T> operator*(const VectorOf<T>& a, const T& s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+T dot(const VectorOf<T>& a, const VectorOf<T>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+VectorOf<T> cross(const VectorOf<T>& a, const VectorOf<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+using BigVec = VectorOf<Big>;
+inline double largest(const VectorOf<double>& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
 inline Big big(const Number& value) {
     Big result;
     result.backend() = value.exact().get_mpq_t();
@@ -56,16 +86,27 @@ inline Big big(const Number& value) {
 }
 inline BigVec big(const Point& p) { return {big(p.x()), big(p.y()), big(p.z())}; }
 
-/// The exact rotation of a quaternion, which is rational: columns.
+/// The rotation of a quaternion, which is rational: columns.
+template <class Scalar>
+struct Axes {
+    VectorOf<Scalar> axis[3];
+
+    explicit Axes(gphys_quat q) {
+        const Scalar x(q.x), y(q.y), z(q.z), w(q.w);
+        const Scalar s = Scalar(2) / (x * x + y * y + z * z + w * w), one(1);
+        axis[0] = {one - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y)};
+        axis[1] = {s * (x * y - w * z), one - s * (x * x + z * z), s * (y * z + w * x)};
+        axis[2] = {s * (x * z + w * y), s * (y * z - w * x), one - s * (x * x + y * y)};
+    }
+};
+
+/// The same for vectors of CGAL.
 struct Rotation {
     Vector axis[3];
 
     explicit Rotation(gphys_quat q) {
-        const Number x(q.x), y(q.y), z(q.z), w(q.w);
-        const Number s = Number(2) / (x * x + y * y + z * z + w * w), one(1);
-        axis[0] = {one - s * (y * y + z * z), s * (x * y + w * z), s * (x * z - w * y)};
-        axis[1] = {s * (x * y - w * z), one - s * (x * x + z * z), s * (y * z + w * x)};
-        axis[2] = {s * (x * z + w * y), s * (y * z - w * x), one - s * (x * x + y * y)};
+        const Axes<Number> exact(q);
+        for (int k = 0; k < 3; ++k) axis[k] = {exact.axis[k].x, exact.axis[k].y, exact.axis[k].z};
     }
     Vector into(const Vector& v) const { return {axis[0] * v, axis[1] * v, axis[2] * v}; }
     Vector out(const Vector& v) const { return axis[0] * v.x() + axis[1] * v.y() + axis[2] * v.z(); }
@@ -92,37 +133,50 @@ auto with_path(const gphys_ray& ray, const Answer& answer) {
 
 // --- How far apart two convex shapes are ---------------------------------------------------------
 
-/// A convex solid as the corners of its core and the radius around them. Corners count from a
-/// reference, so that rounding those of a rotated box costs 2^-53 of the pair's size.
+/// A convex solid as the corners of its core, counted from a reference, and the radius around them.
+template <class Scalar>
 struct Rounded {
-    std::vector<Vec3> corners;
-    double radius = 0;
+    boost::container::static_vector<VectorOf<Scalar>, 8> corners;
+    Scalar radius = 0;
+
+    Rounded(std::initializer_list<gphys_vec3> points, gphys_vec3 from, Scalar r) : radius(r) {
+        for (gphys_vec3 p : points) corners.push_back(VectorOf<Scalar>(p) - VectorOf<Scalar>(from));
+    }
 };
 
-inline Rounded rounded_of(const gphys_sphere& s, Vec3 from) { return {{widen(s.center) - from}, s.radius}; }
-inline Rounded rounded_of(const gphys_capsule& s, Vec3 from) {
-    return {{widen(s.a) - from, widen(s.b) - from}, s.radius};
+template <class T>
+Rounded<T> rounded_of(const gphys_sphere& s, gphys_vec3 from) {
+    return {{s.center}, from, s.radius};
 }
-inline Rounded rounded_of(const gphys_segment& s, Vec3 from) { return {{widen(s.a) - from, widen(s.b) - from}, 0}; }
-inline Rounded rounded_of(const gphys_triangle& t, Vec3 from) {
-    return {{widen(t.a) - from, widen(t.b) - from, widen(t.c) - from}, 0};
+template <class T>
+Rounded<T> rounded_of(const gphys_capsule& s, gphys_vec3 from) {
+    return {{s.a, s.b}, from, s.radius};
 }
-inline Rounded rounded_of(const gphys_aabb& b, Vec3 from) {
-    Rounded result;
+template <class T>
+Rounded<T> rounded_of(const gphys_segment& s, gphys_vec3 from) {
+    return {{s.a, s.b}, from, 0};
+}
+template <class T>
+Rounded<T> rounded_of(const gphys_triangle& t, gphys_vec3 from) {
+    return {{t.a, t.b, t.c}, from, 0};
+}
+// Corners of boxes are numbered by bits of x, y, z.
+template <class T>
+Rounded<T> rounded_of(const gphys_aabb& b, gphys_vec3 from) {
+    const auto corner = [&](int i) {
+        return gphys_vec3{i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z};
+    };
+    return {{corner(0), corner(1), corner(2), corner(3), corner(4), corner(5), corner(6), corner(7)}, from, 0};
+}
+template <class T>
+Rounded<T> rounded_of(const gphys_obb& b, gphys_vec3 from) {
+    const Axes<T> rotation(b.rotation);
+    const VectorOf<T> center = VectorOf<T>(b.center) - VectorOf<T>(from), x = rotation.axis[0] * T(b.half_extents.x),
+                      y = rotation.axis[1] * T(b.half_extents.y), z = rotation.axis[2] * T(b.half_extents.z);
+    Rounded<T> result({}, from, 0);
     for (int i = 0; i < 8; ++i) {
-        const Vec3 corner{i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z};
-        result.corners.push_back(corner - from);
-    }
-    return result;
-}
-inline Rounded rounded_of(const gphys_obb& b, Vec3 from) {
-    Rounded result;
-    const Rotation rotation(b.rotation);
-    const Number x(b.half_extents.x), y(b.half_extents.y), z(b.half_extents.z);
-    const Point center = exact(b.center) - (exact(from) - CGAL::ORIGIN);
-    for (int i = 0; i < 8; ++i) {
-        const Point corner = center + rotation.out({i & 1 ? x : -x, i & 2 ? y : -y, i & 4 ? z : -z});
-        result.corners.push_back({rounded(corner.x()), rounded(corner.y()), rounded(corner.z())});
+        const VectorOf<T> xy = (i & 1 ? center + x : center - x) + (i & 2 ? y : -y);
+        result.corners.push_back(i & 4 ? xy + z : xy - z);
     }
     return result;
 }
@@ -130,10 +184,12 @@ inline Rounded rounded_of(const gphys_obb& b, Vec3 from) {
 /// S of the contract: the largest coordinate difference of a shape and a point.
 template <class S>
 double size_of(const S& shape, gphys_vec3 point) {
-    const Rounded rounded = rounded_of(shape, widen(point));
+    const Rounded<double> rounded = rounded_of<double>(shape, point);
     double size = rounded.radius;
-    for (Vec3 corner : rounded.corners) size = std::max(size, largest(corner) + rounded.radius);
-    for (Vec3 corner : rounded.corners) size = std::max(size, largest(corner - rounded.corners[0]) + rounded.radius);
+    for (const auto& corner : rounded.corners) {
+        size =
+            std::max({size, largest(corner) + rounded.radius, largest(corner - rounded.corners[0]) + rounded.radius});
+    }
     return size;
 }
 /// A plane has no end, but its distance counts from the origin.
@@ -143,12 +199,12 @@ inline double size_of(const gphys_plane& plane, gphys_vec3 point) {
 
 /// The squared distance of the hulls of two sets of corners, exact in what the doubles are. Coordinates
 /// go to CGAL as Gmpzf: with doubles it makes products in double, and what those round away can turn an answer.
-inline CGAL::Quotient<CGAL::Gmpzf> squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-    using Coordinates = CGAL::Simple_cartesian<CGAL::Gmpzf>;
-    using Traits = CGAL::Polytope_distance_d_traits_3<Coordinates, CGAL::Gmpzf, CGAL::Gmpzf>;
-    const auto points = [](const std::vector<Vec3>& corners) {
+inline CGAL::Quotient<Binary> squared_distance(const Rounded<double>& a, const Rounded<double>& b) {
+    using Coordinates = CGAL::Simple_cartesian<Binary>;
+    using Traits = CGAL::Polytope_distance_d_traits_3<Coordinates, Binary, Binary>;
+    const auto points = [](const Rounded<double>& shape) {
         std::vector<Coordinates::Point_3> result;
-        for (Vec3 v : corners) result.emplace_back(CGAL::Gmpzf(v.x), CGAL::Gmpzf(v.y), CGAL::Gmpzf(v.z));
+        for (const VectorOf<double>& v : shape.corners) result.emplace_back(Binary(v.x), Binary(v.y), Binary(v.z));
         return result;
     };
     const std::vector<Coordinates::Point_3> p = points(a), q = points(b);
