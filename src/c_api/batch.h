@@ -60,14 +60,16 @@ void raycast_each(const Scene& scene, uint32_t count, uint32_t layers, const Str
                   RayOf&& ray_of) {
     const auto ray_or_no_hit = [&](uint32_t i, Ray& ray) {
         if (ray_of(i, ray)) return true;
-        out[i] = no_hit();
+        out[i] = no_hit;
         return false;
     };
     cast_in_groups(scene, count, ray_or_no_hit, [&](const Ray* rays, const uint32_t* items, uint32_t size) {
-        gphys_hit hits[Scene::rays_at_once];
-        std::fill_n(hits, size, no_hit());
+        gphys_hit* hits[Scene::rays_at_once];
+        for (uint32_t k = 0; k < size; ++k) {
+            hits[k] = &out[items[k]];
+            *hits[k] = no_hit;
+        }
         scene.raycast_many(rays, size, layers, hits);
-        for (uint32_t k = 0; k < size; ++k) out[items[k]] = hits[k];
     });
 }
 

@@ -228,7 +228,7 @@ gphys_status gphys_scene_nearest_batch(const gphys_scene* scene, const gphys_vec
         const Strided<gphys_vec3> point(points, point_stride);
         const StridedOut<gphys_nearest> out(out_nearest, out_stride);
         answer_each(workers, count, [&](uint32_t i) {
-            gphys_nearest nearest = no_nearest();
+            gphys_nearest nearest = no_nearest;
             unwrap(scene)->nearest(widen(point[i]), max_distance, layers, nearest);
             out[i] = nearest;
         });
@@ -263,7 +263,7 @@ gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, const gphy
         const Strided<gphys_vec3> displacement(displacements, displacement_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
         answer_each(workers, count, [&](uint32_t i) {
-            gphys_hit hit = no_hit();
+            gphys_hit hit = no_hit;
             unwrap(scene)->sweep(widen(sphere[i]), widen(displacement[i]), layers, hit);
             out[i] = hit;
         });

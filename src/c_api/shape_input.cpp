@@ -74,18 +74,4 @@ size_t shape_struct_size(gphys_shape_type type) noexcept {
     }
 }
 
-gphys_hit no_hit() noexcept {
-    gphys_hit hit{};
-    hit.t = std::numeric_limits<float>::infinity();
-    hit.triangle = GPHYS_NO_TRIANGLE;
-    return hit;
-}
-
-gphys_nearest no_nearest() noexcept {
-    gphys_nearest nearest{};
-    nearest.distance = std::numeric_limits<float>::infinity();
-    nearest.triangle = GPHYS_NO_TRIANGLE;
-    return nearest;
-}
-
 }  // namespace gphys

@@ -1,8 +1,10 @@
-// Reading a caller's shape, and filling the result structs that several entry points share.
+// Reading a caller's shape, and the results that batches hold where nothing is found.
 #pragma once
 
-#include "intersect/intersect.h"
+#include <limits>
+
 #include "c_api/api.h"
+#include "intersect/intersect.h"
 
 namespace gphys {
 
@@ -23,8 +25,8 @@ gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& o
 size_t shape_struct_size(gphys_shape_type type) noexcept;
 
 /// What a batch holds for a miss: t = INFINITY, no triangle, the rest 0.
-gphys_hit no_hit() noexcept;
+inline constexpr gphys_hit no_hit{0, 0, std::numeric_limits<float>::infinity(), {}, {}, GPHYS_NO_TRIANGLE, 0, 0, 0};
 /// What a batch holds where nothing is near: distance = INFINITY, no triangle, the rest 0.
-gphys_nearest no_nearest() noexcept;
+inline constexpr gphys_nearest no_nearest{0, 0, {}, std::numeric_limits<float>::infinity(), GPHYS_NO_TRIANGLE};
 
 }  // namespace gphys

@@ -172,7 +172,7 @@ gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* 
         const Strided<gphys_vec3> each(points, point_stride);
         const StridedOut<gphys_nearest> out(out_nearest, out_stride);
         for (uint32_t i = 0; i < count; ++i) {
-            if (!nearest(target, widen(each[i]), out[i])) out[i] = no_nearest();
+            if (!nearest(target, widen(each[i]), out[i])) out[i] = no_nearest;
         }
         return GPHYS_OK;
     });

@@ -49,13 +49,19 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape,
                 const uint32_t size = std::min(count - first, Mesh::rays_at_once);
                 for (uint32_t i = 0; i < size; ++i) many[i] = widen(each[first + i]);
                 const uint64_t found = target.mesh->raycast_many(many, size, hits);
-                for (uint32_t i = 0; i < size; ++i) out[first + i] = found >> i & 1 ? to_hit(hits[i]) : no_hit();
+                for (uint32_t i = 0; i < size; ++i) {
+                    if (found >> i & 1) {
+                        out[first + i] = to_hit(hits[i]);
+                    } else {
+                        out[first + i] = no_hit;
+                    }
+                }
             }
             return GPHYS_OK;
         }
         for (uint32_t i = 0; i < count; ++i) {
             Hit hit;
-            out[i] = raycast(target.shape, widen(each[i]), hit) ? to_hit(hit) : no_hit();
+            out[i] = raycast(target.shape, widen(each[i]), hit) ? to_hit(hit) : no_hit;
         }
         return GPHYS_OK;
     });

@@ -115,7 +115,7 @@ gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) con
     return first.result(out);
 }
 
-void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* out) const {
+void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
     std::optional<FirstOfRay> first[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) first[i].emplace(*this, rays[i], layers);
     const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
@@ -123,7 +123,7 @@ void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys
         t_max = first[ray]->rest().t_max;
     };
     octree_.raycast_many([&](uint32_t i) -> const Ray& { return first[i]->rest(); }, count, visit, model_memory());
-    for (uint32_t i = 0; i < count; ++i) first[i]->result(out[i]);
+    for (uint32_t i = 0; i < count; ++i) first[i]->result(*out[i]);
 }
 
 /// Whether one ray meets any of the candidates.
