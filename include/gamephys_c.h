@@ -924,7 +924,7 @@ typedef struct gphys_solver_desc {
     uint32_t struct_size;
     const gphys_allocator* allocator;     /* NULL: the C++ runtime's */
     gphys_vec3 gravity;                   /* m/s^2; default (0, -9.81, 0) */
-    uint32_t substeps;                    /* of one step, 1 .. 1000; default 8 */
+    uint32_t substeps;                    /* of one step, 1 .. 1000; default 8; with targets: of the first */
     float fixed_step;                     /* seconds simulated by each step of gphys_solver_advance; 1/60 */
     uint32_t max_steps;                   /* most steps of one advance; time beyond is dropped; 8 */
     const gphys_task_runner* task_runner; /* whose threads worker_count counts; NULL: the solver's own */
@@ -932,6 +932,9 @@ typedef struct gphys_solver_desc {
     float sleep_speed;     /* m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0 */
     float sleep_strain;    /* of rigid constraints, |length / rest length - 1|; default 0.01 */
     float sleep_time;      /* seconds; default 0.5 */
+    float max_strain;      /* target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0 */
+    float tolerance;       /* target of positions: metres of error that a second of motion adds; 0: none; default 0 */
+    uint32_t max_substeps; /* the most that a target may ask for, 1 .. 1000; default 64 */
 } gphys_solver_desc;
 
 GPHYS_API gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size);
@@ -1108,8 +1111,8 @@ GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, 
                                                     gphys_constraint_info* out_constraints, uint32_t capacity,
                                                     uint32_t* out_total);
 
-/** Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
- *  than 25 ms.
+/** Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
+ *  takes more where they would be longer than 25 ms.
  *  @param scene  to collide with and to follow attachments; NULL: none. Not modified.
  *  @param dt     1e-6 .. 0.5
  *  Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
@@ -1123,6 +1126,16 @@ GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene
  *  @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL */
 GPHYS_API gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene, float frame_time,
                                             uint32_t* out_steps, float* out_leftover);
+
+/** The substeps that a body took in the last step; 0 before its first.
+ *  With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
+ *  their length follows from what the last step measured, the largest strain of its rigid constraints
+ *  and the local error of the time scheme (Milne's device), both of which go with its square. It is at
+ *  most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+ *  target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
+ *  jump, by contacts, the error is that of the jump. */
+GPHYS_API gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body,
+                                                 uint32_t* out_substeps);
 
 /** Frozen. */
 typedef struct gphys_solver_stats {

@@ -389,6 +389,34 @@ static void test_step_and_settings(void** state) {
     assert_true(fabsf(leftover - 0.2f) < 1e-3f);
 }
 
+static void test_substeps(void** state) {
+    fixture* f = *state;
+    gphys_solver_desc desc;
+    gphys_solver* solver = NULL;
+    gphys_body_id body = 0;
+    uint32_t substeps = 7;
+    gphys_solver_desc_init(&desc, sizeof desc);
+    assert_int_equal(desc.max_substeps, 64);
+    desc.tolerance = 0.001f;
+    desc.max_substeps = 0;
+    assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+    desc.max_substeps = 1001;
+    assert_int_equal(gphys_solver_create(&desc, &solver), BAD);
+    desc.max_substeps = 5;
+    assert_int_equal(gphys_solver_create(&desc, &solver), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_rope(solver, NULL, points, 12, 4, 0, &body), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_substeps(NULL, body, &substeps), BAD);
+    assert_int_equal(gphys_solver_get_substeps(solver, body, NULL), BAD);
+    assert_int_equal(gphys_solver_get_substeps(f->solver, f->removed, &substeps), STALE);
+    assert_int_equal(substeps, 7);
+    assert_int_equal(gphys_solver_get_substeps(solver, body, &substeps), GPHYS_OK);
+    assert_int_equal(substeps, 0);
+    assert_int_equal(gphys_solver_step(solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_substeps(solver, body, &substeps), GPHYS_OK);
+    assert_int_equal(substeps, 5);
+    gphys_solver_destroy(solver);
+}
+
 static void test_snapshots(void** state) {
     fixture* f = *state;
     uint32_t words[4096], again[4096], total = 0, hash[2] = {7, 7}, later[2] = {7, 7};
@@ -429,10 +457,11 @@ static void test_sleep(void** state) {
     gphys_solver* solver = NULL;
     gphys_body_id body = 0, bodies[2] = {7, 7};
     uint32_t total = 7;
-    float* const amounts[] = {&desc.sleep_speed, &desc.sleep_strain, &desc.sleep_time};
+    float* const amounts[] = {&desc.sleep_speed, &desc.sleep_strain, &desc.sleep_time, &desc.max_strain,
+                              &desc.tolerance};
     size_t field, i;
     gphys_solver_desc_init(&desc, sizeof desc);
-    assert_true(desc.sleep_speed == 0);
+    assert_true(desc.sleep_speed == 0 && desc.max_strain == 0 && desc.tolerance == 0);
     for (field = 0; field < sizeof amounts / sizeof *amounts; ++field) {
         const float fine = *amounts[field];
         for (i = 0; i < BAD_COUNT; ++i) {
@@ -499,6 +528,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_pins_and_attachments, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_constraints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_substeps, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_snapshots, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_sleep, set_up, tear_down),
     };

@@ -12,11 +12,8 @@ struct World {
     gphys_solver* solver = nullptr;
     gphys_scene* scene = nullptr;
 
-    explicit World(uint32_t substeps = 8, gphys_vec3 gravity = {0, -9.81f, 0}) {
-        gphys_solver_desc desc;
-        gphys_solver_desc_init(&desc, sizeof desc);
-        desc.substeps = substeps;
-        desc.gravity = gravity;
+    explicit World(uint32_t substeps = 8, gphys_vec3 gravity = {0, -9.81f, 0}) : World(desc(substeps, gravity)) {}
+    explicit World(const gphys_solver_desc& desc) {
         gphys_solver_create(&desc, &solver);
         gphys_scene_create(nullptr, &scene);
     }
@@ -26,6 +23,13 @@ struct World {
         gphys_scene_destroy(scene);
     }
 
+    static gphys_solver_desc desc(uint32_t substeps = 8, gphys_vec3 gravity = {0, -9.81f, 0}) {
+        gphys_solver_desc desc;
+        gphys_solver_desc_init(&desc, sizeof desc);
+        desc.substeps = substeps;
+        desc.gravity = gravity;
+        return desc;
+    }
     static gphys_body_desc body_desc() {
         gphys_body_desc desc;
         gphys_body_desc_init(&desc, sizeof desc);
@@ -70,6 +74,11 @@ struct World {
     double energy(gphys_body_id body = 0) const {
         const gphys_solver_stats s = stats(body);
         return static_cast<double>(s.kinetic_energy) + s.potential_energy;
+    }
+    uint32_t substeps(gphys_body_id body) const {
+        uint32_t count = 0;
+        REQUIRE(gphys_solver_get_substeps(solver, body, &count) == GPHYS_OK);
+        return count;
     }
     std::vector<gphys_vec3> positions(gphys_body_id body) const { return read(body, gphys_solver_get_positions); }
     std::vector<gphys_vec3> velocities(gphys_body_id body) const { return read(body, gphys_solver_get_velocities); }

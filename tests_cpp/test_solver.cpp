@@ -151,9 +151,13 @@ TEST_CASE("a rope of 1000 links does not stretch under a million times a link's 
     }
 }
 
-TEST_CASE("a swinging chain follows the reference") {
-    // 30 links of 0.1 m, tip mass 10, from the horizontal; SHAKE with a step of 1e-5 s in double.
-    constexpr uint32_t n = 31;
+namespace {
+
+constexpr uint32_t swinging_chain_particles = 31;
+
+/// 30 links of 0.1 m, tip mass 10, from the horizontal, after a second; SHAKE with a step of 1e-5 s in double.
+std::vector<Vec3> swinging_chain_reference() {
+    constexpr uint32_t n = swinging_chain_particles;
     constexpr double h = 1e-5, l = 0.1f;
     std::vector<Vec3> x(n), before(n);
     for (uint32_t i = 0; i < n; ++i) x[i] = {i * l, 0, 0};
@@ -190,22 +194,58 @@ TEST_CASE("a swinging chain follows the reference") {
         before = x;
         x = next;
     }
+    return x;
+}
 
-    for (const uint32_t substeps : {4u, 8u, 16u}) {
-        World world(substeps);
-        gphys_body_desc desc = World::body_desc();
-        desc.mass = n;
-        const gphys_body_id body = world.rope(line({0, 0, 0}, {0.1f, 0, 0}, n), 0.1f, desc);
-        world.pin(body, 0);
-        const float tip = 10;
-        REQUIRE(gphys_solver_set_masses(world.solver, body, n - 1, 1, &tip, 4) == GPHYS_OK);
-        for (int i = 0; i < 60; ++i) world.step(1.0f / 60);
-        double squares = 0;
-        for (uint32_t i = 0; i < n; ++i) squares += length_squared(world.position(body, i) - x[i]);
-        const double rms = std::sqrt(squares / n);
-        std::printf("    chain of 30, %u substeps: rms %.3g m from the reference\n", substeps, rms);
-        CHECK(rms <= 0.1 / (substeps * substeps));  // an error of second order
+struct SwingingChain {
+    double rms;                // metres from the reference after a second
+    uint32_t substeps_a_step;  // mean
+};
+
+SwingingChain swing_chain(const gphys_solver_desc& settings, const std::vector<Vec3>& reference) {
+    constexpr uint32_t n = swinging_chain_particles;
+    World world(settings);
+    gphys_body_desc desc = World::body_desc();
+    desc.mass = n;
+    const gphys_body_id body = world.rope(line({0, 0, 0}, {0.1f, 0, 0}, n), 0.1f, desc);
+    world.pin(body, 0);
+    const float tip = 10;
+    REQUIRE(gphys_solver_set_masses(world.solver, body, n - 1, 1, &tip, 4) == GPHYS_OK);
+    uint32_t substeps = 0;
+    for (int i = 0; i < 60; ++i) {
+        world.step(1.0f / 60);
+        substeps += world.substeps(body);
     }
+    double squares = 0;
+    for (uint32_t i = 0; i < n; ++i) squares += length_squared(world.position(body, i) - reference[i]);
+    return {std::sqrt(squares / n), substeps / 60};
+}
+
+}  // namespace
+
+TEST_CASE("a swinging chain follows the reference") {
+    const std::vector<Vec3> reference = swinging_chain_reference();
+    for (const uint32_t substeps : {4u, 8u, 16u}) {
+        const SwingingChain chain = swing_chain(World::desc(substeps), reference);
+        std::printf("    chain of 30, %u substeps: rms %.3g m from the reference\n", substeps, chain.rms);
+        CHECK(chain.rms <= 0.1 / (substeps * substeps));  // an error of second order
+    }
+}
+
+TEST_CASE("a rope with a weight comes as close to the reference as its tolerance says") {
+    const std::vector<Vec3> reference = swinging_chain_reference();
+    gphys_solver_desc settings = World::desc();
+    const SwingingChain untold = swing_chain(settings, reference);
+    for (const float tolerance : {1e-2f, 1e-3f, 1e-4f}) {
+        settings.tolerance = tolerance;
+        settings.max_substeps = 200;
+        const SwingingChain chain = swing_chain(settings, reference);
+        std::printf("    tolerance %g m: %u substeps a step, rms %.3g m\n", static_cast<double>(tolerance),
+                    chain.substeps_a_step, chain.rms);
+        CHECK(chain.rms <= tolerance);
+    }
+    std::printf("    without: %u substeps a step, rms %.3g m\n", untold.substeps_a_step, untold.rms);
+    CHECK(untold.rms > 1e-4);
 }
 
 TEST_CASE("cloth on two corners hardly stretches") {

@@ -1910,8 +1910,8 @@ func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 	return
 }
 
-// Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
-// than 25 ms.
+// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
+// takes more where they would be longer than 25 ms.
 // @param scene  to collide with and to follow attachments; NULL: none. Not modified.
 // @param dt     1e-6 .. 0.5
 // Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
@@ -1955,6 +1955,27 @@ func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftove
 	}
 	steps = *(*uint32)(unsafe.Pointer(&r.out_steps))
 	leftover = *(*float32)(unsafe.Pointer(&r.out_leftover))
+	return
+}
+
+// The substeps that a body took in the last step; 0 before its first.
+// With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
+// their length follows from what the last step measured, the largest strain of its rigid constraints
+// and the local error of the time scheme (Milne's device), both of which go with its square. It is at
+// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+// target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
+// jump, by contacts, the error is that of the jump.
+func (o *Solver) Substeps(body BodyID) (substeps uint32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_substeps(self, C.gphys_body_id(body))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	substeps = *(*uint32)(unsafe.Pointer(&r.out_substeps))
 	return
 }
 

@@ -1622,6 +1622,18 @@ static inline go_gphys_solver_advance_result go_gphys_solver_advance(void* solve
     return r;
 }
 
+typedef struct go_gphys_solver_get_substeps_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_substeps;
+} go_gphys_solver_get_substeps_result;
+static inline go_gphys_solver_get_substeps_result go_gphys_solver_get_substeps(void* solver, gphys_body_id body) {
+    go_gphys_solver_get_substeps_result r = {0};
+    r.status = gphys_solver_get_substeps(solver, body, &r.out_substeps);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_get_stats_result {
     gphys_status status;
     char* message;

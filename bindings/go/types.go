@@ -432,7 +432,7 @@ type SolverDesc struct {
 	Allocator unsafe.Pointer
 	// m/s^2; default (0, -9.81, 0)
 	Gravity Vec3
-	// of one step, 1 .. 1000; default 8
+	// of one step, 1 .. 1000; default 8; with targets: of the first
 	Substeps uint32
 	// seconds simulated by each step of gphys_solver_advance; 1/60
 	FixedStep float32
@@ -449,6 +449,12 @@ type SolverDesc struct {
 	SleepStrain float32
 	// seconds; default 0.5
 	SleepTime float32
+	// target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0
+	MaxStrain float32
+	// target of positions: metres of error that a second of motion adds; 0: none; default 0
+	Tolerance float32
+	// the most that a target may ask for, 1 .. 1000; default 64
+	MaxSubsteps uint32
 }
 
 // Settings shared by all kinds of bodies.
@@ -660,6 +666,9 @@ var (
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.sleep_speed)]byte = [unsafe.Offsetof(SolverDesc{}.SleepSpeed)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.sleep_strain)]byte = [unsafe.Offsetof(SolverDesc{}.SleepStrain)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.sleep_time)]byte = [unsafe.Offsetof(SolverDesc{}.SleepTime)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_strain)]byte = [unsafe.Offsetof(SolverDesc{}.MaxStrain)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.tolerance)]byte = [unsafe.Offsetof(SolverDesc{}.Tolerance)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_substeps)]byte = [unsafe.Offsetof(SolverDesc{}.MaxSubsteps)]byte{}
 	_ [C.sizeof_gphys_body_desc]byte = [unsafe.Sizeof(BodyDesc{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.struct_size)]byte = [unsafe.Offsetof(BodyDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.mass)]byte = [unsafe.Offsetof(BodyDesc{}.Mass)]byte{}

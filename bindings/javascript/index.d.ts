@@ -290,7 +290,7 @@ export interface Orbit {
 export interface SolverDesc {
     /** m/s^2; default (0, -9.81, 0) */
     gravity: number[];
-    /** of one step, 1 .. 1000; default 8 */
+    /** of one step, 1 .. 1000; default 8; with targets: of the first */
     substeps: number;
     /** seconds simulated by each step of gphys_solver_advance; 1/60 */
     fixed_step: number;
@@ -304,6 +304,12 @@ export interface SolverDesc {
     sleep_strain: number;
     /** seconds; default 0.5 */
     sleep_time: number;
+    /** target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0 */
+    max_strain: number;
+    /** target of positions: metres of error that a second of motion adds; 0: none; default 0 */
+    tolerance: number;
+    /** the most that a target may ask for, 1 .. 1000; default 64 */
+    max_substeps: number;
 }
 /** Settings shared by all kinds of bodies. */
 export interface BodyDesc {
@@ -778,8 +784,8 @@ export class Solver {
     removeConstraint(body: number, constraint: number): void;
     /** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest. */
     getConstraints(body: number): Records<ConstraintInfo>;
-    /** Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
-     * than 25 ms.
+    /** Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
+     * takes more where they would be longer than 25 ms.
      * @param scene  to collide with and to follow attachments; NULL: none. Not modified.
      * @param dt     1e-6 .. 0.5
      * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
@@ -792,6 +798,14 @@ export class Solver {
      * @param out_steps     steps made; may be NULL
      * @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL */
     advance(scene: Scene | null, frame_time: number): [number, number];
+    /** The substeps that a body took in the last step; 0 before its first.
+     * With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
+     * their length follows from what the last step measured, the largest strain of its rigid constraints
+     * and the local error of the time scheme (Milne's device), both of which go with its square. It is at
+     * most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+     * target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
+     * jump, by contacts, the error is that of the jump. */
+    getSubsteps(body: number): number;
     /** @param body  0: all bodies together.  Cost: O(particles + constraints). */
     getStats(body: number): SolverStats;
     /** Contacts of the last step by body, particle, model. Kept when too many: the first. */

@@ -19,7 +19,7 @@ constexpr size_t body_desc_size = sizeof(gphys_body_desc);
 constexpr uint32_t most_particles = (1u << 24) - 1;  // as many as constraints
 
 constexpr gphys_solver_desc default_solver_desc{
-    sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8, nullptr, 0, 0, 0.01f, 0.5f};
+    sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8, nullptr, 0, 0, 0.01f, 0.5f, 0, 0, 64};
 constexpr gphys_body_desc default_body_desc{
     sizeof(gphys_body_desc), 1, 0.01f, 0, 0.5f, 0, 0, 0.001f, GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND, 0xffffffff};
 
@@ -88,9 +88,14 @@ gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** o
         GPHYS_REQUIRE(is_amount(settings.sleep_speed), "desc.sleep_speed: must be at least 0 and in range");
         GPHYS_REQUIRE(is_amount(settings.sleep_strain), "desc.sleep_strain: must be at least 0 and in range");
         GPHYS_REQUIRE(is_amount(settings.sleep_time), "desc.sleep_time: must be at least 0 and in range");
+        GPHYS_REQUIRE(is_amount(settings.max_strain), "desc.max_strain: must be at least 0 and in range");
+        GPHYS_REQUIRE(is_amount(settings.tolerance), "desc.tolerance: must be at least 0 and in range");
+        GPHYS_REQUIRE(is_substeps(settings.max_substeps), "desc.max_substeps: must be 1 to 1000");
         GPHYS_REQUIRE(out_solver, "out_solver is null");
-        const SolverSettings in{widen(settings.gravity), settings.substeps,     settings.fixed_step, settings.max_steps,
-                                settings.sleep_speed,    settings.sleep_strain, settings.sleep_time};
+        const SolverSettings in{widen(settings.gravity), settings.substeps,    settings.fixed_step,
+                                settings.max_steps,      settings.sleep_speed, settings.sleep_strain,
+                                settings.sleep_time,     settings.max_strain,  settings.tolerance,
+                                settings.max_substeps};
         *out_solver = wrap(create<Solver>(settings.allocator, in, settings.worker_count, settings.task_runner));
         return GPHYS_OK;
     });
@@ -235,6 +240,14 @@ gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_i
     const Body& b = unwrap(solver)->body(body);
     *out_info = {b.kind, method_of(b), b.size(), b.constraint_ids.size(),
                  static_cast<uint32_t>(b.triangles.size() / 3)};
+    return GPHYS_OK;
+}
+
+gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body, uint32_t* out_substeps) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_REQUIRE(out_substeps, "out_substeps is null");
+    *out_substeps = unwrap(solver)->body(body).substeps;
     return GPHYS_OK;
 }
 

@@ -138,6 +138,8 @@ struct Body {
     bool touched = false;   // whether any did, unless the caller has interrupted the motion since
 
     Sleep sleep;
+    uint32_t substeps = 0;      // of the last step
+    double wanted_substep = 0;  // seconds, as error targets want the next; 0: not measured yet
     ClothState cloth;
     ClothContacts cloth_contacts;
     Plan plan;

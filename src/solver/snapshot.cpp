@@ -18,7 +18,7 @@ constexpr uint32_t header_words = sizeof(Header) / 4;
 constexpr uint32_t magic = 0x6770686e;
 constexpr uint32_t swapped_magic = 0x6e687067;
 // Of the list below: to be raised when it changes.
-constexpr uint32_t format = 2;
+constexpr uint32_t format = 3;
 
 // Copied as they lie in memory, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 24 && sizeof(Attachment) == 80);
@@ -62,6 +62,8 @@ void visit_body(Archive& archive, Body& body) {
     archive.value(body.earlier_step);
     archive.flag(body.touched);
     archive.array(body.touches);
+    archive.value(body.substeps);
+    archive.value(body.wanted_substep);
     archive.value(body.sleep.calm);
     archive.flag(body.sleep.asleep);
     archive.value(body.sleep.box);
@@ -80,6 +82,9 @@ void visit_globals(Archive& archive, State& state) {
     archive.value(state.settings.sleep_speed);
     archive.value(state.settings.sleep_strain);
     archive.value(state.settings.sleep_time);
+    archive.value(state.settings.max_strain);
+    archive.value(state.settings.tolerance);
+    archive.value(state.settings.max_substeps);
     archive.value(state.origin);
     archive.value(state.owed);
     IdTable::visit(archive, state.ids);

@@ -96,10 +96,12 @@ const char* defect_of_globals(const SolverState& state) {
     if (!in_range(settings.gravity) || !in_range(state.origin) || !is_amount(state.owed)) {
         return "words: a setting is out of range";
     }
-    if (!is_amount(settings.sleep_speed) || !is_amount(settings.sleep_strain) || !is_amount(settings.sleep_time)) {
+    if (!is_amount(settings.sleep_speed) || !is_amount(settings.sleep_strain) || !is_amount(settings.sleep_time) ||
+        !is_amount(settings.max_strain) || !is_amount(settings.tolerance)) {
         return "words: a setting is out of range";
     }
-    if (settings.substeps < 1 || settings.substeps > most_substeps || settings.max_steps < 1 ||
+    const auto is_substeps = [](uint32_t count) { return count >= 1 && count <= most_substeps; };
+    if (!is_substeps(settings.substeps) || !is_substeps(settings.max_substeps) || settings.max_steps < 1 ||
         !(settings.fixed_step >= shortest_step && settings.fixed_step <= longest_step)) {
         return "words: a setting is out of range";
     }
@@ -112,7 +114,8 @@ const char* defect(const Body& body) {
     if (!sizes_agree(body)) return "words: the arrays of a body have different lengths";
     const BodySettings& settings = body.settings;
     if (body.kind < GPHYS_BODY_PARTICLES || body.kind > GPHYS_BODY_CLOTH || !is_amount(settings.damping) ||
-        !is_amount(settings.friction) || !(settings.restitution >= 0 && settings.restitution <= 1)) {
+        !is_amount(settings.friction) || !(settings.restitution >= 0 && settings.restitution <= 1) ||
+        !is_amount(body.wanted_substep)) {
         return "words: a setting of a body is out of range";
     }
     if (!particles_fine(body)) return "words: a particle's state is out of range";

@@ -14,6 +14,7 @@
 //   plan_cloth.cpp      chains and limits, packed for the kernels
 //   collision.cpp       particles against the scene
 //   sleep.cpp           bodies at rest
+//   error_targets.cpp   how many substeps a body takes
 //   stats.cpp           strain, energy, contacts
 //   snapshot.cpp        the whole state as words, and back; its hash
 #pragma once
@@ -32,7 +33,9 @@ struct SolverSettings {
     uint32_t max_steps = 8;
     double sleep_speed = 0;  // m/s; 0: bodies never sleep
     double sleep_strain = 0;
-    double sleep_time = 0;  // seconds
+    double sleep_time = 0;                 // seconds
+    double max_strain = 0, tolerance = 0;  // error targets, of strain and m/s; 0: none
+    uint32_t max_substeps = 64;
 };
 constexpr uint32_t most_substeps = 1000;
 constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
@@ -67,6 +70,10 @@ struct ConstraintOrder {
 /// sleep.cpp: after the body has been moved by a step, see whether it is at rest and falls asleep.
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
 void wake(Body& body);
+
+/// error_targets.cpp: in how many substeps a body takes a step, and what it has measured after it.
+uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt);
+void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_t substeps);
 
 class Solver {
 public:

@@ -113,14 +113,6 @@ void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     }
 }
 
-/// One sweep over a graph leaves an error that grows with the square of the substep. Beyond 25 ms, at
-/// which a sheet still falls by less than the length of its links, it would throw the sheet about.
-uint32_t substeps_of(const Body& body, double dt, uint32_t wanted) {
-    constexpr double longest = 0.025;
-    if (body.plan.method != GPHYS_SOLVE_GRAPH) return wanted;
-    return std::max(wanted, static_cast<uint32_t>(std::ceil(dt / longest)));
-}
-
 /// Where attached particles go in this step; those whose model is gone are released.
 void aim_attachments(Body& body, const Scene* scene) {
     for (Attachment& attachment : body.attachments) {
@@ -207,7 +199,7 @@ void Solver::look_around(const Scene& scene, double dt) {
 /// All substeps of one body. Touches nothing of other bodies, allocates nothing.
 void Solver::move_through(Body& body, const Scene* scene, double dt) const {
     std::fill(body.touches.begin(), body.touches.end(), Touch{});
-    const uint32_t substeps = substeps_of(body, dt, state_.settings.substeps);
+    const uint32_t substeps = substeps_of(body, state_.settings, dt);
     const double h = dt / substeps;
     const Surroundings whole{scene, &moved_, dt, 0, 1};
     if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, whole, state_.settings.gravity);
@@ -217,6 +209,7 @@ void Solver::move_through(Body& body, const Scene* scene, double dt) const {
         move(body, around, state_.settings.gravity, h);
     }
     if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+    meet_targets(body, state_.settings, dt, substeps);
     rest(body, scene, state_.settings, dt);
 }
 

@@ -154,6 +154,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraints(SolverHandle solver, uint body, ConstraintInfo* out_constraints, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_step(SolverHandle solver, SceneHandle scene, float dt);
     [DllImport(Library)] internal static extern Status gphys_solver_advance(SolverHandle solver, SceneHandle scene, float frame_time, uint* out_steps, float* out_leftover);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_substeps(SolverHandle solver, uint body, uint* out_substeps);
     [DllImport(Library)] internal static extern Status gphys_solver_get_stats(SolverHandle solver, uint body, SolverStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_solver_get_contacts(SolverHandle solver, Contact* out_contacts, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_get_snapshot(SolverHandle solver, uint* out_words, uint capacity, uint* out_total);

@@ -1231,8 +1231,8 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>
-    /// Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
-    /// than 25 ms.
+    /// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
+    /// takes more where they would be longer than 25 ms.
     /// @param scene  to collide with and to follow attachments; NULL: none. Not modified.
     /// @param dt     1e-6 .. 0.5
     /// Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
@@ -1255,6 +1255,21 @@ public sealed partial class Solver : IDisposable {
         var leftover = default(float);
         Check(Low.gphys_solver_advance(Handle, scene == null ? SceneHandle.None : scene.Handle, frameTime, &steps, &leftover));
         return (steps, leftover);
+    }
+
+    /// <summary>
+    /// The substeps that a body took in the last step; 0 before its first.
+    /// With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
+    /// their length follows from what the last step measured, the largest strain of its rigid constraints
+    /// and the local error of the time scheme (Milne's device), both of which go with its square. It is at
+    /// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+    /// target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
+    /// jump, by contacts, the error is that of the jump.
+    /// </summary>
+    public unsafe uint GetSubsteps(uint body) {
+        var substeps = default(uint);
+        Check(Low.gphys_solver_get_substeps(Handle, body, &substeps));
+        return substeps;
     }
 
     /// <summary>@param body  0: all bodies together.  Cost: O(particles + constraints).</summary>

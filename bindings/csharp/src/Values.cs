@@ -529,7 +529,7 @@ public partial struct SolverDesc {
     public IntPtr Allocator;
     /// <summary>m/s^2; default (0, -9.81, 0)</summary>
     public Vec3 Gravity;
-    /// <summary>of one step, 1 .. 1000; default 8</summary>
+    /// <summary>of one step, 1 .. 1000; default 8; with targets: of the first</summary>
     public uint Substeps;
     /// <summary>seconds simulated by each step of gphys_solver_advance; 1/60</summary>
     public float FixedStep;
@@ -548,6 +548,12 @@ public partial struct SolverDesc {
     public float SleepStrain;
     /// <summary>seconds; default 0.5</summary>
     public float SleepTime;
+    /// <summary>target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0</summary>
+    public float MaxStrain;
+    /// <summary>target of positions: metres of error that a second of motion adds; 0: none; default 0</summary>
+    public float Tolerance;
+    /// <summary>the most that a target may ask for, 1 .. 1000; default 64</summary>
+    public uint MaxSubsteps;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe SolverDesc Default {
         get {

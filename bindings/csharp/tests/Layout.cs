@@ -31,7 +31,7 @@ static class Layout {
         (typeof(ModelInfo), 20, new string[] { "Type", "Parent", "Layers", "Tag", "ChildCount" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(CameraDesc), 40, new string[] { "StructSize", "Allocator", "Handedness", "DepthRange", "ReverseZ", "ViewportWidth", "ViewportHeight" }, new int[] { 0, 8, 16, 20, 24, 28, 32 }),
         (typeof(Orbit), 60, new string[] { "Target", "Up", "Distance", "Yaw", "Pitch", "RadiansPerUnit", "MetresPerUnit", "MinDistance", "MaxDistance", "MinPitch", "MaxPitch" }, new int[] { 0, 12, 24, 28, 32, 36, 40, 44, 48, 52, 56 }),
-        (typeof(SolverDesc), 64, new string[] { "StructSize", "Allocator", "Gravity", "Substeps", "FixedStep", "MaxSteps", "TaskRunner", "WorkerCount", "SleepSpeed", "SleepStrain", "SleepTime" }, new int[] { 0, 8, 16, 28, 32, 36, 40, 48, 52, 56, 60 }),
+        (typeof(SolverDesc), 80, new string[] { "StructSize", "Allocator", "Gravity", "Substeps", "FixedStep", "MaxSteps", "TaskRunner", "WorkerCount", "SleepSpeed", "SleepStrain", "SleepTime", "MaxStrain", "Tolerance", "MaxSubsteps" }, new int[] { 0, 8, 16, 28, 32, 36, 40, 48, 52, 56, 60, 64, 68, 72 }),
         (typeof(BodyDesc), 40, new string[] { "StructSize", "Mass", "Radius", "Damping", "Friction", "Restitution", "Compliance", "BendCompliance", "ClothFlags", "Layers" }, new int[] { 0, 4, 8, 12, 16, 20, 24, 28, 32, 36 }),
         (typeof(BodyInfo), 20, new string[] { "Kind", "Method", "ParticleCount", "ConstraintCount", "TriangleCount" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(ConstraintInfo), 20, new string[] { "Id", "ParticleA", "ParticleB", "RestLength", "Compliance" }, new int[] { 0, 4, 8, 12, 16 }),

@@ -419,9 +419,9 @@ export function objects(memory) {
     class Solver extends Handle {
         constructor(desc) {
             super(() => {
-                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 64 : 52)); writeSolverDesc(v, 0, desc); }
-                check(native.gphys_solver_create(desc == null ? 0 : base, base + 64));
-                return made(64);
+                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 80 : 64)); writeSolverDesc(v, 0, desc); }
+                check(native.gphys_solver_create(desc == null ? 0 : base, base + 80));
+                return made(80);
             }, native.gphys_solver_destroy);
         }
         setOrigin(origin) {
@@ -566,6 +566,10 @@ export function objects(memory) {
         advance(scene, frame_time) {
             check(native.gphys_solver_advance(this.pointer, pointer(scene, Scene, 'scene', true), frame_time, base, base + 4));
             return [v.u32[0], v.f32[1]];
+        }
+        getSubsteps(body) {
+            check(native.gphys_solver_get_substeps(this.pointer, body, base));
+            return v.u32[0];
         }
         getStats(body) {
             check(native.gphys_solver_get_stats(this.pointer, body, base));

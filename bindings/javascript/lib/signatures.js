@@ -149,6 +149,7 @@ export const signatures = {
     gphys_solver_get_constraints: 'ipuaup',
     gphys_solver_step: 'ippf',
     gphys_solver_advance: 'ippfpp',
+    gphys_solver_get_substeps: 'ipup',
     gphys_solver_get_stats: 'ipup',
     gphys_solver_get_contacts: 'ipaup',
     gphys_solver_get_snapshot: 'ipaup',

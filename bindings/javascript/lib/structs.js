@@ -227,6 +227,9 @@ export function writeSolverDesc(v, at, value) {
             case 'sleep_speed': v.f32[at + (v.wide ? 13 : 10)] = number(value[name], 'sleep_speed'); break;
             case 'sleep_strain': v.f32[at + (v.wide ? 14 : 11)] = number(value[name], 'sleep_strain'); break;
             case 'sleep_time': v.f32[at + (v.wide ? 15 : 12)] = number(value[name], 'sleep_time'); break;
+            case 'max_strain': v.f32[at + (v.wide ? 16 : 13)] = number(value[name], 'max_strain'); break;
+            case 'tolerance': v.f32[at + (v.wide ? 17 : 14)] = number(value[name], 'tolerance'); break;
+            case 'max_substeps': v.u32[at + (v.wide ? 18 : 15)] = number(value[name], 'max_substeps'); break;
             default: throw new TypeError(`solver_desc has no field ${name}`);
         }
     }

@@ -43,7 +43,7 @@ typedef struct gphys_model_desc { uint32_t struct_size; gphys_model_id parent; u
 typedef struct gphys_model_info { gphys_shape_type type; gphys_model_id parent; uint32_t layers; uint32_t tag; uint32_t child_count; } gphys_model_info;
 typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; } gphys_camera_desc;
 typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; float yaw; float pitch; float radians_per_unit; float metres_per_unit; float min_distance; float max_distance; float min_pitch; float max_pitch; } gphys_orbit;
-typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; } gphys_solver_desc;
+typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; } gphys_solver_desc;
 typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; } gphys_body_desc;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
 typedef struct gphys_constraint_info { gphys_constraint_id id; uint32_t particle_a; uint32_t particle_b; float rest_length; float compliance; } gphys_constraint_info;
@@ -195,6 +195,7 @@ gphys_status gphys_solver_remove_constraint(gphys_solver *solver, gphys_body_id 
 gphys_status gphys_solver_get_constraints(const gphys_solver *solver, gphys_body_id body, gphys_constraint_info *out_constraints, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_step(gphys_solver *solver, const gphys_scene *scene, float dt);
 gphys_status gphys_solver_advance(gphys_solver *solver, const gphys_scene *scene, float frame_time, uint32_t *out_steps, float *out_leftover);
+gphys_status gphys_solver_get_substeps(const gphys_solver *solver, gphys_body_id body, uint32_t *out_substeps);
 gphys_status gphys_solver_get_stats(const gphys_solver *solver, gphys_body_id body, gphys_solver_stats *out_stats);
 gphys_status gphys_solver_get_contacts(const gphys_solver *solver, gphys_contact *out_contacts, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_get_snapshot(const gphys_solver *solver, uint32_t *out_words, uint32_t capacity, uint32_t *out_total);
@@ -285,7 +286,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "model_info", fields = { "type", "parent", "layers", "tag", "child_count" } },
         { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height" } },
         { name = "orbit", fields = { "target", "up", "distance", "yaw", "pitch", "radians_per_unit", "metres_per_unit", "min_distance", "max_distance", "min_pitch", "max_pitch" } },
-        { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time" } },
+        { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps" } },
         { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
         { name = "constraint_info", fields = { "id", "particle_a", "particle_b", "rest_length", "compliance" } },

@@ -379,7 +379,7 @@ class SolverDesc(Desc, Structure):
     struct_size: int
     allocator: int | None  # NULL: the C++ runtime's
     gravity: Vec3  # m/s^2; default (0, -9.81, 0)
-    substeps: int  # of one step, 1 .. 1000; default 8
+    substeps: int  # of one step, 1 .. 1000; default 8; with targets: of the first
     fixed_step: float  # seconds simulated by each step of gphys_solver_advance; 1/60
     max_steps: int  # most steps of one advance; time beyond is dropped; 8
     task_runner: int | None  # whose threads worker_count counts; NULL: the solver's own
@@ -387,7 +387,10 @@ class SolverDesc(Desc, Structure):
     sleep_speed: float  # m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0
     sleep_strain: float  # of rigid constraints, |length / rest length - 1|; default 0.01
     sleep_time: float  # seconds; default 0.5
-    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float)]
+    max_strain: float  # target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0
+    tolerance: float  # target of positions: metres of error that a second of motion adds; 0: none; default 0
+    max_substeps: int  # the most that a target may ask for, 1 .. 1000; default 64
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float), ("max_strain", c_float), ("tolerance", c_float), ("max_substeps", c_uint32)]
 
 
 class BodyDesc(Desc, Structure):
@@ -615,6 +618,7 @@ gphys_solver_remove_constraint = function("gphys_solver_remove_constraint", c_in
 gphys_solver_get_constraints = function("gphys_solver_get_constraints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_solver_step = function("gphys_solver_step", c_int32, [c_void_p, c_void_p, c_float])
 gphys_solver_advance = function("gphys_solver_advance", c_int32, [c_void_p, c_void_p, c_float, c_void_p, c_void_p])
+gphys_solver_get_substeps = function("gphys_solver_get_substeps", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_stats = function("gphys_solver_get_stats", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_contacts = function("gphys_solver_get_contacts", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_get_snapshot = function("gphys_solver_get_snapshot", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])

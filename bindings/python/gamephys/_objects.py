@@ -787,8 +787,8 @@ class Solver(Object):
         return list_of(low.gphys_solver_get_constraints, (self._handle, body,), low.constraint_info_dtype)
 
     def step(self, scene: Scene | None, dt: float) -> None:
-        """Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
-        than 25 ms.
+        """Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
+        takes more where they would be longer than 25 ms.
         @param scene  to collide with and to follow attachments; NULL: none. Not modified.
         @param dt     1e-6 .. 0.5
         Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
@@ -806,6 +806,18 @@ class Solver(Object):
         out_leftover = ctypes.c_float()
         check(low.gphys_solver_advance(self._handle, handle_of(scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
         return out_steps.value, out_leftover.value
+
+    def get_substeps(self, body: int) -> int:
+        """The substeps that a body took in the last step; 0 before its first.
+        With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
+        their length follows from what the last step measured, the largest strain of its rigid constraints
+        and the local error of the time scheme (Milne's device), both of which go with its square. It is at
+        most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+        target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
+        jump, by contacts, the error is that of the jump."""
+        out_substeps = ctypes.c_uint32()
+        check(low.gphys_solver_get_substeps(self._handle, body, ctypes.byref(out_substeps)))
+        return out_substeps.value
 
     def get_stats(self, body: int) -> low.SolverStats:
         """@param body  0: all bodies together.  Cost: O(particles + constraints)."""

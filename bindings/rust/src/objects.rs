@@ -1090,8 +1090,8 @@ impl Solver {
         list(|out_constraints, capacity, total| unsafe { sys::gphys_solver_get_constraints(self.handle.as_ptr(), body, out_constraints, capacity, total) })
     }
 
-    /// Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
-    /// than 25 ms.
+    /// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
+    /// takes more where they would be longer than 25 ms.
     /// * `scene`: to collide with and to follow attachments; NULL: none. Not modified.
     /// * `dt`: 1e-6 .. 0.5
     ///   Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
@@ -1111,6 +1111,19 @@ impl Solver {
         let mut out_leftover = f32::default();
         check(unsafe { sys::gphys_solver_advance(self.handle.as_ptr(), scene.map_or(null_mut(), |o| o.handle.as_ptr()), frame_time, &mut out_steps, &mut out_leftover) })?;
         Ok((out_steps, out_leftover))
+    }
+
+    /// The substeps that a body took in the last step; 0 before its first.
+    /// With `gphys_solver_desc`.max_strain or tolerance set, each body takes as many as its own motion needs:
+    /// their length follows from what the last step measured, the largest strain of its rigid constraints
+    /// and the local error of the time scheme (Milne's device), both of which go with its square. It is at
+    /// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+    /// target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
+    /// jump, by contacts, the error is that of the jump.
+    pub fn get_substeps(&self, body: BodyId) -> Result<u32> {
+        let mut out_substeps = u32::default();
+        check(unsafe { sys::gphys_solver_get_substeps(self.handle.as_ptr(), body, &mut out_substeps) })?;
+        Ok(out_substeps)
     }
 
     /// * `body`: 0: all bodies together.  Cost: O(particles + constraints).

@@ -170,6 +170,7 @@ extern "C" {
     pub fn gphys_solver_get_constraints(solver: *mut gphys_solver, body: BodyId, out_constraints: *mut ConstraintInfo, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_step(solver: *mut gphys_solver, scene: *mut gphys_scene, dt: f32) -> Status;
     pub fn gphys_solver_advance(solver: *mut gphys_solver, scene: *mut gphys_scene, frame_time: f32, out_steps: *mut u32, out_leftover: *mut f32) -> Status;
+    pub fn gphys_solver_get_substeps(solver: *mut gphys_solver, body: BodyId, out_substeps: *mut u32) -> Status;
     pub fn gphys_solver_get_stats(solver: *mut gphys_solver, body: BodyId, out_stats: *mut SolverStats) -> Status;
     pub fn gphys_solver_get_contacts(solver: *mut gphys_solver, out_contacts: *mut Contact, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_get_snapshot(solver: *mut gphys_solver, out_words: *mut u32, capacity: u32, out_total: *mut u32) -> Status;

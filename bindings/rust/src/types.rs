@@ -503,7 +503,7 @@ pub struct SolverDesc {
     pub allocator: Hook<Allocator>,
     /// m/s^2; default (0, -9.81, 0)
     pub gravity: Vec3,
-    /// of one step, 1 .. 1000; default 8
+    /// of one step, 1 .. 1000; default 8; with targets: of the first
     pub substeps: u32,
     /// seconds simulated by each step of `gphys_solver_advance`; 1/60
     pub fixed_step: f32,
@@ -519,6 +519,12 @@ pub struct SolverDesc {
     pub sleep_strain: f32,
     /// seconds; default 0.5
     pub sleep_time: f32,
+    /// target of rigid constraints, see `gphys_solver_get_substeps`; 0: none; default 0
+    pub max_strain: f32,
+    /// target of positions: metres of error that a second of motion adds; 0: none; default 0
+    pub tolerance: f32,
+    /// the most that a target may ask for, 1 .. 1000; default 64
+    pub max_substeps: u32,
 }
 
 /// Settings shared by all kinds of bodies.
@@ -635,7 +641,7 @@ const _: () = {
     assert!(std::mem::size_of::<ModelInfo>() == 20);
     assert!(std::mem::size_of::<CameraDesc>() == 40);
     assert!(std::mem::size_of::<Orbit>() == 60);
-    assert!(std::mem::size_of::<SolverDesc>() == 64);
+    assert!(std::mem::size_of::<SolverDesc>() == 80);
     assert!(std::mem::size_of::<BodyDesc>() == 40);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
@@ -670,7 +676,7 @@ const _: () = {
     assert!(std::mem::size_of::<ModelInfo>() == 20);
     assert!(std::mem::size_of::<CameraDesc>() == 28);
     assert!(std::mem::size_of::<Orbit>() == 60);
-    assert!(std::mem::size_of::<SolverDesc>() == 52);
+    assert!(std::mem::size_of::<SolverDesc>() == 64);
     assert!(std::mem::size_of::<BodyDesc>() == 40);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
@@ -850,6 +856,9 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_speed) } as usize - p as usize, 52);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_strain) } as usize - p as usize, 56);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_time) } as usize - p as usize, 60);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_strain) } as usize - p as usize, 64);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tolerance) } as usize - p as usize, 68);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_substeps) } as usize - p as usize, 72);
     let s = std::mem::MaybeUninit::<BodyDesc>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);

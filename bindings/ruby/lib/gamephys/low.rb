@@ -21,7 +21,7 @@ module Gamephys
     end
 
     class SolverDesc < FFI::Struct
-      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32, :sleep_speed, :float, :sleep_strain, :float, :sleep_time, :float
+      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32, :sleep_speed, :float, :sleep_strain, :float, :sleep_time, :float, :max_strain, :float, :tolerance, :float, :max_substeps, :uint32
     end
 
     class BodyDesc < FFI::Struct
@@ -174,6 +174,7 @@ module Gamephys
     attach_function :gphys_solver_get_constraints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_step, [:pointer, :pointer, :float], :int32
     attach_function :gphys_solver_advance, [:pointer, :pointer, :float, :pointer, :pointer], :int32
+    attach_function :gphys_solver_get_substeps, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_stats, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_contacts, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_snapshot, [:pointer, :pointer, :uint32, :pointer], :int32

@@ -155,6 +155,7 @@ class LowFunctions {
     static native int gphys_solver_get_constraints(Pointer solver, int body, Pointer outConstraints, int capacity, Pointer outTotal);
     static native int gphys_solver_step(Pointer solver, Pointer scene, float dt);
     static native int gphys_solver_advance(Pointer solver, Pointer scene, float frameTime, Pointer outSteps, Pointer outLeftover);
+    static native int gphys_solver_get_substeps(Pointer solver, int body, Pointer outSubsteps);
     static native int gphys_solver_get_stats(Pointer solver, int body, Pointer outStats);
     static native int gphys_solver_get_contacts(Pointer solver, Pointer outContacts, int capacity, Pointer outTotal);
     static native int gphys_solver_get_snapshot(Pointer solver, Pointer outWords, int capacity, Pointer outTotal);

@@ -458,8 +458,8 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Simulate dt seconds in the set number of substeps; cloth takes more where they would be longer
-     * than 25 ms.
+     * Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
+     * takes more where they would be longer than 25 ms.
      * &#64;param scene  to collide with and to follow attachments; NULL: none. Not modified.
      * &#64;param dt     1e-6 .. 0.5
      * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
@@ -491,6 +491,25 @@ public final class Solver extends Owned {
         Low.keep(this, scene);
         Low.check(status);
         return new AdvanceResult(scratch.getInt(3), scratch.getFloat(4));
+    }
+
+    /**
+     * <pre>
+     * The substeps that a body took in the last step; 0 before its first.
+     * With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
+     * their length follows from what the last step measured, the largest strain of its rigid constraints
+     * and the local error of the time scheme (Milne's device), both of which go with its square. It is at
+     * most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+     * target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
+     * jump, by contacts, the error is that of the jump.
+     * </pre>
+     */
+    public int getSubsteps(int body) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_substeps(opened(), body, scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(2);
     }
 
     /**

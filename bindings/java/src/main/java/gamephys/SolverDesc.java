@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 
 /** Settings: the library's defaults, until one is changed. */
 public final class SolverDesc {
-    private final ByteBuffer memory = Batch.direct(Low.pick(64, 52));
+    private final ByteBuffer memory = Batch.direct(Low.pick(80, 64));
 
     public SolverDesc() {
         Low.check(Low.gphys_solver_desc_init(pointer(), memory.capacity()));
@@ -42,7 +42,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * of one step, 1 .. 1000; default 8
+     * of one step, 1 .. 1000; default 8; with targets: of the first
      * </pre>
      */
     public SolverDesc substeps(int value) {
@@ -146,5 +146,47 @@ public final class SolverDesc {
 
     public float sleepTime() {
         return memory.getFloat(Low.pick(60, 48));
+    }
+
+    /**
+     * <pre>
+     * target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0
+     * </pre>
+     */
+    public SolverDesc maxStrain(float value) {
+        memory.putFloat(Low.pick(64, 52), value);
+        return this;
+    }
+
+    public float maxStrain() {
+        return memory.getFloat(Low.pick(64, 52));
+    }
+
+    /**
+     * <pre>
+     * target of positions: metres of error that a second of motion adds; 0: none; default 0
+     * </pre>
+     */
+    public SolverDesc tolerance(float value) {
+        memory.putFloat(Low.pick(68, 56), value);
+        return this;
+    }
+
+    public float tolerance() {
+        return memory.getFloat(Low.pick(68, 56));
+    }
+
+    /**
+     * <pre>
+     * the most that a target may ask for, 1 .. 1000; default 64
+     * </pre>
+     */
+    public SolverDesc maxSubsteps(int value) {
+        memory.putInt(Low.pick(72, 60), value);
+        return this;
+    }
+
+    public int maxSubsteps() {
+        return memory.getInt(Low.pick(72, 60));
     }
 }

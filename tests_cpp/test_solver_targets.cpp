@@ -1,0 +1,124 @@
+// Error targets: each body takes the substeps that its own motion needs. What a target means for the
+// position of a rope is in test_solver.cpp, beside its reference.
+#include <array>
+
+#include "solver_world.h"
+
+using namespace gphys;
+using test::figure;
+using test::World;
+
+namespace {
+
+gphys_solver_desc with_strain(float max_strain) {
+    gphys_solver_desc desc = World::desc();
+    desc.max_strain = max_strain;
+    return desc;
+}
+
+/// A sheet of 31 x 31, a metre wide, that swings down from the horizontal.
+struct Sheet {
+    static constexpr uint32_t n = 31;
+    World world;
+    gphys_body_id body;
+
+    explicit Sheet(const gphys_solver_desc& settings) : world(settings) {
+        gphys_body_desc desc = World::body_desc();
+        desc.damping = 1;
+        desc.cloth_flags = GPHYS_CLOTH_SHEAR;
+        body = world.cloth({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, n, n, desc);
+        world.pin(body, 0), world.pin(body, n - 1);
+    }
+    double strain() const { return static_cast<double>(world.stats(body).strain_max); }
+};
+
+std::vector<gphys_vec3> hanging(float x) {
+    std::vector<gphys_vec3> points;
+    for (int i = 0; i < 31; ++i) points.push_back({x, -0.1f * static_cast<float>(i), 0});
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("swinging cloth stays within its target of strain, as the default does not") {
+    struct Seen {
+        double peak = 0;  // after the jolt in the first half second, which nothing has announced
+        uint32_t most = 0, sum = 0;
+    };
+    const auto swing = [](const gphys_solver_desc& settings) {
+        Sheet sheet(settings);
+        Seen seen;
+        for (int i = 0; i < 240; ++i) {
+            sheet.world.step(1.0f / 60);
+            if (i >= 30) seen.peak = std::max(seen.peak, sheet.strain());
+            seen.most = std::max(seen.most, sheet.world.substeps(sheet.body));
+            seen.sum += sheet.world.substeps(sheet.body);
+        }
+        return seen;
+    };
+    const Seen untold = swing(World::desc()), told = swing(with_strain(0.01f));
+    figure("cloth, peak strain at 8 substeps", untold.peak * 100, "%");
+    figure("cloth, peak strain with a target of 1 %", told.peak * 100, "%");
+    figure("cloth, substeps a step with a target of 1 %", told.sum / 240.0, "");
+    CHECK(untold.peak > 0.01);
+    CHECK(told.peak <= 0.01);
+    CHECK(told.sum < 240 * 20);
+    CHECK(told.most <= 64);
+}
+
+TEST_CASE("what moves little takes fewer substeps than the default, and keeps its targets") {
+    gphys_solver_desc settings = with_strain(0.01f);
+    settings.tolerance = 1e-3f;
+    World world(settings);
+    const gphys_body_id still = world.rope(hanging(0), 0.1f), swinging = world.rope(hanging(1), 0.1f);
+    const gphys_body_id flying = world.particles({{5, 0, 0}});
+    world.pin(still, 0), world.pin(swinging, 0);
+    world.set_velocity(swinging, 30, {20, 0, 0});
+    CHECK(world.substeps(still) == 0);
+    world.step(1.0f / 60);
+    CHECK(world.substeps(still) == 8);
+    for (int i = 0; i < 60; ++i) world.step(1.0f / 60);
+    CHECK(world.substeps(still) == 1);
+    CHECK(world.substeps(flying) == 1);
+    CHECK(world.substeps(swinging) > 8);
+    CHECK(length(world.position(still, 30) - Vec3{0, -3, 0}) < 1e-5);
+    // The length of substeps is kept when that of steps changes.
+    const uint32_t before = world.substeps(swinging);
+    world.step(1.0f / 120);
+    CHECK(world.substeps(swinging) <= before / 2 + 1);
+}
+
+TEST_CASE("targets that cannot be met take the most substeps, and no more") {
+    gphys_solver_desc settings = with_strain(0.001f);
+    settings.max_substeps = 12;
+    World world(settings);
+    // Pinned a tenth too far apart.
+    const gphys_body_id rope = world.rope({{0, 0, 0}, {0.55f, 0, 0}, {1.1f, 0, 0}}, 0.5f);
+    world.pin(rope, 0), world.pin(rope, 2);
+    for (int i = 0; i < 10; ++i) world.step(1.0f / 60);
+    CHECK(world.substeps(rope) == 12);
+    CHECK(world.stats(rope).strain_max > 0.09f);
+}
+
+TEST_CASE("steps with targets are part of a snapshot, and the same for any number of workers") {
+    gphys_solver_desc settings = with_strain(0.01f);
+    settings.tolerance = 1e-3f;
+    Sheet one(settings);
+    settings.worker_count = 2;
+    Sheet two(settings);
+    const auto run = [](Sheet& sheet) {
+        for (int i = 0; i < 20; ++i) sheet.world.step(1.0f / 60);
+        std::array<uint32_t, 2> hash{};
+        REQUIRE(gphys_solver_get_hash(sheet.world.solver, hash.data()) == GPHYS_OK);
+        return hash;
+    };
+    CHECK(run(one) == run(two));
+    std::vector<uint32_t> words(1 << 20);
+    uint32_t total = 0;
+    REQUIRE(gphys_solver_get_snapshot(one.world.solver, words.data(), static_cast<uint32_t>(words.size()), &total) ==
+            GPHYS_OK);
+    Sheet other(World::desc());
+    REQUIRE(gphys_solver_restore(other.world.solver, words.data(), total) == GPHYS_OK);
+    CHECK(other.world.substeps(one.body) == one.world.substeps(one.body));
+    CHECK(run(other) == run(one));
+}
