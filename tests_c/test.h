@@ -15,11 +15,4 @@
 #include <math.h>
 #include <string.h>
 
-/* A WebAssembly module has no threads unless it is built for shared memory. */
-#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-enum { HAS_THREADS = 0 };
-#else
-enum { HAS_THREADS = 1 };
-#endif
-
 #endif

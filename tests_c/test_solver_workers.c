@@ -196,23 +196,7 @@ static void what_a_desc_asks_for_is_checked(void** state) {
     assert_null(solver);
 }
 
-static void threads_that_cannot_be_started_are_refused(void** state) {
-    gphys_solver_desc desc;
-    gphys_solver* solver = NULL;
-    (void)state;
-    gphys_solver_desc_init(&desc, sizeof desc);
-    desc.worker_count = 2;
-    assert_int_equal(gphys_solver_create(&desc, &solver), GPHYS_ERROR_OUT_OF_MEMORY);
-    assert_null(solver);
-}
-
 int main(void) {
-    const struct CMUnitTest without_threads[] = {
-        cmocka_unit_test(threads_that_cannot_be_started_are_refused),
-        cmocka_unit_test(a_callers_runner_gives_the_same_bits),
-        cmocka_unit_test(clients_of_release_1_0_still_work),
-        cmocka_unit_test(what_a_desc_asks_for_is_checked),
-    };
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(a_callers_runner_gives_the_same_bits),
@@ -220,6 +204,5 @@ int main(void) {
         cmocka_unit_test(clients_of_release_1_0_still_work),
         cmocka_unit_test(what_a_desc_asks_for_is_checked),
     };
-    if (!HAS_THREADS) return cmocka_run_group_tests(without_threads, NULL, NULL);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -388,23 +388,7 @@ static void creation_without_memory_leaks_nothing(void** state) {
     assert_in_range(allowed, 5, 20);
 }
 
-static void threads_that_cannot_be_started_are_refused(void** state) {
-    gphys_scene_desc desc;
-    gphys_scene* scene = NULL;
-    (void)state;
-    gphys_scene_desc_init(&desc, sizeof desc);
-    desc.worker_count = 2;
-    assert_int_equal(gphys_scene_create(&desc, &scene), GPHYS_ERROR_OUT_OF_MEMORY);
-    assert_null(scene);
-}
-
 int main(void) {
-    const struct CMUnitTest without_threads[] = {
-        cmocka_unit_test(threads_that_cannot_be_started_are_refused),
-        cmocka_unit_test(a_callers_runner_gives_the_same_bits),
-        cmocka_unit_test(clients_of_release_1_0_still_work),
-        cmocka_unit_test(what_a_desc_asks_for_is_checked),
-    };
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(a_callers_runner_gives_the_same_bits),
@@ -414,6 +398,5 @@ int main(void) {
         cmocka_unit_test(scenes_with_workers_come_and_go),
         cmocka_unit_test(creation_without_memory_leaks_nothing),
     };
-    if (!HAS_THREADS) return cmocka_run_group_tests(without_threads, make_input, NULL);
     return cmocka_run_group_tests(tests, make_input, NULL);
 }

@@ -1,7 +1,7 @@
 """JavaScript: a reader and a writer for each struct, a class for each handle with a method for each
 function, and the two entries of the package, which differ in how the library's memory is reached.
 The types of TypeScript are in typescript.py."""
-from ._names import SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
+from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
 
 HEAD = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 VIEWS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32"}
@@ -296,6 +296,9 @@ class Method:
                 lines.append(f"return list('{plain(of)}', {self.total // 4}, (room, capacity) => {call});")
         elif self.call.function["may_miss"]:
             lines += [f"if (check({call}) !== OK) return null;", f"return {self.result()};"]
+        elif self.call.function["name"] in ANSWERS:
+            no = plain(ANSWERS[self.call.function["name"]])
+            lines += [f"const status = {call};", f"return status !== {no} && check(status) === OK;"]
         else:
             lines.append(f"check({call});")
             if self.new is not None:
@@ -345,7 +348,7 @@ def objects_file(structs):
     text = "".join(body)
     used = [u for u in used if f"{u}(" in text]
     shapes = "".join(f"        {s}: (...fields) => new Shape('{s}', fields),\n" for s in SHAPES if s != "mesh")
-    return (HEAD + "import { ALL_LAYERS, OK } from './constants.js';\n"
+    return (HEAD + f"import {{ {', '.join(['ALL_LAYERS', *map(plain, ANSWERS.values()), 'OK'])} }} from './constants.js';\n"
             + "import { " + ", ".join(used) + " } from './structs.js';\nimport { Shape, runtime } from './runtime.js';\n\n"
             + "/** Everything of the library but constants, over one way to reach its memory and functions. */\n"
             + "export function objects(memory) {\n"

@@ -1,5 +1,5 @@
 """The types of the JavaScript package for TypeScript, with the header's comments."""
-from ._names import SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
+from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
 
 NUMBERS = ("float", "double", "int32_t", "uint32_t", "size_t")
 PRIMITIVES = [s for s in SHAPES if s != "mesh"]
@@ -110,6 +110,8 @@ def typescript(api):
                 words.append(value(of) + "[]")
             else:
                 words.append("boolean" if of == "int32_t" else value(of))
+        if call.function["name"] in ANSWERS:
+            return "boolean"
         text = "void" if not words else words[0] if len(words) == 1 else f"[{', '.join(words)}]"
         return text + (" | null" if call.function["may_miss"] else "")
 

@@ -222,7 +222,8 @@ type Scene struct {
 // for every n. Without a task_runner n - 1 threads are started here and joined by
 // gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
 // work. They take no signals but faults, and the floating-point settings of the thread that
-// created them. In a child of fork they are gone: calls there run on one thread.
+// created them. In a child of fork they are gone: calls there run on one thread, as they do on a
+// platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
 // @param desc  may be NULL
 // @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
 func NewScene(desc *SceneDesc) (o *Scene, err error) {
@@ -1435,7 +1436,7 @@ type Solver struct {
 }
 
 // With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
-// every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
+// every n. Threads are started, joined and lost as those of gphys_scene_create.
 // @param desc  may be NULL
 // @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
 func NewSolver(desc *SolverDesc) (o *Solver, err error) {

@@ -39,10 +39,17 @@ public:
 };
 #endif
 
+/// A module of WebAssembly has none unless it is built for shared memory.
+#if defined(__wasm__) && !defined(__wasm_atomics__)
+constexpr bool platform_has_threads = false;
+#else
+constexpr bool platform_has_threads = true;
+#endif
+
 }  // namespace
 
 Workers::Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memory_resource* memory)
-    : count_(std::max(count, 1u)), threads_(memory), process_(this_process()) {
+    : count_(runner || platform_has_threads ? std::max(count, 1u) : 1), threads_(memory), process_(this_process()) {
     if (runner) runner_ = *runner;
     if (runner || count_ == 1) return;
     meeting_ = new (memory->allocate(sizeof(Meeting), alignof(Meeting))) Meeting;

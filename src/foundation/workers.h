@@ -27,7 +27,8 @@ public:
     /// The caller's thread alone.
     Workers() : Workers(1, nullptr, std::pmr::null_memory_resource()) {}
     /// `count` threads, the caller's included; 0 stands for 1. Those of `runner` if there is one,
-    /// else count - 1 are started. Throws std::bad_alloc, with none left running, if they cannot be.
+    /// else count - 1 are started. Throws std::bad_alloc, with none left running, if they cannot be;
+    /// on a platform without threads the caller's is all there is.
     Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memory_resource* memory);
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;

@@ -1,5 +1,5 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
-import { ALL_LAYERS, OK } from './constants.js';
+import { ALL_LAYERS, ERROR_INVALID_ID, OK } from './constants.js';
 import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writePlane, writeQuat, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
 import { Shape, runtime } from './runtime.js';
 
@@ -102,7 +102,8 @@ export function objects(memory) {
             check(native.gphys_scene_clear(this.pointer));
         }
         has(model) {
-            check(native.gphys_scene_has(this.pointer, model));
+            const status = native.gphys_scene_has(this.pointer, model);
+            return status !== ERROR_INVALID_ID && check(status) === OK;
         }
         getModels() {
             begin();

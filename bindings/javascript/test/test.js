@@ -34,6 +34,20 @@ test('results go into the memory given', () => {
     assert.throws(() => someScene().raycastBatch(rays, undefined, out), RangeError);
 });
 
+test('workers, where there are threads for them, change no answer', () => {
+    const rays = new Float32Array(3000 * 7);
+    for (let i = 0; i < 3000; ++i) rays.set([0, 0, -5, Math.sin(i) / 2, Math.cos(3 * i) / 2, 1, Infinity], 7 * i);
+    const answers = [1, 2].map((worker_count) => {
+        const scene = new gp.Scene({ worker_count });
+        for (let i = 0; i < 30; ++i) scene.add(gp.sphere([Math.sin(i), Math.cos(2 * i), i / 3], 0.7));
+        const solver = new gp.Solver({ worker_count });
+        for (let i = 0; i < 2; ++i) solver.addRope(new Float32Array([0, 2 + i, 0, 0, 2 + i, 1]), 0);
+        solver.step(scene, 1 / 60);
+        return [scene.raycastBatch(rays).u32, solver.getHash()];
+    });
+    assert.deepStrictEqual(answers[1], answers[0]);
+});
+
 test('lists of any length, one and many', () => {
     const scene = new gp.Scene();
     const models = scene.addBatch(gp.shapes('sphere', new Float32Array(4 * 500)));

@@ -11,7 +11,8 @@ import java.util.Optional;
  * for every n. Without a task_runner n - 1 threads are started here and joined by
  * gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
  * work. They take no signals but faults, and the floating-point settings of the thread that
- * created them. In a child of fork they are gone: calls there run on one thread.
+ * created them. In a child of fork they are gone: calls there run on one thread, as they do on a
+ * platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
  * &#64;param desc  may be NULL
  * &#64;return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
  * </pre>

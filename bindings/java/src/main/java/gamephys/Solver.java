@@ -7,7 +7,7 @@ import java.util.Optional;
 /**
  * <pre>
  * With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
- * every n. Threads are started, joined and lost by fork as those of gphys_scene_create.
+ * every n. Threads are started, joined and lost as those of gphys_scene_create.
  * &#64;param desc  may be NULL
  * &#64;return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
  * </pre>
