@@ -3,6 +3,8 @@ package gamephys
 import (
 	"errors"
 	"fmt"
+	"gamephys/internal/ration"
+	"io"
 	"math"
 	"os"
 	"reflect"
@@ -232,4 +234,54 @@ func Example() {
 	hit, found, err := scene.Raycast(Ray{Direction: Vec(0, 0, 1), TMax: 100}, AllLayers)
 	fmt.Println(found, hit.Model == ball, hit.T, err)
 	// Output: true true 4 <nil>
+}
+
+func TestRunningOutOfMemoryIsAnErrorAndLeaksNothing(t *testing.T) {
+	memory := ration.New()
+	defer memory.Free()
+	desc := DefaultSceneDesc()
+	desc.Allocator = memory.Allocator()
+	refusals, complete := 0, false
+	for allowed := 0; !complete; allowed += 2000 {
+		memory.Allow(allowed)
+		scene, err := NewScene(&desc)
+		if err != nil {
+			refused(t, ErrOutOfMemory, err)
+			refusals++
+			continue
+		}
+		made := 0
+		for ; made < 50; made++ {
+			if _, err = scene.Add(Sphere{Radius: 1}, nil, nil); err != nil {
+				refused(t, ErrOutOfMemory, err)
+				refusals++
+				break
+			}
+		}
+		complete = made == 50
+		same(t, len(must(scene.Models())), made)
+		memory.Allow(1 << 30)
+		try(t, scene.Validate())
+		try(t, scene.Close())
+		same(t, memory.Held(), 0)
+	}
+	same(t, refusals > 1, true)
+}
+
+func TestEveryKindOfObjectGivesItsMemoryBack(t *testing.T) {
+	memory := ration.New()
+	defer memory.Free()
+	memory.Allow(1 << 30)
+	meshes, scenes, cameras, solvers := DefaultMeshDesc(), DefaultSceneDesc(), DefaultCameraDesc(), DefaultSolverDesc()
+	meshes.Allocator, scenes.Allocator = memory.Allocator(), memory.Allocator()
+	cameras.Allocator, solvers.Allocator = memory.Allocator(), memory.Allocator()
+	for _, object := range []io.Closer{
+		must(NewMesh([]Vec3{{}, {}, {}}, []uint32{0, 1, 2}, &meshes)), must(NewScene(&scenes)),
+		must(NewCamera(&cameras)), must(NewSolver(&solvers)),
+	} {
+		held := memory.Held()
+		try(t, object.Close())
+		same(t, memory.Held() < held, true)
+	}
+	same(t, memory.Held(), 0)
 }
