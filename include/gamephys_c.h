@@ -1096,6 +1096,24 @@ GPHYS_API gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id b
 GPHYS_API gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
                                                  uint32_t particle_b, float rest_length, float compliance,
                                                  gphys_constraint_id* out_constraint);
+/** Keep two different particles of a body from being further apart than a length, like a string between
+ *  them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
+ *  rigid, the speed at which the particles part is lost and no other.
+ *  @param max_length  metres, >= 0; negative: the present distance
+ *  @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
+ *  @return as gphys_solver_add_distance
+ *  It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+ *  strained only when it is too long. */
+GPHYS_API gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
+                                                     uint32_t particle_b, float max_length, float compliance,
+                                                     gphys_constraint_id* out_constraint);
+/** Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+ *  its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+ *  on steps. Rigid constraints have nothing to damp.
+ *  @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+ *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist */
+GPHYS_API gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_body_id body,
+                                                           gphys_constraint_id constraint, float damping);
 GPHYS_API gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body,
                                                       gphys_constraint_id constraint);
 

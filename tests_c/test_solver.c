@@ -354,6 +354,39 @@ static void test_constraints(void** state) {
     assert_int_equal(gphys_solver_remove_constraint(f->solver, f->rope, id), STALE);
 }
 
+static void test_max_distances_and_damping(void** state) {
+    fixture* f = *state;
+    gphys_constraint_info infos[4];
+    gphys_constraint_id id = 7;
+    uint32_t total = 0;
+    size_t i;
+    assert_int_equal(gphys_solver_add_max_distance(NULL, f->rope, 0, 1, 1, 0, &id), BAD);
+    assert_int_equal(gphys_solver_add_max_distance(f->solver, f->removed, 0, 1, 1, 0, &id), STALE);
+    assert_int_equal(gphys_solver_add_max_distance(f->solver, f->rope, 0, 4, 1, 0, &id), BAD);
+    assert_int_equal(gphys_solver_add_max_distance(f->solver, f->rope, 1, 1, 1, 0, &id), BAD);
+    assert_int_equal(gphys_solver_add_max_distance(f->solver, f->rope, 0, 1, 1, -1, &id), BAD);
+    assert_int_equal(gphys_solver_add_max_distance(f->solver, f->rope, 0, 1, 1, 0, NULL), BAD);
+    for (i = 0; i < BAD_COUNT; ++i) {
+        assert_int_equal(gphys_solver_add_max_distance(f->solver, f->rope, 0, 1, bad_values[i], 0, &id), BAD);
+        assert_int_equal(gphys_solver_add_max_distance(f->solver, f->rope, 0, 1, 1, bad_values[i], &id), BAD);
+    }
+    assert_int_equal(id, 7);
+    assert_int_equal(gphys_solver_add_max_distance(f->solver, f->rope, 0, 3, -1, 0.5f, &id), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_constraints(f->solver, f->rope, infos, 4, &total), GPHYS_OK);
+    assert_int_equal(total, 4);
+    assert_true(infos[3].id == id && infos[3].rest_length == 3 && infos[3].compliance == 0.5f);
+    assert_int_equal(gphys_solver_set_constraint_damping(NULL, f->rope, id, 1), BAD);
+    assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->removed, id, 1), STALE);
+    assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, 0, 1), STALE);
+    assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, id, -1), BAD);
+    for (i = 0; i < BAD_COUNT; ++i) {
+        assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, id, bad_values[i]), BAD);
+    }
+    assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, id, 1), GPHYS_OK);
+    assert_int_equal(gphys_solver_remove_constraint(f->solver, f->rope, id), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, id, 1), STALE);
+}
+
 static void test_step_and_settings(void** state) {
     fixture* f = *state;
     const gphys_vec3 up = {0, 1, 0};
@@ -527,6 +560,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_scalars, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_pins_and_attachments, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_constraints, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_max_distances_and_damping, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_substeps, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_snapshots, set_up, tear_down),

@@ -1882,10 +1882,49 @@ func (o *Solver) AddDistance(body BodyID, particleA uint32, particleB uint32, re
 	return
 }
 
-// Hold two different particles of a body at a distance.
-// @param rest_length  metres, >= 0; negative: the present distance
-// @param compliance   metres per newton, >= 0; 0 is rigid
-// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+// Keep two different particles of a body from being further apart than a length, like a string between
+// them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
+// rigid, the speed at which the particles part is lost and no other.
+// @param max_length  metres, >= 0; negative: the present distance
+// @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
+// @return as gphys_solver_add_distance
+// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+// strained only when it is too long.
+func (o *Solver) AddMaxDistance(body BodyID, particleA uint32, particleB uint32, maxLength float32, compliance float32) (constraint ConstraintID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_add_max_distance(self, C.gphys_body_id(body), C.uint32_t(particleA), C.uint32_t(particleB), C.float(maxLength), C.float(compliance))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	constraint = *(*ConstraintID)(unsafe.Pointer(&r.out_constraint))
+	return
+}
+
+// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+// its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+// on steps. Rigid constraints have nothing to damp.
+// @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+func (o *Solver) SetConstraintDamping(body BodyID, constraint ConstraintID, damping float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_constraint_damping(self, C.gphys_body_id(body), C.gphys_constraint_id(constraint), C.float(damping))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+// its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+// on steps. Rigid constraints have nothing to damp.
+// @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
 func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err error) {
 	self, err := o.open()
 	if err != nil {

@@ -1575,6 +1575,29 @@ static inline go_gphys_solver_add_distance_result go_gphys_solver_add_distance(v
     return r;
 }
 
+typedef struct go_gphys_solver_add_max_distance_result {
+    gphys_status status;
+    char* message;
+    gphys_constraint_id out_constraint;
+} go_gphys_solver_add_max_distance_result;
+static inline go_gphys_solver_add_max_distance_result go_gphys_solver_add_max_distance(void* solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float max_length, float compliance) {
+    go_gphys_solver_add_max_distance_result r = {0};
+    r.status = gphys_solver_add_max_distance(solver, body, particle_a, particle_b, max_length, compliance, &r.out_constraint);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_set_constraint_damping_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_constraint_damping_result;
+static inline go_gphys_solver_set_constraint_damping_result go_gphys_solver_set_constraint_damping(void* solver, gphys_body_id body, gphys_constraint_id constraint, float damping) {
+    go_gphys_solver_set_constraint_damping_result r = {0};
+    r.status = gphys_solver_set_constraint_damping(solver, body, constraint, damping);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_remove_constraint_result {
     gphys_status status;
     char* message;

@@ -153,19 +153,43 @@ gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint3
     return GPHYS_OK;
 }
 
-gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
-                                       uint32_t particle_b, float rest_length, float compliance,
-                                       gphys_constraint_id* out_constraint) {
+namespace {
+
+/// A distance, or with limit = 1 a maximum distance.
+gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float length,
+                      float compliance, uint64_t limit, gphys_constraint_id* out_constraint) {
     return guarded([&]() -> gphys_status {
         GPHYS_TRY(check_particle(solver, body, particle_a));
         GPHYS_TRY(check_particle(solver, body, particle_b));
         GPHYS_REQUIRE(particle_a != particle_b, "particle_a and particle_b: must be different");
-        GPHYS_REQUIRE(std::fabs(rest_length) <= GPHYS_MAX_COORDINATE, "rest_length: not finite or out of range");
+        GPHYS_REQUIRE(std::fabs(length) <= GPHYS_MAX_COORDINATE, "length: not finite or out of range");
         GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
         GPHYS_REQUIRE(out_constraint, "out_constraint is null");
-        return add_distance(unwrap(solver)->edit(body), particle_a, particle_b, rest_length, compliance,
-                            *out_constraint);
+        return add_constraint(unwrap(solver)->edit(body), {particle_a, particle_b, length, compliance, 0, limit},
+                              *out_constraint);
     });
+}
+
+}  // namespace
+
+gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
+                                       uint32_t particle_b, float rest_length, float compliance,
+                                       gphys_constraint_id* out_constraint) {
+    return add_link(solver, body, particle_a, particle_b, rest_length, compliance, 0, out_constraint);
+}
+
+gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
+                                           uint32_t particle_b, float max_length, float compliance,
+                                           gphys_constraint_id* out_constraint) {
+    return add_link(solver, body, particle_a, particle_b, max_length, compliance, 1, out_constraint);
+}
+
+gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_body_id body,
+                                                 gphys_constraint_id constraint, float damping) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_REQUIRE(is_amount(damping), "damping: must be at least 0 and in range");
+    return set_damping(unwrap(solver)->edit(body), constraint, damping);
 }
 
 gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body, gphys_constraint_id constraint) {

@@ -13,10 +13,12 @@
 
 namespace gphys {
 
-/// |position[b] - position[a]| = rest + compliance * tension.
+/// |position[b] - position[a]| = rest + compliance * (tension - damping * its rate of change).
 struct DistanceConstraint {
     uint32_t a, b;
     double rest, compliance;
+    double damping;  // N s/m
+    uint64_t limit;  // 1: a maximum distance, which pulls and never pushes; 64 bits, so that there is no padding
 };
 
 /// A particle that follows a model.
@@ -101,6 +103,7 @@ struct Body {
           start_velocity(memory),
           earlier(memory),
           earlier_velocity(memory),
+          flying(memory),
           touches(memory),
           held(memory),
           cloth(memory),
@@ -131,6 +134,7 @@ struct Body {
     // and the one a substep before it. Of cloth it is in `cloth`.
     Vector<Vec3> predicted;  // where the particles would go without constraints
     Vector<Vec3> start, start_velocity, earlier, earlier_velocity;
+    Vector<uint8_t> flying;   // by particle, of ropes with limits: whether none of its links was taut at the start
     double earlier_step = 0;  // seconds between the two; 0 when motion was interrupted, by the caller or a contact
 
     Vector<Touch> touches;  // touches_per_particle each; empty until the body meets a scene
@@ -144,5 +148,11 @@ struct Body {
     ClothContacts cloth_contacts;
     Plan plan;
 };
+
+/// Metres by which a constraint is too long or, below 0, too short; a maximum distance is never too short.
+inline double excess(const Body& body, const DistanceConstraint& c) {
+    const double stretch = distance(body.position[c.a], body.position[c.b]) - c.rest;
+    return c.limit ? std::max(0.0, stretch) : stretch;
+}
 
 }  // namespace gphys

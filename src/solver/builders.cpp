@@ -30,10 +30,10 @@ Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, const gphys_ve
     return body;
 }
 
-/// A rope or cloth has less than 2^24 constraints, or add_distance says no.
+/// A rope or cloth has less than 2^24 constraints, or add_constraint says no.
 gphys_status join(Body& body, uint32_t a, uint32_t b, double compliance) {
     gphys_constraint_id ignored;
-    return add_distance(body, a, b, -1, compliance, ignored);
+    return add_constraint(body, {a, b, -1, compliance, 0, 0}, ignored);
 }
 
 /// The edges of a grid in the direction (columns, rows) = (du, dv).
@@ -78,7 +78,7 @@ gphys_status Solver::add_rope(const gphys_body_desc& desc, const gphys_vec3* pos
     for (uint32_t p = 0; p + 1 < count; ++p) {
         gphys_constraint_id ignored;
         const gphys_status status =
-            add_distance(body, p, p + 1, link_length > 0 ? link_length : -1, desc.compliance, ignored);
+            add_constraint(body, {p, p + 1, link_length > 0 ? link_length : -1, desc.compliance, 0, 0}, ignored);
         if (status != GPHYS_OK) return status;
     }
     return insert(std::move(body), out);

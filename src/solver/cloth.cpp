@@ -8,7 +8,7 @@
 // displacements and velocities of their own: positions of a sheet of two metres are rounded to
 // 6e-8 m wherever it is.
 #include "solver/collision.h"
-#include "solver/time_scheme.h"
+#include "solver/damping.h"
 
 namespace gphys {
 namespace {
@@ -44,6 +44,13 @@ ClothChains chains_of(const ClothBatches& batches) {
     return {batches.particles.data(), batches.rest.data(), batches.softness.data(), batches.stiffness.data()};
 }
 
+/// The same as they are to be solved, for damping.
+ClothChains damped_chains_of(const ClothBatches& batches) {
+    ClothChains chains = chains_of(batches);
+    if (!batches.damped.empty()) chains.rest = batches.target.data();
+    return chains;
+}
+
 void soften(ClothBatches& batches, double average_mass, double step) {
     const double scale = average_mass / (step * step);
     if (batches.scale == scale) return;
@@ -58,6 +65,39 @@ void soften(ClothBatches& batches, double average_mass, double step) {
             elastic && compliance * average_mass > 1e-15 ? static_cast<float>(1 / (compliance * average_mass)) : 0;
         batches.elastic = batches.elastic || elastic;
     }
+}
+
+void damp_links(Body& body, const TimeScheme& scheme) {
+    ClothBatches& batches = body.plan.batches;
+    const ClothState& cloth = body.cloth;
+    for (const DampedInCloth& link : batches.damped) {
+        const Vec3 now = get(&cloth.start[4 * size_t{link.b}]) - get(&cloth.start[4 * size_t{link.a}]);
+        const Vec3 before = now - (get(&cloth.moved[4 * size_t{link.b}]) - get(&cloth.moved[4 * size_t{link.a}]));
+        const DampedLink as = damped(link.rest, link.compliance, link.damping, scheme, length(now), length(before));
+        batches.target[link.link] = to_float(as.rest, farthest);
+        batches.softness[link.link] = to_float(as.compliance * batches.scale, softest);
+    }
+}
+
+/// Limits that have become taut: their ends no longer part, and what has done so is an interruption.
+bool capture(const ClothBatches& batches, ClothState& cloth) {
+    // In parts of the length: ten times the rounding of places within a metre or so.
+    constexpr double slack = 1e-6;
+    bool any = false;
+    for (const LimitInCloth& limit : batches.limits) {
+        const size_t a = 4 * size_t{limit.a}, b = 4 * size_t{limit.b};
+        const double shortest = limit.rest * (1 - slack), mobility = double{cloth.at[a + 3]} + cloth.at[b + 3];
+        if (distance(get(&cloth.start[a]), get(&cloth.start[b])) >= shortest || mobility == 0) continue;
+        const Vec3 along = get(&cloth.at[b]) - get(&cloth.at[a]);
+        const double length = gphys::length(along);
+        if (length < shortest || length == 0) continue;
+        any = true;
+        const Vec3 apart =
+            along * (dot(get(&cloth.velocity[b]) - get(&cloth.velocity[a]), along) / (length * length * mobility));
+        put(&cloth.velocity[a], get(&cloth.velocity[a]) + apart * cloth.at[a + 3], fastest);
+        put(&cloth.velocity[b], get(&cloth.velocity[b]) - apart * cloth.at[b + 3], fastest);
+    }
+    return any;
 }
 
 double stored_energy(const ClothKernels& kernels, const Body& body) {
@@ -75,9 +115,9 @@ void solve_cloth(const ClothKernels& kernels, Body& body) {
     for (const ChainBatch& batch : batches.chains) {
         if (contacts.touching) {
             kernels.solve_touching(body.cloth.at.data(), {contacts.normals.data(), contacts.pulls.data()},
-                                   chains_of(batches), batch, batches.rows.data());
+                                   damped_chains_of(batches), batch, batches.rows.data());
         } else {
-            kernels.solve(body.cloth.at.data(), chains_of(batches), batch, batches.rows.data());
+            kernels.solve(body.cloth.at.data(), damped_chains_of(batches), batch, batches.rows.data());
         }
     }
     kernels.limit(body.cloth.at.data(), {batches.limited.data(), batches.anchors.data(), batches.distances.data()},
@@ -181,6 +221,7 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     const bool closed = body.attachments.empty() && !cloth.pulled;  // moving models do work
     const double stored = closed ? stored_energy(kernels, body) : 0;
     kernels.predict(motion_of(cloth), step);
+    damp_links(body, scheme);
     follow_models(body, around.end);
     const bool collides = gphys::collides(body, around);
     if (collides) touch_walls(body, gravity, h);
@@ -188,13 +229,14 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     if (collides) leave_walls(body);
     double gain = kernels.finish(motion_of(cloth), step);
     cloth.velocity.swap(cloth.velocity_before);
+    const bool captured = capture(body.plan.batches, cloth);
     if (closed) {
         gain += stored_energy(kernels, body) - stored;
         if (gain > 0) take_back(cloth, gain);
     }
-    body.touched = false;
+    body.touched = captured;
     if (collides) {
-        body.touched = body.cloth_contacts.touching;
+        body.touched = captured || body.cloth_contacts.touching;
         turn_velocities(body, quiet_speed(gravity, h));
         catch_escaped(body, around, gravity, h);
     }

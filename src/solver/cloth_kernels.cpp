@@ -170,7 +170,8 @@ private:
 /// Elimination from the first link to the last. With w the inverse masses and
 /// c_j = w_j (n_(j-1) . n_j), the tensions t solve
 ///   -c_j t_(j-1) + (w_j + w_(j+1) + softness_j) t_j - c_(j+1) t_(j+1) = error_j
-template <class Touching>
+/// A link that only pulls is in a chain of its own: no tension while it is short enough.
+template <bool is_limit, class Touching>
 void solve_batch(float* at, const Touching& surfaces, const ClothChains& chains, const ChainBatch& batch, float* rows) {
     const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
     const float* rest = chains.rest + 8 * size_t{batch.first_link};
@@ -188,7 +189,9 @@ void solve_batch(float* at, const Touching& surfaces, const ClothChains& chains,
         const Float8 diagonal = surfaces.mobility(a, at_a, b, at_b, n) + (load(softness + 8 * j) + splat(least_pivot));
         const Float8 pivot = diagonal - row.coupling * row.coupling * before.inverse_pivot;
         row.inverse_pivot = splat(1) / max(pivot, diagonal * splat(Touching::least_pivot_part));
-        row.value = (n.length - load(rest + 8 * j) + row.coupling * before.value) * row.inverse_pivot;
+        Float8 error = n.length - load(rest + 8 * j);
+        if (is_limit) error = max(error, splat(0));
+        row.value = (error + row.coupling * before.value) * row.inverse_pivot;
         row.save(rows + cloth_row_floats * j);
         before = row;
         a = b;
@@ -209,13 +212,23 @@ void solve_batch(float* at, const Touching& surfaces, const ClothChains& chains,
     surfaces.move(at, particles, pull);
 }
 
+template <class Touching>
+void solve_either(float* at, const Touching& surfaces, const ClothChains& chains, const ChainBatch& batch,
+                  float* rows) {
+    if (batch.limit) {
+        solve_batch<true>(at, surfaces, chains, batch, rows);
+    } else {
+        solve_batch<false>(at, surfaces, chains, batch, rows);
+    }
+}
+
 void solve(float* at, const ClothChains& chains, const ChainBatch& batch, float* rows) {
-    solve_batch(at, NoSurfaces{}, chains, batch, rows);
+    solve_either(at, NoSurfaces{}, chains, batch, rows);
 }
 
 void solve_touching(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
                     float* rows) {
-    solve_batch(at, Surfaces{surfaces}, chains, batch, rows);
+    solve_either(at, Surfaces{surfaces}, chains, batch, rows);
 }
 
 double stored(const float* at, const ClothChains& chains, const ChainBatch& batch) {
@@ -224,7 +237,8 @@ double stored(const float* at, const ClothChains& chains, const ChainBatch& batc
     Float8 sum = splat(0);
     for (uint32_t j = 0; j < batch.link_count; ++j) {
         const Quads8 b = load_quads(at, particles + 8 * (j + 1));
-        const Float8 stretch = direction(a, b).length - load(chains.rest + 8 * size_t{batch.first_link + j});
+        Float8 stretch = direction(a, b).length - load(chains.rest + 8 * size_t{batch.first_link + j});
+        if (batch.limit) stretch = max(stretch, splat(0));
         sum = sum + stretch * stretch * load(chains.stiffness + 8 * size_t{batch.first_link + j});
         a = b;
     }

@@ -13,6 +13,7 @@ namespace gphys {
 struct ChainBatch {
     uint32_t first_particle, first_link;  // in the arrays below, in units of eight
     uint32_t link_count;
+    uint32_t limit = 0;  // 1: a single link each, which pulls and never pushes
 };
 
 struct ClothChains {

@@ -247,7 +247,7 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
         const DistanceConstraint& link = body.constraints[slot];
         if (!body.held[link.a] || !body.held[link.b] || !body.constraint_ids.live(slot)) continue;
         const Vec3 along = body.position[link.b] - body.position[link.a];
-        const double length = gphys::length(along), error = length - link.rest;
+        const double length = gphys::length(along), error = excess(body, link);
         const double wa = body.inverse_mass[link.a], wb = body.inverse_mass[link.b];
         if (link.compliance > 0 || std::fabs(error) <= slack * link.rest || length == 0 || wa + wb == 0) continue;
         const Vec3 correction = along * (error / (length * (wa + wb)));

@@ -138,6 +138,10 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity);
 void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void end_cloth(Body& body, const Surroundings& around);
 
+/// rope_limits.cpp: after the prediction, and after the new velocities. Whether a link has become taut.
+void predict_flying(Body& body, Vec3 gravity, double h);
+bool capture(Body& body);
+
 /// free_flight.cpp: a body without constraints, moved and collided.
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h);
 

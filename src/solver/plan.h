@@ -27,6 +27,18 @@ struct DirectRow {
     double next[4][4];  // times the unknowns of the next particle and link
     double value[4];
 };
+
+/// A damped link and the particles at its ends.
+struct DampedInCloth {
+    uint32_t link;  // in the arrays of the batches
+    uint32_t a, b;
+    double rest, compliance, damping;
+};
+/// A rigid link that only pulls.
+struct LimitInCloth {
+    uint32_t a, b;
+    float rest;
+};
 /// Chains and limits of cloth, packed for cloth_kernels.h. Lanes that are left over hold two
 /// particles beyond the last one, which do not move.
 struct ClothBatches {
@@ -37,6 +49,9 @@ struct ClothBatches {
           compliance(memory),
           softness(memory),
           stiffness(memory),
+          damped(memory),
+          target(memory),
+          limits(memory),
           limited(memory),
           anchors(memory),
           distances(memory),
@@ -50,6 +65,9 @@ struct ClothBatches {
     Vector<float> softness;     // compliance * scale
     Vector<float> stiffness;    // 1 / (compliance * average mass); 0 for rigid links and absent ones
     bool elastic = false;       // whether any is not
+    Vector<DampedInCloth> damped;
+    Vector<float> target;  // rest, in which those that are damped change; empty if none is
+    Vector<LimitInCloth> limits;
     Vector<uint32_t> limited, anchors;
     Vector<float> distances;
     Vector<float> rows;  // room for the longest chain
@@ -62,6 +80,10 @@ struct Plan {
           particles(memory),
           rest(memory),
           compliance(memory),
+          damping(memory),
+          limit(memory),
+          damped_rest(memory),
+          damped_compliance(memory),
           target(memory),
           tension(memory),
           reach_limits(memory),
@@ -75,9 +97,13 @@ struct Plan {
     Vector<Chain> chains;
     Vector<uint32_t> families;  // the first chain of each, and the end
     Vector<uint32_t> particles;
-    Vector<double> rest, compliance;  // by link
-    Vector<double> target;            // by link: the length it shall have; only for direct solving
-    Vector<double> tension;           // by link: newtons, of the last substep; only for direct solving
+    Vector<double> rest, compliance, damping;  // by link
+    Vector<uint32_t> limit;                    // by link: 1 if it only pulls
+    bool damped = false, limited = false;      // whether any link is
+    // Only for direct solving, by link:
+    Vector<double> damped_rest, damped_compliance;  // in the substep under way, see damping.h
+    Vector<double> target;                          // the length it shall have
+    Vector<double> tension;                         // newtons, of the last substep
     Vector<ReachLimit> reach_limits;
 
     Vector<DirectRow> direct_rows;  // room for the longest chain
@@ -88,6 +114,11 @@ struct Plan {
 gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
+
+/// Which kinds of links it has.
+void note_kinds(Plan& plan);
+/// What follows from the chains of a rope.
+void complete_direct(Plan& plan);
 
 /// Links of the longest chain.
 uint32_t longest_chain(const Plan& plan);

@@ -30,6 +30,8 @@ void clear_chains(Plan& plan) {
     plan.particles.clear();
     plan.rest.clear();
     plan.compliance.clear();
+    plan.damping.clear();
+    plan.limit.clear();
 }
 
 void begin_chain(Plan& plan, uint32_t particle) {
@@ -41,6 +43,8 @@ void add_link(Plan& plan, const DistanceConstraint& constraint, uint32_t particl
     plan.particles.push_back(particle);
     plan.rest.push_back(constraint.rest);
     plan.compliance.push_back(constraint.compliance);
+    plan.damping.push_back(constraint.damping);
+    plan.limit.push_back(static_cast<uint32_t>(constraint.limit));
     ++plan.chains.back().link_count;
 }
 
@@ -67,6 +71,18 @@ gphys_solve_method method_of(const Body& body) {
     return passed == 2 * uint64_t{constraint_count} ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
 }
 
+void note_kinds(Plan& plan) {
+    plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
+    plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
+}
+
+void complete_direct(Plan& plan) {
+    plan.damped_rest = plan.rest;
+    plan.damped_compliance = plan.compliance;
+    plan.target = plan.rest;
+    plan.direct_rows.resize(longest_chain(plan) + 1);
+}
+
 void plan_direct_chains(Body& body) {
     Plan& plan = body.plan;
     clear_chains(plan);
@@ -79,9 +95,8 @@ void plan_direct_chains(Body& body) {
         walk_chain(body, p,
                    [&](uint32_t slot, uint32_t particle) { add_link(plan, body.constraints[slot], particle); });
     }
-    plan.target = plan.rest;
+    complete_direct(plan);
     plan.tension.assign(plan.rest.size(), 0.0);
-    plan.direct_rows.resize(longest_chain(plan) + 1);
 }
 
 namespace {
@@ -124,6 +139,7 @@ private:
     }
 
     bool same_kind(const DistanceConstraint& a, const DistanceConstraint& b) const {
+        if (a.limit || b.limit) return false;  // whether one pulls is decided for it alone
         return a.compliance == b.compliance && a.rest <= most_ratio * b.rest && b.rest <= most_ratio * a.rest;
     }
 
@@ -202,6 +218,35 @@ uint32_t free_family(const Plan& lines, const Chain& chain, const Vector<uint64_
     return family;
 }
 
+/// Give a family to each line for which of_kind(line), `turn` by turn, those from first_family on. Returns
+/// the end of the families.
+template <class OfKind>
+uint32_t colour_lines(const Body& body, const Plan& lines, const Vector<uint32_t>& turn, OfKind&& of_kind,
+                      uint32_t first_family, Vector<uint32_t>& family) {
+    Vector<uint64_t> masks(body.size(), 0, family.get_allocator());
+    uint32_t family_count = first_family;
+    for (bool waiting = true; waiting;) {
+        waiting = false;
+        const uint32_t base = family_count;
+        std::fill(masks.begin(), masks.end(), 0);
+        for (const uint32_t line : turn) {
+            if (family[line] != none || !of_kind(line)) continue;
+            const Chain& chain = lines.chains[line];
+            const uint32_t colour = free_family(lines, chain, masks);
+            if (colour == 64) {
+                waiting = true;
+                continue;
+            }
+            family[line] = base + colour;
+            family_count = std::max(family_count, base + colour + 1);
+            for (uint32_t i = 0; i <= chain.link_count; ++i) {
+                masks[lines.particles[chain.first_particle + i]] |= uint64_t{1} << colour;
+            }
+        }
+    }
+    return family_count;
+}
+
 }  // namespace
 
 /// Colour the lines greedily so that those of one colour share no particle: rows, columns and
@@ -222,26 +267,11 @@ void plan_chain_families(Body& body) {
         return lines.compliance[lines.chains[a].first_link] > lines.compliance[lines.chains[b].first_link];
     });
     Vector<uint32_t> family(line_count, none, memory);
-    Vector<uint64_t> masks(body.size(), 0, memory);
     uint32_t family_count = 0;
-    for (bool waiting = true; waiting;) {
-        waiting = false;
-        const uint32_t base = family_count;
-        std::fill(masks.begin(), masks.end(), 0);
-        for (const uint32_t line : turn) {
-            if (family[line] != none) continue;
-            const Chain& chain = lines.chains[line];
-            const uint32_t colour = free_family(lines, chain, masks);
-            if (colour == 64) {
-                waiting = true;
-                continue;
-            }
-            family[line] = base + colour;
-            family_count = std::max(family_count, base + colour + 1);
-            for (uint32_t i = 0; i <= chain.link_count; ++i) {
-                masks[lines.particles[chain.first_particle + i]] |= uint64_t{1} << colour;
-            }
-        }
+    // Links that only pull, which are solved by another kernel, have families of their own, the last.
+    for (const uint32_t limit : {0u, 1u}) {
+        const auto of_kind = [&](uint32_t line) { return lines.limit[lines.chains[line].first_link] == limit; };
+        family_count = colour_lines(body, lines, turn, of_kind, family_count, family);
     }
 
     Vector<uint32_t> order(line_count, memory);
@@ -258,7 +288,7 @@ void plan_chain_families(Body& body) {
         begin_chain(plan, lines.particles[chain.first_particle]);
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t link = chain.first_link + i;
-            add_link(plan, {0, 0, lines.rest[link], lines.compliance[link]},
+            add_link(plan, {0, 0, lines.rest[link], lines.compliance[link], lines.damping[link], lines.limit[link]},
                      lines.particles[chain.first_particle + i + 1]);
         }
     }
@@ -271,6 +301,7 @@ void update_plan(Body& body) {
         plan.method = method_of(body);
         if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
         if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_families(body);
+        note_kinds(plan);
         plan.chains_current = true;
         plan.reach_current = false;
     }

@@ -6,11 +6,24 @@ namespace {
 
 constexpr uint32_t lanes = 8;
 
+/// What is done for links of some kinds one by one.
+void pack_kind(const Plan& plan, uint32_t place, uint32_t link, ClothBatches& batches) {
+    const uint32_t a = plan.particles[place], b = plan.particles[place + 1];
+    if (plan.damping[link] > 0 && plan.compliance[link] > 0) {
+        batches.damped.push_back({static_cast<uint32_t>(batches.rest.size()), a, b, plan.rest[link],
+                                  plan.compliance[link], plan.damping[link]});
+    }
+    if (plan.limit[link] && plan.compliance[link] == 0) {
+        batches.limits.push_back({a, b, static_cast<float>(plan.rest[link])});
+    }
+}
+
 /// Chains first .. last - 1, of one family, the longest first.
 void pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhere, ClothBatches& batches) {
     const uint32_t link_count = plan.chains[first].link_count;
     batches.chains.push_back({static_cast<uint32_t>(batches.particles.size()) / lanes,
-                              static_cast<uint32_t>(batches.rest.size()) / lanes, link_count});
+                              static_cast<uint32_t>(batches.rest.size()) / lanes, link_count,
+                              plan.limit[plan.chains[first].first_link]});
     for (uint32_t j = 0; j <= link_count; ++j) {
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             const bool there = first + lane < last && j <= plan.chains[first + lane].link_count;
@@ -22,6 +35,7 @@ void pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhe
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             const bool there = first + lane < last && j < plan.chains[first + lane].link_count;
             const uint32_t link = there ? plan.chains[first + lane].first_link + j : 0;
+            if (there) pack_kind(plan, plan.chains[first + lane].first_particle + j, link, batches);
             batches.rest.push_back(there ? static_cast<float>(plan.rest[link]) : 0);
             batches.compliance.push_back(there ? plan.compliance[link] : infinity);
         }
@@ -67,6 +81,8 @@ void pack_cloth(Body& body) {
     batches.particles.clear();
     batches.rest.clear();
     batches.compliance.clear();
+    batches.damped.clear();
+    batches.limits.clear();
     batches.limited.clear();
     batches.anchors.clear();
     batches.distances.clear();
@@ -79,6 +95,8 @@ void pack_cloth(Body& body) {
             longest = std::max(longest, batches.chains.back().link_count);
         }
     }
+    batches.target.clear();
+    if (!batches.damped.empty()) batches.target = batches.rest;
     batches.softness.resize(batches.rest.size());
     batches.stiffness.resize(batches.rest.size());
     batches.scale = 0;

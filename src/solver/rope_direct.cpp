@@ -16,6 +16,10 @@
 // K, the geometric stiffness, is what keeps a taut rope straight while it swings: without it the
 // step overshoots sideways once the load is a thousand times a link's mass. The matrix is symmetric
 // and quasi-definite, so elimination without pivoting succeeds (Vanderbei 1995).
+//
+// A link that only pulls has t_j >= 0, and is shorter than the above only if t_j = 0. Each iteration
+// counts those that a tension t_j + error_j / (w_a + w_b) > 0 would hold as links, the others as absent
+// (the primal-dual active set; Hintermueller, Ito, Kunisch 2002).
 #include "solver/body.h"
 
 namespace gphys {
@@ -23,6 +27,8 @@ namespace {
 
 // Newton's error squares itself in each iteration; two do for a swinging rope, four for a whip.
 constexpr int most_iterations = 4;
+// While it has to be found which links pull, one may change in each iteration.
+constexpr int most_limited_iterations = 16;
 // A link is settled within this part of its length: below it float32 output shows no difference.
 constexpr double settled = 1e-9;
 // The compliance that every link has, relative to the inverse masses at its ends. It decides what
@@ -61,7 +67,8 @@ struct ChainView {
         // Coincident particles part along a fixed axis: any direction is as good.
         out.direction = length > 0 ? along / length : Vec3{1, 0, 0};
         out.error = length - plan.target[index];
-        out.softness = plan.compliance[index] * inverse_step_squared + regularisation * inverse_masses;
+        if (plan.limit[index] && plan.tension[index] * inverse_masses + out.error <= 0) return Link{};
+        out.softness = plan.damped_compliance[index] * inverse_step_squared + regularisation * inverse_masses;
         // A link that is short at the moment must not become infinitely stiff sideways.
         const double scale = std::max(length, plan.target[index]);
         if (plan.tension[index] > 0 && scale > 0) out.stiffness = plan.tension[index] / scale;
@@ -194,6 +201,7 @@ bool is_settled(const ChainView& view) {
     for (uint32_t i = 0; i < view.chain.link_count; ++i) {
         const Link link = view.link(i);
         const uint32_t index = view.chain.first_link + i;
+        if (!link.acts && view.body.plan.tension[index] != 0) return false;
         const double residual = link.error - link.softness * view.body.plan.tension[index];
         if (link.acts && std::fabs(residual) > settled * view.body.plan.target[index]) return false;
     }
@@ -211,7 +219,7 @@ void set_targets(Body& body, const Chain& chain) {
     for (uint32_t i = 0; i <= chain.link_count; ++i) {
         if (i > 0) {
             const uint32_t link = chain.first_link + i - 1;
-            plan.target[link] = plan.rest[link];
+            plan.target[link] = plan.damped_rest[link];
             total += plan.rest[link];
             rigid = rigid && plan.compliance[link] == 0;
         }
@@ -233,7 +241,8 @@ void solve_chain(Body& body, const Chain& chain, double step) {
     const ChainView view{body, chain, 1 / (step * step)};
     DirectRow* rows = body.plan.direct_rows.data();
     set_targets(body, chain);
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const int iterations = body.plan.limited ? most_limited_iterations : most_iterations;
+    for (int iteration = 0; iteration < iterations; ++iteration) {
         eliminate(view, rows);
         substitute(chain, rows);
         const double fraction = step_fraction(view, rows);

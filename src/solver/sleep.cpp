@@ -19,7 +19,7 @@ bool is_hardly_strained(const Body& body, double strain) {
         if (!body.constraint_ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints[slot];
         if (c.compliance > 0) continue;
-        if (std::fabs(distance(body.position[c.a], body.position[c.b]) - c.rest) > strain * c.rest) return false;
+        if (std::fabs(excess(body, c)) > strain * c.rest) return false;
     }
     return true;
 }

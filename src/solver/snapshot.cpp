@@ -21,7 +21,7 @@ constexpr uint32_t swapped_magic = 0x6e687067;
 constexpr uint32_t format = 3;
 
 // Copied as they lie in memory, so they must have no padding.
-static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 24 && sizeof(Attachment) == 80);
+static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(Attachment) == 80);
 static_assert(sizeof(Touch) == 32 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 && sizeof(ReachLimit) == 16);
 
 /// Body and Plan are const when they are written.
@@ -35,6 +35,8 @@ void visit_plan(Archive& archive, Plan& plan) {
     archive.array(plan.particles);
     archive.array(plan.rest);
     archive.array(plan.compliance);
+    archive.array(plan.damping);
+    archive.array(plan.limit);
     archive.array(plan.tension);
     archive.array(plan.reach_limits);
 }
@@ -107,8 +109,8 @@ void complete(Body& body) {
         if (body.constraint_ids.live(slot)) join_links(body, slot);
     }
     Plan& plan = body.plan;
-    plan.target = plan.rest;
-    plan.direct_rows.resize(longest_chain(plan) + 1);
+    note_kinds(plan);
+    complete_direct(plan);
     if (plan.method == GPHYS_SOLVE_GRAPH) pack_cloth(body);
 }
 

@@ -63,7 +63,8 @@ bool constraints_fine(const Body& body) {
         if (!body.constraint_ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints[slot];
         if (c.a >= body.size() || c.b >= body.size() || c.a == c.b) return false;
-        if (!(c.rest >= 0 && finite(c.rest) && is_amount(c.compliance))) return false;
+        if (!(c.rest >= 0 && finite(c.rest) && is_amount(c.compliance) && is_amount(c.damping) && c.limit <= 1))
+            return false;
     }
     return true;
 }
@@ -82,8 +83,10 @@ bool plan_fine(const Body& body) {
     };
     const bool direct = plan.method == GPHYS_SOLVE_DIRECT, graph = plan.method == GPHYS_SOLVE_GRAPH;
     return (plan.method == GPHYS_SOLVE_FREE || direct || graph) && plan.compliance.size() == plan.rest.size() &&
+           plan.damping.size() == plan.rest.size() && plan.limit.size() == plan.rest.size() &&
            (!direct || plan.tension.size() == plan.rest.size()) && all(plan.particles, is_particle) &&
            all(plan.chains, in_arrays) && all(plan.rest, is_amount) && all(plan.compliance, is_amount) &&
+           all(plan.damping, is_amount) && all(plan.limit, [](uint32_t limit) { return limit <= 1; }) &&
            all(plan.tension, [](double tension) { return finite(tension); }) && all(plan.reach_limits, fine_limit) &&
            std::is_sorted(plan.families.begin(), plan.families.end()) &&
            all(plan.families, [&](uint32_t first) { return first <= plan.chains.size(); });

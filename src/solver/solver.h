@@ -7,6 +7,8 @@
 //   free_flight.cpp     bodies without constraints: exact flight and impacts
 //   plan_chains.cpp     which constraints form chains
 //   rope_direct.cpp     ropes: Newton on the whole chain
+//   rope_limits.cpp     ropes with links that only pull
+//   damping.cpp         damped links as undamped ones with other numbers
 //   cloth.cpp           cloth and graphs: families of chains
 //   cloth_kernels.cpp   their inner loops
 //   reach_limits.cpp    how far cloth can be from its pins
@@ -172,7 +174,9 @@ void join_links(Body& body, uint32_t slot);
 bool is_attached(const Body& body, uint32_t particle);
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
 /// rest < 0: the present distance.
-gphys_status add_distance(Body& body, uint32_t a, uint32_t b, double rest, double compliance, gphys_constraint_id& out);
+gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out);
+/// N s/m
+gphys_status set_damping(Body& body, gphys_constraint_id id, double damping);
 gphys_status remove_constraint(Body& body, gphys_constraint_id id);
 void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out);
 

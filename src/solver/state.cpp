@@ -114,8 +114,7 @@ bool Solver::set_origin(Vec3 origin) {
     return true;
 }
 
-gphys_status add_distance(Body& body, uint32_t a, uint32_t b, double rest, double compliance,
-                          gphys_constraint_id& out) {
+gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out) {
     if (!body.constraint_ids.reserve(1)) {
         return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 constraints");
     }
@@ -123,15 +122,33 @@ gphys_status add_distance(Body& body, uint32_t a, uint32_t b, double rest, doubl
     out = body.constraint_ids.add();
     const uint32_t slot = IdTable::slot_of(out);
     if (slot == body.constraints.size()) body.constraints.emplace_back();
-    body.constraints[slot] = {a, b, rest < 0 ? distance(body.position[a], body.position[b]) : rest, compliance};
+    DistanceConstraint& added = body.constraints[slot];
+    added = constraint;
+    if (added.rest < 0) added.rest = distance(body.position[added.a], body.position[added.b]);
     change_constraints(body, slot, 1);
     return GPHYS_OK;
 }
 
+namespace {
+
+gphys_status check_constraint(const Body& body, gphys_constraint_id id) {
+    if (body.constraint_ids.has(id)) return GPHYS_OK;
+    return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
+}
+
+}  // namespace
+
+gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
+    const gphys_status status = check_constraint(body, id);
+    if (status != GPHYS_OK) return status;
+    body.constraints[IdTable::slot_of(id)].damping = damping;
+    body.plan.chains_current = false;
+    return GPHYS_OK;
+}
+
 gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
-    if (!body.constraint_ids.has(id)) {
-        return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
-    }
+    const gphys_status status = check_constraint(body, id);
+    if (status != GPHYS_OK) return status;
     change_constraints(body, IdTable::slot_of(id), -1);
     body.constraint_ids.remove(id);
     body.rest_position.clear();

@@ -20,7 +20,7 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
     for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
         if (!body.constraint_ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints[slot];
-        const double stretch = distance(body.position[c.a], body.position[c.b]) - c.rest;
+        const double stretch = excess(body, c);
         if (c.compliance > 0) {
             totals.potential += 0.5 * stretch * stretch / c.compliance;
         } else if (c.rest > 0) {

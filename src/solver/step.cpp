@@ -13,8 +13,8 @@
 // After an interruption - a contact, a change by the caller - one step of backward Euler restarts it.
 #include <cstring>
 
+#include "solver/damping.h"
 #include "solver/solver.h"
-#include "solver/time_scheme.h"
 
 namespace gphys {
 namespace {
@@ -35,6 +35,7 @@ void predict(Body& body, const TimeScheme& scheme, Vec3 gravity) {
             (scheme.from_history(body.position[p], body.earlier[p]) + body.velocity[p] * scheme.h) * (1 / scheme.next);
         keep_in_range(body.position[p], body.velocity[p]);
     }
+    if (body.plan.limited) predict_flying(body, gravity, scheme.h);
     body.predicted = body.position;
 }
 
@@ -43,8 +44,29 @@ void finish(Body& body, const TimeScheme& scheme) {
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.pinned(p)) continue;
         keep_in_range(body.position[p], body.velocity[p]);
+        if (body.plan.limited && body.flying[p]) {
+            body.velocity[p] += (body.position[p] - body.predicted[p]) * (scheme.next / scheme.h);
+            continue;
+        }
         body.velocity[p] =
             (body.position[p] * scheme.next - scheme.from_history(body.start[p], body.earlier[p])) / scheme.h;
+    }
+}
+
+void damp_links(Body& body, const TimeScheme& scheme) {
+    Plan& plan = body.plan;
+    for (const Chain& chain : plan.chains) {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t link = chain.first_link + i;
+            if (plan.damping[link] == 0 || plan.compliance[link] == 0) continue;
+            const uint32_t a = plan.particles[chain.first_particle + i],
+                           b = plan.particles[chain.first_particle + i + 1];
+            const DampedLink now =
+                damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
+                       distance(body.start[a], body.start[b]), distance(body.earlier[a], body.earlier[b]));
+            plan.damped_rest[link] = now.rest;
+            plan.damped_compliance[link] = now.compliance;
+        }
     }
 }
 
@@ -71,13 +93,15 @@ void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h)
     const TimeScheme scheme(h, body.earlier_step);
     predict(body, scheme, gravity);
     follow_models(body, around.end, h);
+    if (body.plan.damped) damp_links(body, scheme);
     const double step = scheme.step(body.settings.damping);
     solve_directly(body, step);
     finish(body, scheme);
+    const bool captured = body.plan.limited && capture(body);
     const double quiet = quiet_speed(gravity, h);
     collide(body, around, quiet);
     if (body.touched) collide_again(body, around, quiet, {solve_beside_contacts, step, scheme.next / h});
-    body.earlier_step = body.touched ? 0 : h;
+    body.earlier_step = body.touched || captured ? 0 : h;
 }
 
 /// The first step after an interruption is of first order, and would leave an error of the size of a
@@ -141,6 +165,7 @@ void reserve_history(Body& body) {
     }
     body.predicted.resize(body.size());
     body.start_velocity.resize(body.size());
+    if (body.plan.limited) body.flying.resize(body.size());
     body.earlier.resize(body.size());
     body.earlier_velocity.resize(body.size());
 }

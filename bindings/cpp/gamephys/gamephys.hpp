@@ -929,10 +929,34 @@ public:
         return out_constraint;
     }
 
-    // Hold two different particles of a body at a distance.
-    // @param rest_length  metres, >= 0; negative: the present distance
-    // @param compliance   metres per newton, >= 0; 0 is rigid
-    // @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    // Keep two different particles of a body from being further apart than a length, like a string between
+    // them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
+    // rigid, the speed at which the particles part is lost and no other.
+    // @param max_length  metres, >= 0; negative: the present distance
+    // @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
+    // @return as gphys_solver_add_distance
+    // It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+    // strained only when it is too long.
+    gphys_constraint_id add_max_distance(gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float max_length, float compliance) {
+        gphys_constraint_id out_constraint{};
+        check(gphys_solver_add_max_distance(handle(), body, particle_a, particle_b, max_length, compliance, &out_constraint));
+        return out_constraint;
+    }
+
+    // Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+    // its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+    // on steps. Rigid constraints have nothing to damp.
+    // @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+    // @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+    void set_constraint_damping(gphys_body_id body, gphys_constraint_id constraint, float damping) {
+        check(gphys_solver_set_constraint_damping(handle(), body, constraint, damping));
+    }
+
+    // Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+    // its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+    // on steps. Rigid constraints have nothing to damp.
+    // @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+    // @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
     void remove_constraint(gphys_body_id body, gphys_constraint_id constraint) {
         check(gphys_solver_remove_constraint(handle(), body, constraint));
     }

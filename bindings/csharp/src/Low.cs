@@ -150,6 +150,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_attach(SolverHandle solver, SceneHandle scene, uint body, uint particle, uint model, Vec3* local_point);
     [DllImport(Library)] internal static extern Status gphys_solver_detach(SolverHandle solver, uint body, uint particle);
     [DllImport(Library)] internal static extern Status gphys_solver_add_distance(SolverHandle solver, uint body, uint particle_a, uint particle_b, float rest_length, float compliance, uint* out_constraint);
+    [DllImport(Library)] internal static extern Status gphys_solver_add_max_distance(SolverHandle solver, uint body, uint particle_a, uint particle_b, float max_length, float compliance, uint* out_constraint);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_constraint_damping(SolverHandle solver, uint body, uint constraint, float damping);
     [DllImport(Library)] internal static extern Status gphys_solver_remove_constraint(SolverHandle solver, uint body, uint constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraints(SolverHandle solver, uint body, ConstraintInfo* out_constraints, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_step(SolverHandle solver, SceneHandle scene, float dt);

@@ -1205,10 +1205,38 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>
-    /// Hold two different particles of a body at a distance.
-    /// @param rest_length  metres, &gt;= 0; negative: the present distance
-    /// @param compliance   metres per newton, &gt;= 0; 0 is rigid
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    /// Keep two different particles of a body from being further apart than a length, like a string between
+    /// them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
+    /// rigid, the speed at which the particles part is lost and no other.
+    /// @param max_length  metres, &gt;= 0; negative: the present distance
+    /// @param compliance  metres per newton, &gt;= 0, of what it yields beyond that; 0 is rigid
+    /// @return as gphys_solver_add_distance
+    /// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+    /// strained only when it is too long.
+    /// </summary>
+    public unsafe uint AddMaxDistance(uint body, uint particleA, uint particleB, float maxLength, float compliance = 0) {
+        var constraint = default(uint);
+        Check(Low.gphys_solver_add_max_distance(Handle, body, particleA, particleB, maxLength, compliance, &constraint));
+        return constraint;
+    }
+
+    /// <summary>
+    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+    /// its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+    /// on steps. Rigid constraints have nothing to damp.
+    /// @param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
+    /// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+    /// </summary>
+    public unsafe void SetConstraintDamping(uint body, uint constraint, float damping) {
+        Check(Low.gphys_solver_set_constraint_damping(Handle, body, constraint, damping));
+    }
+
+    /// <summary>
+    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+    /// its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+    /// on steps. Rigid constraints have nothing to damp.
+    /// @param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
+    /// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
     /// </summary>
     public unsafe void RemoveConstraint(uint body, uint constraint) {
         Check(Low.gphys_solver_remove_constraint(Handle, body, constraint));

@@ -554,6 +554,13 @@ export function objects(memory) {
             check(native.gphys_solver_add_distance(this.pointer, body, particle_a, particle_b, rest_length, compliance, base));
             return v.u32[0];
         }
+        addMaxDistance(body, particle_a, particle_b, max_length, compliance) {
+            check(native.gphys_solver_add_max_distance(this.pointer, body, particle_a, particle_b, max_length, compliance, base));
+            return v.u32[0];
+        }
+        setConstraintDamping(body, constraint, damping) {
+            check(native.gphys_solver_set_constraint_damping(this.pointer, body, constraint, damping));
+        }
         removeConstraint(body, constraint) {
             check(native.gphys_solver_remove_constraint(this.pointer, body, constraint));
         }

@@ -145,6 +145,8 @@ export const signatures = {
     gphys_solver_attach: 'ippuuup',
     gphys_solver_detach: 'ipuu',
     gphys_solver_add_distance: 'ipuuuffp',
+    gphys_solver_add_max_distance: 'ipuuuffp',
+    gphys_solver_set_constraint_damping: 'ipuuf',
     gphys_solver_remove_constraint: 'ipuu',
     gphys_solver_get_constraints: 'ipuaup',
     gphys_solver_step: 'ippf',

@@ -191,6 +191,8 @@ gphys_status gphys_solver_set_pinned(gphys_solver *solver, gphys_body_id body, u
 gphys_status gphys_solver_attach(gphys_solver *solver, const gphys_scene *scene, gphys_body_id body, uint32_t particle, gphys_model_id model, const gphys_vec3 *local_point);
 gphys_status gphys_solver_detach(gphys_solver *solver, gphys_body_id body, uint32_t particle);
 gphys_status gphys_solver_add_distance(gphys_solver *solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float rest_length, float compliance, gphys_constraint_id *out_constraint);
+gphys_status gphys_solver_add_max_distance(gphys_solver *solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float max_length, float compliance, gphys_constraint_id *out_constraint);
+gphys_status gphys_solver_set_constraint_damping(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint, float damping);
 gphys_status gphys_solver_remove_constraint(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint);
 gphys_status gphys_solver_get_constraints(const gphys_solver *solver, gphys_body_id body, gphys_constraint_info *out_constraints, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_step(gphys_solver *solver, const gphys_scene *scene, float dt);

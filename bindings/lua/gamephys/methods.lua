@@ -902,10 +902,36 @@ do
     end
 end
 
---- Hold two different particles of a body at a distance.
---- @param rest_length  metres, >= 0; negative: the present distance
---- @param compliance   metres per newton, >= 0; 0 is rigid
---- @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+do
+    local out_constraint = uint32_t.array(1)
+    --- Keep two different particles of a body from being further apart than a length, like a string between
+    --- them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
+    --- rigid, the speed at which the particles part is lost and no other.
+    --- @param max_length  metres, >= 0; negative: the present distance
+    --- @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
+    --- @return as gphys_solver_add_distance
+    --- It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+    --- strained only when it is too long.
+    function Solver:add_max_distance(body, particle_a, particle_b, max_length, compliance)
+        check(C.gphys_solver_add_max_distance(opened(self), body, particle_a, particle_b, max_length, compliance, out_constraint))
+        return out_constraint[0]
+    end
+end
+
+--- Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+--- its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+--- on steps. Rigid constraints have nothing to damp.
+--- @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+--- @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+function Solver:set_constraint_damping(body, constraint, damping)
+    check(C.gphys_solver_set_constraint_damping(opened(self), body, constraint, damping))
+end
+
+--- Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+--- its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+--- on steps. Rigid constraints have nothing to damp.
+--- @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+--- @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
 function Solver:remove_constraint(body, constraint)
     check(C.gphys_solver_remove_constraint(opened(self), body, constraint))
 end

@@ -776,11 +776,33 @@ class Solver(Object):
         check(low.gphys_solver_add_distance(self._handle, body, particle_a, particle_b, rest_length, compliance, ctypes.byref(out_constraint)))
         return out_constraint.value
 
+    def add_max_distance(self, body: int, particle_a: int, particle_b: int, max_length: float, compliance: float = 0) -> int:
+        """Keep two different particles of a body from being further apart than a length, like a string between
+        them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
+        rigid, the speed at which the particles part is lost and no other.
+        @param max_length  metres, >= 0; negative: the present distance
+        @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
+        @return as gphys_solver_add_distance
+        It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+        strained only when it is too long."""
+        out_constraint = ctypes.c_uint32()
+        check(low.gphys_solver_add_max_distance(self._handle, body, particle_a, particle_b, max_length, compliance, ctypes.byref(out_constraint)))
+        return out_constraint.value
+
+    def set_constraint_damping(self, body: int, constraint: int, damping: float) -> None:
+        """Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+        its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+        on steps. Rigid constraints have nothing to damp.
+        @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+        @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist"""
+        check(low.gphys_solver_set_constraint_damping(self._handle, body, constraint, damping))
+
     def remove_constraint(self, body: int, constraint: int) -> None:
-        """Hold two different particles of a body at a distance.
-        @param rest_length  metres, >= 0; negative: the present distance
-        @param compliance   metres per newton, >= 0; 0 is rigid
-        @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one"""
+        """Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+        its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+        on steps. Rigid constraints have nothing to damp.
+        @param damping  N s/m, >= 0; 0, which every constraint begins with: none
+        @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist"""
         check(low.gphys_solver_remove_constraint(self._handle, body, constraint))
 
     def get_constraints(self, body: int) -> np.ndarray:

@@ -1077,11 +1077,37 @@ impl Solver {
         Ok(out_constraint)
     }
 
-    /// Hold two different particles of a body at a distance.
-    /// * `rest_length`: metres, >= 0; negative: the present distance
-    /// * `compliance`: metres per newton, >= 0; 0 is rigid
+    /// Keep two different particles of a body from being further apart than a length, like a string between
+    /// them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
+    /// rigid, the speed at which the particles part is lost and no other.
+    /// * `max_length`: metres, >= 0; negative: the present distance
+    /// * `compliance`: metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for a particle that does not exist or twice the same one
+    /// Returns as `gphys_solver_add_distance`
+    /// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+    /// strained only when it is too long.
+    pub fn add_max_distance(&mut self, body: BodyId, particle_a: u32, particle_b: u32, max_length: f32, compliance: f32) -> Result<ConstraintId> {
+        let mut out_constraint = ConstraintId::default();
+        check(unsafe { sys::gphys_solver_add_max_distance(self.handle.as_ptr(), body, particle_a, particle_b, max_length, compliance, &mut out_constraint) })?;
+        Ok(out_constraint)
+    }
+
+    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+    /// its tension; one of `gphys_solver_add_max_distance` never pushes. The decay depends on time, not
+    /// on steps. Rigid constraints have nothing to damp.
+    /// * `damping`: N s/m, >= 0; 0, which every constraint begins with: none
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ID` for a body or constraint that does not exist
+    pub fn set_constraint_damping(&mut self, body: BodyId, constraint: ConstraintId, damping: f32) -> Result<()> {
+        check(unsafe { sys::gphys_solver_set_constraint_damping(self.handle.as_ptr(), body, constraint, damping) })
+    }
+
+    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+    /// its tension; one of `gphys_solver_add_max_distance` never pushes. The decay depends on time, not
+    /// on steps. Rigid constraints have nothing to damp.
+    /// * `damping`: N s/m, >= 0; 0, which every constraint begins with: none
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ID` for a body or constraint that does not exist
     pub fn remove_constraint(&mut self, body: BodyId, constraint: ConstraintId) -> Result<()> {
         check(unsafe { sys::gphys_solver_remove_constraint(self.handle.as_ptr(), body, constraint) })
     }

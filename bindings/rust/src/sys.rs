@@ -166,6 +166,8 @@ extern "C" {
     pub fn gphys_solver_attach(solver: *mut gphys_solver, scene: *mut gphys_scene, body: BodyId, particle: u32, model: ModelId, local_point: *const Vec3) -> Status;
     pub fn gphys_solver_detach(solver: *mut gphys_solver, body: BodyId, particle: u32) -> Status;
     pub fn gphys_solver_add_distance(solver: *mut gphys_solver, body: BodyId, particle_a: u32, particle_b: u32, rest_length: f32, compliance: f32, out_constraint: *mut ConstraintId) -> Status;
+    pub fn gphys_solver_add_max_distance(solver: *mut gphys_solver, body: BodyId, particle_a: u32, particle_b: u32, max_length: f32, compliance: f32, out_constraint: *mut ConstraintId) -> Status;
+    pub fn gphys_solver_set_constraint_damping(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId, damping: f32) -> Status;
     pub fn gphys_solver_remove_constraint(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId) -> Status;
     pub fn gphys_solver_get_constraints(solver: *mut gphys_solver, body: BodyId, out_constraints: *mut ConstraintInfo, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_step(solver: *mut gphys_solver, scene: *mut gphys_scene, dt: f32) -> Status;

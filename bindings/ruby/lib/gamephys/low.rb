@@ -170,6 +170,8 @@ module Gamephys
     attach_function :gphys_solver_attach, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer], :int32
     attach_function :gphys_solver_detach, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_add_distance, [:pointer, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
+    attach_function :gphys_solver_add_max_distance, [:pointer, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
+    attach_function :gphys_solver_set_constraint_damping, [:pointer, :uint32, :uint32, :float], :int32
     attach_function :gphys_solver_remove_constraint, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_get_constraints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_step, [:pointer, :pointer, :float], :int32

@@ -151,6 +151,8 @@ class LowFunctions {
     static native int gphys_solver_attach(Pointer solver, Pointer scene, int body, int particle, int model, Pointer localPoint);
     static native int gphys_solver_detach(Pointer solver, int body, int particle);
     static native int gphys_solver_add_distance(Pointer solver, int body, int particleA, int particleB, float restLength, float compliance, Pointer outConstraint);
+    static native int gphys_solver_add_max_distance(Pointer solver, int body, int particleA, int particleB, float maxLength, float compliance, Pointer outConstraint);
+    static native int gphys_solver_set_constraint_damping(Pointer solver, int body, int constraint, float damping);
     static native int gphys_solver_remove_constraint(Pointer solver, int body, int constraint);
     static native int gphys_solver_get_constraints(Pointer solver, int body, Pointer outConstraints, int capacity, Pointer outTotal);
     static native int gphys_solver_step(Pointer solver, Pointer scene, float dt);

@@ -431,10 +431,51 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Hold two different particles of a body at a distance.
-     * &#64;param rest_length  metres, &gt;= 0; negative: the present distance
-     * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+     * Keep two different particles of a body from being further apart than a length, like a string between
+     * them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
+     * rigid, the speed at which the particles part is lost and no other.
+     * &#64;param max_length  metres, &gt;= 0; negative: the present distance
+     * &#64;param compliance  metres per newton, &gt;= 0, of what it yields beyond that; 0 is rigid
+     * &#64;return as gphys_solver_add_distance
+     * It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+     * strained only when it is too long.
+     * </pre>
+     */
+    public int addMaxDistance(int body, int particleA, int particleB, float maxLength, float compliance) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_add_max_distance(opened(), body, particleA, particleB, maxLength, compliance, scratch.slot(6));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(6);
+    }
+
+    /** The same with defaults. */
+    public int addMaxDistance(int body, int particleA, int particleB, float maxLength) {
+        return addMaxDistance(body, particleA, particleB, maxLength, 0);
+    }
+
+    /**
+     * <pre>
+     * Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+     * its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+     * on steps. Rigid constraints have nothing to damp.
+     * &#64;param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
+     * &#64;return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+     * </pre>
+     */
+    public void setConstraintDamping(int body, int constraint, float damping) {
+        int status = Low.gphys_solver_set_constraint_damping(opened(), body, constraint, damping);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
+     * its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+     * on steps. Rigid constraints have nothing to damp.
+     * &#64;param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
+     * &#64;return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
      * </pre>
      */
     public void removeConstraint(int body, int constraint) {

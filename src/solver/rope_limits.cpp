@@ -1,0 +1,116 @@
+// Ropes with links that only pull. While all links of a particle are slack it flies, exactly. When a
+// rigid one becomes taut within a substep, the ends lose the speed at which they part: an inelastic
+// impact, solved for all taut links of the chain together, which takes from the velocities the part
+// along the links and nothing else.
+#include "solver/collision.h"
+#include "solver/flight.h"
+#include "solver/time_scheme.h"
+
+namespace gphys {
+namespace {
+
+// A link is slack if it lacks this part of its length: ten times what a solved one may lack.
+constexpr double slack = 1e-8;
+
+bool is_slack(const Body& body, const Vector<Vec3>& position, uint32_t a, uint32_t b, uint32_t link) {
+    return body.plan.limit[link] && distance(position[a], position[b]) < body.plan.rest[link] * (1 - slack);
+}
+
+/// Links of a chain that hold rigidly at the end of the substep.
+struct TautLinks {
+    Body& body;
+    const Chain& chain;
+
+    uint32_t particle(uint32_t i) const { return body.plan.particles[chain.first_particle + i]; }
+    bool taut(uint32_t i) const {
+        const uint32_t link = chain.first_link + i;
+        return body.plan.compliance[link] == 0 && (!body.plan.limit[link] || body.plan.tension[link] > 0) &&
+               body.inverse_mass[particle(i)] + body.inverse_mass[particle(i + 1)] > 0;
+    }
+    bool captured() const {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            if (taut(i) && is_slack(body, body.start, particle(i), particle(i + 1), chain.first_link + i)) return true;
+        }
+        return false;
+    }
+    Vec3 direction(uint32_t i) const {
+        const Vec3 along = body.position[particle(i + 1)] - body.position[particle(i)];
+        const double length = gphys::length(along);
+        return length > 0 ? along / length : Vec3{1, 0, 0};
+    }
+
+    /// Impulses p_j along the links after which no taut one changes its length, by elimination:
+    ///   -c_j p_(j-1) + (w_j + w_(j+1)) p_j - c_(j+1) p_(j+1) = rate_j,   c_j = w_j (n_(j-1) . n_j)
+    void stop() const {
+        // Keeps the pivot of a straight chain between two pins from zero.
+        constexpr double regularisation = 1e-10;
+        struct Row {
+            double inverse_pivot, value, coupling;
+        };
+        const auto row_of = [&](uint32_t i) -> double(&)[4] { return body.plan.direct_rows[i].value; };
+        Vec3 before;
+        Row last{0, 0, 0};
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t a = particle(i), b = particle(i + 1);
+            Row row{0, 0, 0};
+            const Vec3 n = taut(i) ? direction(i) : Vec3{};
+            if (taut(i)) {
+                const double mobility = body.inverse_mass[a] + body.inverse_mass[b];
+                row.coupling = body.inverse_mass[a] * dot(before, n);
+                row.inverse_pivot =
+                    1 / (mobility * (1 + regularisation) - row.coupling * row.coupling * last.inverse_pivot);
+                row.value =
+                    (dot(n, body.velocity[b] - body.velocity[a]) + row.coupling * last.value) * row.inverse_pivot;
+            }
+            double(&kept)[4] = row_of(i);
+            kept[0] = row.inverse_pivot, kept[1] = row.value, kept[2] = row.coupling;
+            before = n;
+            last = row;
+        }
+        double impulse = 0, coupling = 0;
+        for (uint32_t i = chain.link_count; i-- > 0;) {
+            const double(&row)[4] = row_of(i);
+            impulse = row[1] + coupling * row[0] * impulse;
+            coupling = row[2];
+            if (!taut(i)) continue;
+            const uint32_t a = particle(i), b = particle(i + 1);
+            const Vec3 pull = direction(i) * impulse;
+            body.velocity[a] += pull * body.inverse_mass[a];
+            body.velocity[b] -= pull * body.inverse_mass[b];
+        }
+    }
+};
+
+}  // namespace
+
+void predict_flying(Body& body, Vec3 gravity, double h) {
+    std::fill(body.flying.begin(), body.flying.end(), uint8_t{1});
+    for (const Chain& chain : body.plan.chains) {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t a = body.plan.particles[chain.first_particle + i];
+            const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
+            if (!is_slack(body, body.start, a, b, chain.first_link + i)) body.flying[a] = body.flying[b] = 0;
+        }
+    }
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p)) body.flying[p] = 0;
+        if (!body.flying[p]) continue;
+        const Flight flight{gravity + body.force[p] * body.inverse_mass[p], body.settings.damping};
+        body.position[p] = body.start[p] + flight.displacement(body.start_velocity[p], h);
+        body.velocity[p] = flight.velocity(body.start_velocity[p], h);
+        keep_in_range(body.position[p], body.velocity[p]);
+    }
+}
+
+bool capture(Body& body) {
+    bool any = false;
+    for (const Chain& chain : body.plan.chains) {
+        const TautLinks links{body, chain};
+        if (!links.captured()) continue;
+        links.stop();
+        any = true;
+    }
+    return any;
+}
+
+}  // namespace gphys
