@@ -976,6 +976,8 @@ typedef struct gphys_body_desc {
     float bend_compliance; /* of GPHYS_CLOTH_BEND constraints, m/N; default 0.001 */
     uint32_t cloth_flags;  /* GPHYS_CLOTH_...; default SHEAR | BEND */
     uint32_t layers;       /* mask of the models it collides with; 0: none; default all */
+    float static_friction; /* of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
+                              as friction; default 0 */
 } gphys_body_desc;
 
 GPHYS_API gphys_status gphys_body_desc_init(gphys_body_desc* desc, uint32_t size);
@@ -1114,6 +1116,22 @@ GPHYS_API gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys
  *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist */
 GPHYS_API gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_body_id body,
                                                            gphys_constraint_id constraint, float damping);
+/** Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+ *  it again changes it, which inflates a body.
+ *  @param rest_volume  m^3, > 0; negative: the present volume
+ *  @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+ *                      which keeps its volume; INFINITY: none, which ends the constraint
+ *  @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
+ *          not all turned the same way, or face inward when the present volume is asked for
+ *  Cost: O(triangles) in each substep, twice. */
+GPHYS_API gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, float rest_volume,
+                                               float compliance);
+/** The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+ *  held at the end of the last step: above 0 it pushes outward.
+ *  @param out_volume, out_pressure  may be NULL
+ *  @return GPHYS_ERROR_UNSUPPORTED if none is held */
+GPHYS_API gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
+                                               float* out_pressure);
 GPHYS_API gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body,
                                                       gphys_constraint_id constraint);
 
@@ -1165,7 +1183,7 @@ typedef struct gphys_solver_stats {
     float strain_max;       /* largest |length / rest length - 1| of rigid constraints */
     float strain_rms;       /* root mean square of the same */
     float kinetic_energy;   /* joules */
-    float potential_energy; /* joules: of gravity, 0 at the solver's origin, and of stretch */
+    float potential_energy; /* joules: of gravity, 0 at the solver's origin, of stretch and of held volumes */
 } gphys_solver_stats;
 
 /** @param body  0: all bodies together.  Cost: O(particles + constraints). */
@@ -1186,7 +1204,24 @@ typedef struct gphys_contact {
 GPHYS_API gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact* out_contacts,
                                                  uint32_t capacity, uint32_t* out_total);
 
-/** Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+/** What bodies gave a model in the last step, by contacts and by attachments. Frozen. */
+typedef struct gphys_impulse {
+    gphys_model_id model;
+    uint32_t tag;       /* the model's */
+    gphys_vec3 linear;  /* N s: what to add to the momentum of the model if it is a body of yours */
+    gphys_vec3 angular; /* N m s, about the model's position in the world: the same for its spin */
+} gphys_impulse;
+
+/** Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+ *  which they fell asleep. Kept when too many: the lowest models.
+ *  Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+ *  cloth that touches several models at once gives to the one that it touches most. Models have no mass
+ *  here; a body of yours much lighter than what hangs from it should be moved in small steps.
+ *  Cost: O(models touched); no allocation. The same bits for any number of workers. */
+GPHYS_API gphys_status gphys_solver_get_impulses(const gphys_solver* solver, gphys_impulse* out_impulses,
+                                                 uint32_t capacity, uint32_t* out_total);
+
+/** Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
  *  that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
  *  @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
  *                    for the same release of the library and machines of the same byte order; it may

@@ -73,8 +73,8 @@ static void test_body_desc(void** state) {
     fixture* f = *state;
     gphys_body_desc desc;
     gphys_body_id body = 7;
-    float* const amounts[] = {&desc.mass,        &desc.radius,     &desc.damping,        &desc.friction,
-                              &desc.restitution, &desc.compliance, &desc.bend_compliance};
+    float* const amounts[] = {&desc.mass,        &desc.radius,     &desc.damping,         &desc.friction,
+                              &desc.restitution, &desc.compliance, &desc.bend_compliance, &desc.static_friction};
     size_t field, i;
     assert_int_equal(gphys_body_desc_init(NULL, sizeof desc), BAD);
     assert_int_equal(gphys_body_desc_init(&desc, 3), GPHYS_ERROR_STRUCT_SIZE);
@@ -95,6 +95,10 @@ static void test_body_desc(void** state) {
     desc.restitution = 1.5f;
     assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
     desc.restitution = 1;
+    desc.static_friction = 0.4f;
+    assert_true(desc.friction == 0.5f);
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
+    desc.static_friction = 0.5f;
     desc.cloth_flags = 4;
     assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
     desc.cloth_flags = 0;
@@ -387,6 +391,72 @@ static void test_max_distances_and_damping(void** state) {
     assert_int_equal(gphys_solver_set_constraint_damping(f->solver, f->rope, id, 1), STALE);
 }
 
+static void test_volumes(void** state) {
+    fixture* f = *state;
+    static const gphys_vec3 corners[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    gphys_mesh* mesh = NULL;
+    gphys_body_id body = 0;
+    float volume = 7, pressure = 7;
+    size_t i;
+    assert_int_equal(gphys_mesh_create(NULL, &corners[0].x, 12, 4, faces, 12, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_cloth_mesh(f->solver, NULL, mesh, NULL, &body), GPHYS_OK);
+    gphys_mesh_destroy(mesh);
+    assert_int_equal(gphys_solver_set_volume(NULL, body, -1, 0), BAD);
+    assert_int_equal(gphys_solver_set_volume(f->solver, f->removed, -1, 0), STALE);
+    assert_int_equal(gphys_solver_set_volume(f->solver, f->rope, -1, 0), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_solver_set_volume(f->solver, body, 0, 0), BAD);
+    assert_int_equal(gphys_solver_set_volume(f->solver, body, 1, -1), BAD);
+    assert_int_equal(gphys_solver_set_volume(f->solver, body, 1, NAN), BAD);
+    for (i = 0; i < BAD_COUNT; ++i) {
+        assert_int_equal(gphys_solver_set_volume(f->solver, body, bad_values[i], 0), BAD);
+    }
+    assert_int_equal(gphys_solver_get_volume(f->solver, body, &volume, &pressure), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_solver_set_volume(f->solver, body, -1, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_volume(NULL, body, &volume, &pressure), BAD);
+    assert_int_equal(gphys_solver_get_volume(f->solver, f->removed, &volume, &pressure), STALE);
+    assert_true(volume == 7 && pressure == 7);
+    assert_int_equal(gphys_solver_get_volume(f->solver, body, &volume, &pressure), GPHYS_OK);
+    assert_true(fabsf(volume - 1.0f / 6) < 1e-7f && pressure == 0);
+    assert_int_equal(gphys_solver_get_volume(f->solver, body, NULL, NULL), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_volume(f->solver, body, 1, INFINITY), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_volume(f->solver, body, &volume, &pressure), GPHYS_ERROR_UNSUPPORTED);
+}
+
+static void test_impulses(void** state) {
+    fixture* f = *state;
+    static const gphys_vec3 places[1] = {{0, 0.01f, 0}};
+    const gphys_plane ground = {{0, 1, 0}, 0};
+    gphys_body_desc desc;
+    gphys_impulse impulse;
+    gphys_model_id model = 0;
+    gphys_body_id body = 0;
+    uint32_t total = 7;
+    memset(&impulse, 0, sizeof impulse);
+    gphys_body_desc_init(&desc, sizeof desc);
+    desc.mass = 3;
+    assert_int_equal(gphys_scene_add(f->scene, GPHYS_SHAPE_PLANE, &ground, NULL, NULL, &model), GPHYS_OK);
+    assert_int_equal(gphys_scene_set_tag(f->scene, model, 42), GPHYS_OK);
+    assert_int_equal(gphys_solver_remove_body(f->solver, f->rope), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, places, 12, 1, &body), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_impulses(NULL, &impulse, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_impulses(f->solver, NULL, 1, &total), BAD);
+    assert_int_equal(gphys_solver_get_impulses(f->solver, &impulse, 1, NULL), BAD);
+    assert_int_equal(gphys_solver_get_impulses(f->solver, &impulse, 1, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    assert_int_equal(gphys_solver_step(f->solver, f->scene, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_step(f->solver, f->scene, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_impulses(f->solver, NULL, 0, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 1);
+    assert_int_equal(gphys_solver_get_impulses(f->solver, &impulse, 1, &total), GPHYS_OK);
+    assert_int_equal(impulse.model, model);
+    assert_int_equal(impulse.tag, 42);
+    assert_true(fabsf(impulse.linear.y + 3 * 9.81f * 0.01f) < 1e-6f);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_impulses(f->solver, &impulse, 1, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+}
+
 static void test_step_and_settings(void** state) {
     fixture* f = *state;
     const gphys_vec3 up = {0, 1, 0};
@@ -561,6 +631,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_pins_and_attachments, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_constraints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_max_distances_and_damping, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_volumes, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_impulses, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_substeps, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_snapshots, set_up, tear_down),

@@ -1920,11 +1920,48 @@ func (o *Solver) SetConstraintDamping(body BodyID, constraint ConstraintID, damp
 	return
 }
 
-// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-// its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-// on steps. Rigid constraints have nothing to damp.
-// @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+// it again changes it, which inflates a body.
+// @param rest_volume  m^3, > 0; negative: the present volume
+// @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+//                     which keeps its volume; INFINITY: none, which ends the constraint
+// @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
+//         not all turned the same way, or face inward when the present volume is asked for
+// Cost: O(triangles) in each substep, twice.
+func (o *Solver) SetVolume(body BodyID, restVolume float32, compliance float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_volume(self, C.gphys_body_id(body), C.float(restVolume), C.float(compliance))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+// held at the end of the last step: above 0 it pushes outward.
+// @param out_volume, out_pressure  may be NULL
+// @return GPHYS_ERROR_UNSUPPORTED if none is held
+func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_volume(self, C.gphys_body_id(body))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	volume = *(*float32)(unsafe.Pointer(&r.out_volume))
+	pressure = *(*float32)(unsafe.Pointer(&r.out_pressure))
+	return
+}
+
+// The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+// held at the end of the last step: above 0 it pushes outward.
+// @param out_volume, out_pressure  may be NULL
+// @return GPHYS_ERROR_UNSUPPORTED if none is held
 func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2048,7 +2085,26 @@ func (o *Solver) Contacts() (result []Contact, err error) {
 	return
 }
 
-// Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+// Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+// which they fell asleep. Kept when too many: the lowest models.
+// Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+// cloth that touches several models at once gives to the one that it touches most. Models have no mass
+// here; a body of yours much lighter than what hangs from it should be moved in small steps.
+// Cost: O(models touched); no allocation. The same bits for any number of workers.
+func (o *Solver) Impulses() (result []Impulse, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[Impulse](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_solver_get_impulses(self, (*C.gphys_impulse)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
 // that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
 // @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
 //                   for the same release of the library and machines of the same byte order; it may

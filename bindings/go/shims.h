@@ -1598,6 +1598,30 @@ static inline go_gphys_solver_set_constraint_damping_result go_gphys_solver_set_
     return r;
 }
 
+typedef struct go_gphys_solver_set_volume_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_volume_result;
+static inline go_gphys_solver_set_volume_result go_gphys_solver_set_volume(void* solver, gphys_body_id body, float rest_volume, float compliance) {
+    go_gphys_solver_set_volume_result r = {0};
+    r.status = gphys_solver_set_volume(solver, body, rest_volume, compliance);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_volume_result {
+    gphys_status status;
+    char* message;
+    float out_volume;
+    float out_pressure;
+} go_gphys_solver_get_volume_result;
+static inline go_gphys_solver_get_volume_result go_gphys_solver_get_volume(void* solver, gphys_body_id body) {
+    go_gphys_solver_get_volume_result r = {0};
+    r.status = gphys_solver_get_volume(solver, body, &r.out_volume, &r.out_pressure);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_remove_constraint_result {
     gphys_status status;
     char* message;
@@ -1677,6 +1701,18 @@ typedef struct go_gphys_solver_get_contacts_result {
 static inline go_gphys_solver_get_contacts_result go_gphys_solver_get_contacts(void* solver, gphys_contact * out_contacts, uint32_t capacity) {
     go_gphys_solver_get_contacts_result r = {0};
     r.status = gphys_solver_get_contacts(solver, out_contacts, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_impulses_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_solver_get_impulses_result;
+static inline go_gphys_solver_get_impulses_result go_gphys_solver_get_impulses(void* solver, gphys_impulse * out_impulses, uint32_t capacity) {
+    go_gphys_solver_get_impulses_result r = {0};
+    r.status = gphys_solver_get_impulses(solver, out_impulses, capacity, &r.out_total);
     r.message = go_message(r.status);
     return r;
 }

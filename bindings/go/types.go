@@ -478,6 +478,9 @@ type BodyDesc struct {
 	ClothFlags uint32
 	// mask of the models it collides with; 0: none; default all
 	Layers uint32
+	// of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
+	// as friction; default 0
+	StaticFriction float32
 }
 
 // Frozen.
@@ -515,7 +518,7 @@ type SolverStats struct {
 	StrainRms float32
 	// joules
 	KineticEnergy float32
-	// joules: of gravity, 0 at the solver's origin, and of stretch
+	// joules: of gravity, 0 at the solver's origin, of stretch and of held volumes
 	PotentialEnergy float32
 }
 
@@ -530,6 +533,17 @@ type Contact struct {
 	Point Vec3
 	// unit, from the model to the particle
 	Normal Vec3
+}
+
+// What bodies gave a model in the last step, by contacts and by attachments. Frozen.
+type Impulse struct {
+	Model ModelID
+	// the model's
+	Tag uint32
+	// N s: what to add to the momentum of the model if it is a body of yours
+	Linear Vec3
+	// N m s, about the model's position in the world: the same for its spin
+	Angular Vec3
 }
 
 // The layouts are those of C, or this does not compile.
@@ -680,6 +694,7 @@ var (
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.bend_compliance)]byte = [unsafe.Offsetof(BodyDesc{}.BendCompliance)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.cloth_flags)]byte = [unsafe.Offsetof(BodyDesc{}.ClothFlags)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.layers)]byte = [unsafe.Offsetof(BodyDesc{}.Layers)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_desc{}.static_friction)]byte = [unsafe.Offsetof(BodyDesc{}.StaticFriction)]byte{}
 	_ [C.sizeof_gphys_body_info]byte = [unsafe.Sizeof(BodyInfo{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.kind)]byte = [unsafe.Offsetof(BodyInfo{}.Kind)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.method)]byte = [unsafe.Offsetof(BodyInfo{}.Method)]byte{}
@@ -708,6 +723,11 @@ var (
 	_ [unsafe.Offsetof(C.gphys_contact{}.tag)]byte = [unsafe.Offsetof(Contact{}.Tag)]byte{}
 	_ [unsafe.Offsetof(C.gphys_contact{}.point)]byte = [unsafe.Offsetof(Contact{}.Point)]byte{}
 	_ [unsafe.Offsetof(C.gphys_contact{}.normal)]byte = [unsafe.Offsetof(Contact{}.Normal)]byte{}
+	_ [C.sizeof_gphys_impulse]byte = [unsafe.Sizeof(Impulse{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_impulse{}.model)]byte = [unsafe.Offsetof(Impulse{}.Model)]byte{}
+	_ [unsafe.Offsetof(C.gphys_impulse{}.tag)]byte = [unsafe.Offsetof(Impulse{}.Tag)]byte{}
+	_ [unsafe.Offsetof(C.gphys_impulse{}.linear)]byte = [unsafe.Offsetof(Impulse{}.Linear)]byte{}
+	_ [unsafe.Offsetof(C.gphys_impulse{}.angular)]byte = [unsafe.Offsetof(Impulse{}.Angular)]byte{}
 )
 
 // Spheres are shapes of one kind.

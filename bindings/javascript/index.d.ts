@@ -331,6 +331,9 @@ export interface BodyDesc {
     cloth_flags: number;
     /** mask of the models it collides with; 0: none; default all */
     layers: number;
+    /** of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
+     * as friction; default 0 */
+    static_friction: number;
 }
 /** Frozen. */
 export interface BodyInfo {
@@ -365,7 +368,7 @@ export interface SolverStats {
     strain_rms: number;
     /** joules */
     kinetic_energy: number;
-    /** joules: of gravity, 0 at the solver's origin, and of stretch */
+    /** joules: of gravity, 0 at the solver's origin, of stretch and of held volumes */
     potential_energy: number;
 }
 /** A particle that touched a model in the last step. Frozen. */
@@ -379,6 +382,16 @@ export interface Contact {
     point: number[];
     /** unit, from the model to the particle */
     normal: number[];
+}
+/** What bodies gave a model in the last step, by contacts and by attachments. Frozen. */
+export interface Impulse {
+    model: number;
+    /** the model's */
+    tag: number;
+    /** N s: what to add to the momentum of the model if it is a body of yours */
+    linear: number[];
+    /** N m s, about the model's position in the world: the same for its spin */
+    angular: number[];
 }
 /** What stands in Records, by the name of its kind. */
 export interface Kinds {
@@ -410,6 +423,7 @@ export interface Kinds {
     constraint_info: ConstraintInfo;
     solver_stats: SolverStats;
     contact: Contact;
+    impulse: Impulse;
 }
 export type Kind = keyof Kinds;
 export function sphere(center: Given<number[]>, radius: Given<number>): Shape;
@@ -793,11 +807,24 @@ export class Solver {
      * @param damping  N s/m, >= 0; 0, which every constraint begins with: none
      * @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist */
     setConstraintDamping(body: number, constraint: number, damping: number): void;
-    /** Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-     * its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-     * on steps. Rigid constraints have nothing to damp.
-     * @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-     * @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist */
+    /** Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+     * it again changes it, which inflates a body.
+     * @param rest_volume  m^3, > 0; negative: the present volume
+     * @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+     *                     which keeps its volume; INFINITY: none, which ends the constraint
+     * @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
+     *         not all turned the same way, or face inward when the present volume is asked for
+     * Cost: O(triangles) in each substep, twice. */
+    setVolume(body: number, rest_volume: number, compliance: number): void;
+    /** The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+     * held at the end of the last step: above 0 it pushes outward.
+     * @param out_volume, out_pressure  may be NULL
+     * @return GPHYS_ERROR_UNSUPPORTED if none is held */
+    getVolume(body: number): [number, number];
+    /** The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+     * held at the end of the last step: above 0 it pushes outward.
+     * @param out_volume, out_pressure  may be NULL
+     * @return GPHYS_ERROR_UNSUPPORTED if none is held */
     removeConstraint(body: number, constraint: number): void;
     /** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest. */
     getConstraints(body: number): Records<ConstraintInfo>;
@@ -827,7 +854,14 @@ export class Solver {
     getStats(body: number): SolverStats;
     /** Contacts of the last step by body, particle, model. Kept when too many: the first. */
     getContacts(): Records<Contact>;
-    /** Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+    /** Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+     * which they fell asleep. Kept when too many: the lowest models.
+     * Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+     * cloth that touches several models at once gives to the one that it touches most. Models have no mass
+     * here; a body of yours much lighter than what hangs from it should be moved in small steps.
+     * Cost: O(models touched); no allocation. The same bits for any number of workers. */
+    getImpulses(): Records<Impulse>;
+    /** Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
      * that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
      * @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
      *                   for the same release of the library and machines of the same byte order; it may

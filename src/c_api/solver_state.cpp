@@ -192,6 +192,32 @@ gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_bod
     return set_damping(unwrap(solver)->edit(body), constraint, damping);
 }
 
+gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, float rest_volume, float compliance) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_REQUIRE(std::fabs(rest_volume) <= GPHYS_MAX_COORDINATE && rest_volume != 0,
+                      "rest_volume: 0, not finite or out of range");
+        GPHYS_REQUIRE(is_amount(compliance) || compliance == INFINITY,
+                      "compliance: must be at least 0 and in range, or infinity");
+        Body& b = unwrap(solver)->edit(body);
+        if (compliance < INFINITY) return set_volume(b, rest_volume, compliance);
+        release_volume(b);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
+                                     float* out_pressure) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_TRY(unwrap(solver)->check(body));
+    const Body& b = unwrap(solver)->body(body);
+    if (!b.volume.held) return fail(GPHYS_ERROR_UNSUPPORTED, "body: no volume is held");
+    if (out_volume) *out_volume = to_float(volume_of(b));
+    if (out_pressure) *out_pressure = to_float(b.volume.pressure);
+    return GPHYS_OK;
+}
+
 gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body, gphys_constraint_id constraint) {
     GPHYS_REQUIRE(solver, "solver is null");
     GPHYS_TRY(unwrap(solver)->check(body));

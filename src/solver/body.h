@@ -9,7 +9,9 @@
 #include "foundation/math.h"
 #include "shapes/shapes.h"
 #include "solver/cloth_contacts.h"
+#include "solver/impulses.h"
 #include "solver/plan.h"
+#include "solver/volume.h"
 
 namespace gphys {
 
@@ -53,8 +55,11 @@ inline void keep_in_range(Vec3& position, Vec3& velocity) {
 }
 
 struct BodySettings {
-    double damping = 0, friction = 0, restitution = 0;
+    double damping = 0, friction = 0, static_friction = 0, restitution = 0;
     uint32_t layers = 0;  // of the models it collides with
+
+    /// Whether what is at rest on a model is held by more than slows what slides.
+    bool sticks() const { return static_friction > friction; }
 };
 
 /// Of a body at rest.
@@ -96,6 +101,7 @@ struct Body {
           constraint_ids(memory),
           constraints(memory),
           links(memory),
+          volume(memory),
           rest_position(memory),
           triangles(memory),
           predicted(memory),
@@ -104,8 +110,11 @@ struct Body {
           earlier(memory),
           earlier_velocity(memory),
           flying(memory),
+          solved(memory),
           touches(memory),
+          impulses(memory),
           held(memory),
+          stuck(memory),
           cloth(memory),
           cloth_contacts(memory),
           plan(memory) {}
@@ -125,6 +134,7 @@ struct Body {
     IdTable constraint_ids;
     Vector<DistanceConstraint> constraints;  // by slot
     Vector<Links> links;                     // by particle
+    Volume volume;
     /// Where the particles of a flat sheet stand at rest: the distance of two of them is then the
     /// furthest they can ever be apart. Empty for other bodies and for torn sheets.
     Vector<Vec3> rest_position;
@@ -137,9 +147,15 @@ struct Body {
     Vector<uint8_t> flying;   // by particle, of ropes with limits: whether none of its links was taut at the start
     double earlier_step = 0;  // seconds between the two; 0 when motion was interrupted, by the caller or a contact
 
-    Vector<Touch> touches;  // touches_per_particle each; empty until the body meets a scene
-    Vector<uint8_t> held;   // by particle: whether it touched something in the substep under way
-    bool touched = false;   // whether any did, unless the caller has interrupted the motion since
+    Vector<Vec3> solved;  // of ropes: the positions that the links had found when they met models
+
+    Vector<Touch> touches;          // touches_per_particle each; empty until the body meets a scene
+    Vector<ModelImpulse> impulses;  // by model, of the last step
+    /// By particle: 0, or if it touched something in the substep under way one more than the place of the
+    /// last such in its touches.
+    Vector<uint8_t> held;
+    Vector<uint32_t> stuck;  // by particle, if it sticks: whether friction has held it to a model, or it rests
+    bool touched = false;    // whether any did, unless the caller has interrupted the motion since
 
     Sleep sleep;
     uint32_t substeps = 0;      // of the last step
@@ -148,6 +164,19 @@ struct Body {
     ClothContacts cloth_contacts;
     Plan plan;
 };
+
+inline const Attachment* find_attachment(const Body& body, uint32_t particle) {
+    const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
+    const auto at = std::lower_bound(body.attachments.begin(), body.attachments.end(), particle, before);
+    return at != body.attachments.end() && at->particle == particle ? &*at : nullptr;
+}
+
+/// The force in newtons with which a link of a rope, from a to b, pulls its particle a.
+inline Vec3 link_pull(const Body& body, uint32_t a, uint32_t b, uint32_t link) {
+    const Vec3 along = body.position[b] - body.position[a];
+    const double length = gphys::length(along);
+    return (length > 0 ? along / length : Vec3{1, 0, 0}) * body.plan.tension[link];
+}
 
 /// Metres by which a constraint is too long or, below 0, too short; a maximum distance is never too short.
 inline double excess(const Body& body, const DistanceConstraint& c) {

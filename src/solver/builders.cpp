@@ -10,7 +10,8 @@ namespace {
 Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, uint32_t count, std::pmr::memory_resource* memory) {
     Body body(memory);
     body.kind = kind;
-    body.settings = {desc.damping, desc.friction, desc.restitution, desc.layers};
+    body.settings = {desc.damping, desc.friction, std::max(desc.friction, desc.static_friction), desc.restitution,
+                     desc.layers};
     const double mass = static_cast<double>(desc.mass) / count;
     body.position.resize(count);
     body.velocity.resize(count);
@@ -177,6 +178,7 @@ gphys_status Solver::remove(gphys_body_id id) {
     if (status != GPHYS_OK) return status;
     state_.ids.remove(id);
     state_.bodies[IdTable::slot_of(id)] = Body(&memory);
+    add_impulses();
     return GPHYS_OK;
 }
 

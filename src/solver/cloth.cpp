@@ -102,8 +102,8 @@ bool capture(const ClothBatches& batches, ClothState& cloth) {
 
 double stored_energy(const ClothKernels& kernels, const Body& body) {
     const ClothBatches& batches = body.plan.batches;
-    if (!batches.elastic) return 0;
-    double sum = 0;
+    double sum = body.volume.held ? stored_in_volume(body, cloth_volume(body)) / body.cloth.average_mass : 0;
+    if (!batches.elastic) return sum;
     for (const ChainBatch& batch : batches.chains)
         sum += kernels.stored(body.cloth.at.data(), chains_of(batches), batch);
     return sum;
@@ -112,22 +112,48 @@ double stored_energy(const ClothKernels& kernels, const Body& body) {
 void solve_cloth(const ClothKernels& kernels, Body& body) {
     ClothBatches& batches = body.plan.batches;
     ClothContacts& contacts = body.cloth_contacts;
+    // Before the chains, which need it for their shape, and after them, which leave an error in it.
+    body.volume.given = 0;
+    if (body.volume.held) solve_volume(body, batches.scale);
     for (const ChainBatch& batch : batches.chains) {
         if (contacts.touching) {
             kernels.solve_touching(body.cloth.at.data(), {contacts.normals.data(), contacts.pulls.data()},
                                    damped_chains_of(batches), batch, batches.rows.data());
+        } else if (batch.attached) {
+            kernels.solve_pulling(body.cloth.at.data(), contacts.pulls.data(), damped_chains_of(batches), batch,
+                                  batches.rows.data());
         } else {
             kernels.solve(body.cloth.at.data(), damped_chains_of(batches), batch, batches.rows.data());
         }
     }
-    kernels.limit(body.cloth.at.data(), {batches.limited.data(), batches.anchors.data(), batches.distances.data()},
-                  static_cast<uint32_t>(batches.limited.size()));
+    if (body.volume.held) solve_volume(body, batches.scale);
+    if (contacts.touching) note_places(body);
+    const ClothLimits limits{batches.limited.data(), batches.anchors.data(), batches.distances.data()};
+    const uint32_t limit_count = static_cast<uint32_t>(batches.limited.size());
+    if (body.attachments.empty()) {
+        kernels.limit(body.cloth.at.data(), limits, limit_count);
+    } else {
+        kernels.limit_pulling(body.cloth.at.data(), limits, limit_count, body.cloth.mass.data(), contacts.pulls.data());
+    }
+}
+
+/// What chains and limits have pulled attached particles with: the force of a whole substep.
+void give_pulls(Body& body, const Surroundings& around, double step, double h) {
+    const double to_impulse = body.cloth.average_mass * h / (step * step);
+    for (const Attachment& attachment : body.attachments) {
+        const size_t i = 4 * size_t{attachment.particle};
+        if (around.scene) {
+            give(body, around, attachment.model, body.cloth.origin + get(&body.cloth.at[i]),
+                 get(&body.cloth_contacts.pulls[i]) * to_impulse);
+        }
+    }
 }
 
 void follow_models(Body& body, double fraction) {
     for (const Attachment& attachment : body.attachments) {
         const Vec3 next = attachment.begin + (attachment.end - attachment.begin) * fraction;
         put(&body.cloth.at[4 * size_t{attachment.particle}], next - body.cloth.origin, farthest);
+        put(&body.cloth_contacts.pulls[4 * size_t{attachment.particle}], {}, 0);
     }
 }
 
@@ -168,6 +194,8 @@ void reserve_cloth(Body& body) {
                                   &cloth.acceleration, &cloth.mass}) {
         values->resize(floats);
     }
+    if (!body.attachments.empty()) body.cloth_contacts.pulls.resize(floats);
+    if (body.volume.held) body.volume.gradient.resize(body.size());
 }
 
 void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
@@ -199,7 +227,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     cloth.at[4 * size_t{body.size()} + 4] = 1;
     double length = 0;
     for (const double rest : body.plan.rest) length += rest;
-    cloth.link_length = length / static_cast<double>(body.plan.rest.size());
+    cloth.link_length = length / static_cast<double>(std::max<size_t>(1, body.plan.rest.size()));
     body.cloth_contacts.touching = false;
     if (collides(body, around)) look_around_cloth(body, around, gravity);
 }
@@ -224,11 +252,13 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     damp_links(body, scheme);
     follow_models(body, around.end);
     const bool collides = gphys::collides(body, around);
-    if (collides) touch_walls(body, gravity, h);
+    if (collides) touch_walls(body, gravity, scheme);
     solve_cloth(kernels, body);
+    if (!body.attachments.empty()) give_pulls(body, around, scheme.step(damping), h);
     if (collides) leave_walls(body);
     double gain = kernels.finish(motion_of(cloth), step);
     cloth.velocity.swap(cloth.velocity_before);
+    if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture(body.plan.batches, cloth);
     if (closed) {
         gain += stored_energy(kernels, body) - stored;
@@ -237,7 +267,7 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     body.touched = captured;
     if (collides) {
         body.touched = captured || body.cloth_contacts.touching;
-        turn_velocities(body, quiet_speed(gravity, h));
+        turn_velocities(body, around, quiet_speed(gravity, h));
         catch_escaped(body, around, gravity, h);
     }
     body.earlier_step = body.touched ? 0 : h;

@@ -19,6 +19,15 @@ double clearance(const Body& body, uint32_t p, Vec3 at) {
     return skin(body.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
 }
 
+/// What a particle has given to the model that it touched last.
+void hand_over(Neighbour& n, Body& body, const Surroundings& around) {
+    if (n.getting == 0) return;
+    const double mass = body.cloth.average_mass * body.cloth.mass[4 * size_t{n.particle}];
+    give(body, around, n.getting, body.cloth.origin, n.given * mass, n.turning * mass);
+    n.getting = 0;
+    n.given = n.turning = {};
+}
+
 class Lookout {
 public:
     Lookout(const Surroundings& around, Body& body, double step_length)
@@ -65,7 +74,8 @@ public:
         }
     }
 
-    void record_touches(const Neighbour& n) {
+    void record_touches(Neighbour& n) {
+        hand_over(n, body_, around_);
         const Vec3 at = body_.cloth.origin + get(&body_.cloth.at[4 * size_t{n.particle}]);
         for (uint32_t i = 0; i < n.wall_count; ++i) {
             const Wall& wall = n.walls[i];
@@ -202,8 +212,10 @@ void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     }
 }
 
-void touch_walls(Body& body, Vec3 gravity, double h) {
+void touch_walls(Body& body, Vec3 gravity, const TimeScheme& scheme) {
     ClothState& cloth = body.cloth;
+    const BodySettings& settings = body.settings;
+    const double h = scheme.h, drag = scheme.drag(body.settings.damping);
     ClothContacts& contacts = body.cloth_contacts;
     contacts.touching = false;
     // What gravity moves a particle by in a substep is near enough to touch.
@@ -218,6 +230,9 @@ void touch_walls(Body& body, Vec3 gravity, double h) {
         n.held = false;
         n.touching = -1;
         if (n.wall_count == 0) continue;
+        n.coming = (scheme.from_history(get(&cloth.velocity[i]), get(&cloth.velocity_before[i])) +
+                    get(&cloth.acceleration[i]) * h) *
+                   drag;
         double depth;
         const uint32_t wall = deepest(n, get(at), depth);
         if (depth < -near) continue;
@@ -228,17 +243,26 @@ void touch_walls(Body& body, Vec3 gravity, double h) {
         n.approach = -dot(moved, normal) / h;
         float* pull = &contacts.pulls[i];
         const Vec3 along = moved - normal * dot(moved, normal);
-        const double hold = body.settings.friction * (pressed_before + std::max(0.0, depth)), way = length(along);
-        if (body.settings.friction > 0 && way <= hold && !n.slipping) {
+        // What links will add to the pressure is known from the substep before. To find out whether friction
+        // holds the particle both count, as it is let go if not; but not to slow it by.
+        const double presses = std::max(pressed_before, depth), may_hold = pressed_before + std::max(0.0, depth);
+        n.still = settings.sticks() && rests(body, n.particle, get(&cloth.velocity[i]), gravity);
+        const double hold = n.still             ? settings.static_friction * may_hold
+                            : settings.sticks() ? settings.friction * presses
+                                                : settings.friction * may_hold;
+        const double way = length(along);
+        if (settings.friction > 0 && way <= hold && !n.slipping) {
             n.held = true;
             n.inverse_mass = at[3];
             put(pull, moved / n.inverse_mass);
+            n.first_pull = get(pull);
             put(at, start);
             at[3] = 0;
         } else {
             put(pull, {});
+            n.first_pull = {};
             put(&contacts.normals[i], normal);
-            n.slowed = std::min(way, hold);
+            n.slowed = std::min(way, settings.friction * presses);
             if (way > 0) put(at, get(at) - along * (n.slowed / way));
             n.slipping = false;
             push_out(n, at);
@@ -268,6 +292,10 @@ void slow_down(Neighbour& n, const ClothContacts& contacts, double friction, Vec
 
 }  // namespace
 
+void note_places(Body& body) {
+    for (Neighbour& n : body.cloth_contacts.neighbours) n.chained = get(&body.cloth.at[4 * size_t{n.particle}]);
+}
+
 void leave_walls(Body& body) {
     ClothState& cloth = body.cloth;
     ClothContacts& contacts = body.cloth_contacts;
@@ -275,35 +303,68 @@ void leave_walls(Body& body) {
     for (Neighbour& n : contacts.neighbours) {
         const size_t i = 4 * size_t{n.particle};
         float* at = &cloth.at[i];
+        const Vec3 limited = get(at);
+        const bool before = n.touching >= 0;
         if (n.held) {
-            try_to_hold(n, contacts, friction);
+            try_to_hold(n, contacts, n.still ? body.settings.static_friction : friction);
             at[3] = static_cast<float>(n.inverse_mass);
             if (!(get(at) == get(&cloth.start[i]))) push_out(n, at);  // a reach limit has moved it
         } else if (n.wall_count > 0) {
-            const bool before = n.touching >= 0;
             push_out(n, at);
             if (!before && n.touching >= 0) put(&contacts.pulls[i], {}), n.approach = 0;
             if (n.touching >= 0) slow_down(n, contacts, friction, get(&cloth.start[i]), at);
             put(&contacts.normals[i], {});
         }
         contacts.touching = contacts.touching || n.touching >= 0;
+        if (n.touching < 0) continue;
+        // As metres: what chains and limits have moved it by, or what walls have.
+        n.moved = before ? (get(&contacts.pulls[i]) - n.first_pull) * at[3] + (limited - n.chained) : limited - get(at);
+        n.chained_touching = before;
     }
 }
 
-void turn_velocities(Body& body, double quiet) {
+namespace {
+
+/// What the particle has lost goes to the model that it touches.
+void lose(Neighbour& n, Body& body, const Surroundings& around, Vec3 velocity) {
+    const Wall& wall = n.walls[n.touching];
+    if (n.getting != wall.model) {
+        hand_over(n, body, around);
+        n.getting = wall.model;
+    }
+    n.given += velocity;
+    n.turning += cross(get(&body.cloth.at[4 * size_t{n.particle}]) - wall.normal * body.radius[n.particle], velocity);
+}
+
+}  // namespace
+
+/// Links, limits and walls have changed a velocity from the predicted one; what walls did they get.
+void count_contacts(Body& body, const Surroundings& around, double rate) {
+    for (Neighbour& n : body.cloth_contacts.neighbours) {
+        if (n.touching < 0) continue;
+        const Vec3 velocity = get(&body.cloth.velocity[4 * size_t{n.particle}]);
+        const Vec3 pulled = n.moved * rate;
+        lose(n, body, around, n.chained_touching ? n.coming + pulled - velocity : pulled);
+    }
+}
+
+void turn_velocities(Body& body, const Surroundings& around, double quiet) {
     ClothState& cloth = body.cloth;
-    for (const Neighbour& n : body.cloth_contacts.neighbours) {
+    for (Neighbour& n : body.cloth_contacts.neighbours) {
         if (n.touching < 0) continue;
         const size_t i = 4 * size_t{n.particle};
         float* velocity = &cloth.velocity[i];
         if (get(&cloth.at[i]) == get(&cloth.start[i])) {
+            lose(n, body, around, get(velocity));
             put(velocity, {});
             continue;
         }
         const Vec3 normal = n.walls[n.touching].normal;
         const double away = dot(get(velocity), normal);
         const double wanted = n.approach > quiet ? body.settings.restitution * n.approach : 0;
-        if (away < wanted) put(velocity, get(velocity) + normal * (wanted - away));
+        if (away >= wanted) continue;
+        lose(n, body, around, normal * (away - wanted));
+        put(velocity, get(velocity) + normal * (wanted - away));
     }
 }
 
@@ -354,7 +415,7 @@ void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double 
 
 void record_touches(Body& body, const Surroundings& around) {
     Lookout lookout(around, body, around.step_time);
-    for (const Neighbour& n : body.cloth_contacts.neighbours) lookout.record_touches(n);
+    for (Neighbour& n : body.cloth_contacts.neighbours) lookout.record_touches(n);
 }
 
 }  // namespace gphys

@@ -40,12 +40,21 @@ struct Neighbour {
     uint32_t touched;     // bit by wall: in this step
     int32_t touching;     // the wall that pressed it most in this substep, or -1
     bool held;            // by friction, in this substep
+    bool still;           // it had no speed, where that makes a difference
     double inverse_mass;  // relative, while it is held
     double pressed;       // metres, by how much walls have moved it in this substep
     double total;         // the same with what links pulled it against them by
     double slowed;        // metres, by how much friction has slowed it before the links pulled
     bool slipping;        // what pulled it in the substep before was more than friction holds
     double approach;      // speed towards the wall before it touched
+    // For what models get from it:
+    bool chained_touching;   // whether it touched before the chains were solved
+    Vec3 coming;             // the velocity predicted for the end of this substep
+    Vec3 first_pull;         // what `pulls` began with
+    Vec3 chained;            // where the chains have left it, before limits
+    Vec3 moved;              // metres, by chains and limits; against what walls did, if it touched after them
+    gphys_model_id getting;  // the model that gets the next two:
+    Vec3 given, turning;     // m/s, what it has lost to it, and the moment of that about the cloth's origin
 };
 
 struct ClothContacts {

@@ -118,6 +118,25 @@ struct NoSurfaces {
     }
 };
 
+void add_pull(float* pulls, const uint32_t* particles, const Quads8& pull) {
+    Quads8 sum = load_quads(pulls, particles);
+    sum.x = sum.x + pull.x;
+    sum.y = sum.y + pull.y;
+    sum.z = sum.z + pull.z;
+    store_quads(pulls, particles, sum);
+}
+
+/// The same, and what links pull with is wanted.
+struct NoSurfacesPulling : NoSurfaces {
+    float* pulls;
+
+    explicit NoSurfacesPulling(float* sums) : pulls(sums) {}
+    void move(float* at, const uint32_t* particles, const Quads8& pull) const {
+        NoSurfaces::move(at, particles, pull);
+        add_pull(pulls, particles, pull);
+    }
+};
+
 /// With the normals N of what they touch, particles have the inverse masses w (1 - N N^T): the system
 /// counts with them as they move along the surface. What pulls them off it does so all the same.
 struct Surfaces {
@@ -148,17 +167,14 @@ struct Surfaces {
         return a.w * (straight - off * along(n, at_a));
     }
     void move(float* at, const uint32_t* particles, const Quads8& pull) const {
-        Quads8 a = load_quads(at, particles), sum = load_quads(arrays.pulls, particles);
+        Quads8 a = load_quads(at, particles);
         const Normals normal = normals(particles);
         const Float8 in = min(splat(0), pull.x * normal.x + pull.y * normal.y + pull.z * normal.z);
         a.x = a.x + (pull.x - normal.x * in) * a.w;
         a.y = a.y + (pull.y - normal.y * in) * a.w;
         a.z = a.z + (pull.z - normal.z * in) * a.w;
-        sum.x = sum.x + pull.x;
-        sum.y = sum.y + pull.y;
-        sum.z = sum.z + pull.z;
         store_quads(at, particles, a);
-        store_quads(arrays.pulls, particles, sum);
+        add_pull(arrays.pulls, particles, pull);
     }
 
 private:
@@ -231,6 +247,10 @@ void solve_touching(float* at, const ClothSurfaces& surfaces, const ClothChains&
     solve_either(at, Surfaces{surfaces}, chains, batch, rows);
 }
 
+void solve_pulling(float* at, float* pulls, const ClothChains& chains, const ChainBatch& batch, float* rows) {
+    solve_either(at, NoSurfacesPulling(pulls), chains, batch, rows);
+}
+
 double stored(const float* at, const ClothChains& chains, const ChainBatch& batch) {
     const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
     Quads8 a = load_quads(at, particles);
@@ -245,7 +265,9 @@ double stored(const float* at, const ClothChains& chains, const ChainBatch& batc
     return added(sum) / 2;
 }
 
-void limit(float* at, const ClothLimits& limits, uint32_t count) {
+/// moved(i, x, y, z) for each eight from the i-th on.
+template <class Moved>
+void limit_each(float* at, const ClothLimits& limits, uint32_t count, Moved&& moved) {
     for (uint32_t i = 0; i < count; i += 8) {
         const Quads8 anchor = load_quads(at, limits.anchors + i);
         Quads8 p = load_quads(at, limits.particles + i);
@@ -256,7 +278,24 @@ void limit(float* at, const ClothLimits& limits, uint32_t count) {
         p.y = p.y + y * back;
         p.z = p.z + z * back;
         store_quads(at, limits.particles + i, p);
+        moved(i, x * back, y * back, z * back);
     }
+}
+
+void limit(float* at, const ClothLimits& limits, uint32_t count) {
+    limit_each(at, limits, count, [](uint32_t, Float8, Float8, Float8) {});
+}
+
+void limit_pulling(float* at, const ClothLimits& limits, uint32_t count, const float* mass, float* pulls) {
+    limit_each(at, limits, count, [&](uint32_t i, Float8 x, Float8 y, Float8 z) {
+        float lanes[3][8];
+        store(lanes[0], x), store(lanes[1], y), store(lanes[2], z);
+        for (uint32_t lane = 0; lane < 8; ++lane) {
+            float* pull = pulls + 4 * size_t{limits.anchors[i + lane]};
+            const float weight = mass[4 * size_t{limits.particles[i + lane]}];
+            for (int k = 0; k < 3; ++k) pull[k] -= lanes[k][lane] * weight;
+        }
+    });
 }
 
 /// The rounding of the predicted position is no motion: velocities would wander by it.
@@ -285,6 +324,7 @@ double finish(const ClothMotion& motion, const ClothStep& step) {
 
 }  // namespace
 
-const ClothKernels cloth_kernels = {predict, solve, solve_touching, stored, limit, finish};
+const ClothKernels cloth_kernels = {predict, solve, solve_touching, solve_pulling,
+                                    stored,  limit, limit_pulling,  finish};
 
 }  // namespace gphys::GPHYS_ISA

@@ -13,7 +13,8 @@ namespace gphys {
 struct ChainBatch {
     uint32_t first_particle, first_link;  // in the arrays below, in units of eight
     uint32_t link_count;
-    uint32_t limit = 0;  // 1: a single link each, which pulls and never pushes
+    uint32_t limit = 0;     // 1: a single link each, which pulls and never pushes
+    uint32_t attached = 0;  // 1: a particle is attached to a model
 };
 
 struct ClothChains {
@@ -61,9 +62,13 @@ struct ClothKernels {
     /// The same while particles that touch something move along it or off, and not into it.
     void (*solve_touching)(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
                            float* rows);
+    /// As `solve`, with the pulls as `solve_touching` adds them up.
+    void (*solve_pulling)(float* at, float* pulls, const ClothChains& chains, const ChainBatch& batch, float* rows);
     /// What elastic links hold, per average mass.
     double (*stored)(const float* at, const ClothChains& chains, const ChainBatch& batch);
     void (*limit)(float* at, const ClothLimits& limits, uint32_t count);
+    /// The same with the pulls on the anchors; `mass` as in ClothMotion.
+    void (*limit_pulling)(float* at, const ClothLimits& limits, uint32_t count, const float* mass, float* pulls);
     /// Returns the kinetic energy gained beyond what forces gave, per average mass.
     double (*finish)(const ClothMotion& motion, const ClothStep& step);
 };

@@ -137,19 +137,21 @@ double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3
     return approach * impact.t > room ? impact.t - room / approach : 0;
 }
 
-void record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal) {
-    Touch* const first = &body.touches[size_t{particle} * touches_per_particle];
-    for (Touch* touch = first; touch != first + touches_per_particle; ++touch) {
-        if (touch->model != 0 && touch->model != model) continue;
-        *touch = {model, scene.tag(model), narrow(point), narrow(normal)};
-        return;
+uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point,
+                      Vec3 normal) {
+    Touch* const touches = &body.touches[size_t{particle} * touches_per_particle];
+    for (uint32_t i = 0; i < touches_per_particle; ++i) {
+        if (touches[i].model != 0 && touches[i].model != model) continue;
+        touches[i] = {model, scene.tag(model), narrow(point), narrow(normal)};
+        return i;
     }
+    return touches_per_particle - 1;
 }
 
 void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
     body.touched = true;
-    body.held[particle] = 1;
-    record_touch(body, particle, *around_.scene, impact.model, impact.point, impact.normal);
+    const uint32_t touch = record_touch(body, particle, *around_.scene, impact.model, impact.point, impact.normal);
+    body.held[particle] = static_cast<uint8_t>(touch + 1);
 }
 
 Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, double friction) {
@@ -163,9 +165,56 @@ Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, doubl
     return velocity + impact.normal * given - sideways * taken;
 }
 
+namespace {
+
+/// The coefficient for an impact, and whether it leaves the particle stuck: one that is held already is let go
+/// when that takes more than static friction, one that slides is caught when kinetic friction stops it.
+double choose_friction(Body& body, uint32_t particle, const Impact& impact, double restitution) {
+    const BodySettings& settings = body.settings;
+    if (!settings.sticks()) return settings.friction;
+    const Vec3 relative = body.velocity[particle] - impact.surface_velocity;
+    const double approach = -dot(relative, impact.normal), given = (1 + restitution) * approach;
+    if (approach <= 0) return settings.friction;  // of nothing
+    const double sideways = length(relative + impact.normal * approach);
+    const double friction = body.stuck[particle] && sideways <= settings.static_friction * given
+                                ? settings.static_friction
+                                : settings.friction;
+    body.stuck[particle] = sideways <= friction * given;
+    return friction;
+}
+
+}  // namespace
+
+bool rests(const Body& body, uint32_t p, Vec3 velocity, Vec3 gravity) {
+    const double acceleration = length(gravity + body.force[p] * body.inverse_mass[p]);
+    return length_squared(velocity) <= 8 * acceleration * skin(body.radius[p], body.position[p]);
+}
+
+void begin_friction(Body& body, Vec3 gravity) {
+    if (!body.settings.sticks() || body.stuck.empty()) return;
+    std::fill(body.held.begin(), body.held.end(), uint8_t{0});
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (rests(body, p, body.velocity[p], gravity)) body.stuck[p] = 1;
+    }
+}
+
+void end_friction(Body& body) {
+    if (!body.settings.sticks() || body.stuck.empty()) return;
+    for (uint32_t p = 0; p < body.size(); ++p) body.stuck[p] = body.stuck[p] && body.held[p];
+}
+
+void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, double restitution) const {
+    const double friction = choose_friction(body, particle, impact, restitution);
+    Vec3& velocity = body.velocity[particle];
+    const Vec3 before = velocity;
+    velocity = after_impact(velocity, impact, restitution, friction);
+    give(body, around_, impact.model, impact.carried - impact.normal * body.radius[particle],
+         (before - velocity) * body.mass[particle]);
+}
+
 void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet) const {
     Vec3 at = from;
-    Vec3& velocity = body.velocity[particle];
+    const Vec3& velocity = body.velocity[particle];
     bool at_the_end = false;
     for (int contact = 0; contact < most_contacts; ++contact) {
         Impact impact;
@@ -188,14 +237,15 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
             displacement *= 1 - t;
         }
         const double approach = -dot(velocity - impact.surface_velocity, impact.normal);
-        velocity =
-            after_impact(velocity, impact, approach > quiet ? body.settings.restitution : 0, body.settings.friction);
+        const bool was_stuck = body.settings.sticks() && body.stuck[particle];
+        bounce(body, particle, impact, approach > quiet ? body.settings.restitution : 0);
+        const bool stays = was_stuck && body.stuck[particle];
         // What is left of the path goes along the surface, shortened by friction.
         const double into = -dot(displacement, impact.normal);
         if (into <= 0) continue;
         const Vec3 along = displacement + impact.normal * into;
         const double way = length(along);
-        const double hold = body.settings.friction * into;
+        const double hold = (stays ? body.settings.static_friction : body.settings.friction) * into;
         if (way <= hold) break;
         displacement = along * (1 - hold / way);
     }
@@ -256,6 +306,30 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
     }
 }
 
+/// What links pull a particle with that stays where it is goes to the model that holds it; what they had
+/// pulled it with before they were solved again has gone into its velocity, and come from there.
+void give_through_held(Body& body, const Surroundings& around, const SolveAgain& again) {
+    const auto give_to_holder = [&](uint32_t p, Vec3 impulse) {
+        if (!body.held[p] || body.pinned(p)) return;
+        const Touch& touch = body.touches[size_t{p} * touches_per_particle + body.held[p] - 1];
+        give(body, around, touch.model, body.position[p] - widen(touch.normal) * body.radius[p], impulse);
+    };
+    const double to_impulse = again.step * again.step * again.rate;
+    for (const Chain& chain : body.plan.chains) {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t a = body.plan.particles[chain.first_particle + i];
+            const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
+            if (!body.held[a] && !body.held[b]) continue;
+            const Vec3 pull = link_pull(body, a, b, chain.first_link + i) * to_impulse;
+            give_to_holder(a, pull);
+            give_to_holder(b, -pull);
+        }
+    }
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        give_to_holder(p, (body.predicted[p] - body.solved[p]) * (body.mass[p] * again.rate));
+    }
+}
+
 }  // namespace
 
 void collide(Body& body, const Surroundings& around, double quiet) {
@@ -264,6 +338,7 @@ void collide(Body& body, const Surroundings& around, double quiet) {
     const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
     if (collider.idle()) return;
     std::fill(body.held.begin(), body.held.end(), uint8_t{0});
+    body.solved = body.position;
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (!body.pinned(p)) collider.slide(body, p, body.start[p], body.position[p] - body.start[p], quiet);
     }
@@ -277,6 +352,7 @@ void collide_again(Body& body, const Surroundings& around, double quiet, const S
     }
     body.start = body.position;
     again.solve(body, again.step);
+    give_through_held(body, around, again);
     const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.pinned(p) || body.held[p]) continue;

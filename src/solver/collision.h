@@ -8,6 +8,7 @@
 
 #include "scene/scene.h"
 #include "solver/body.h"
+#include "solver/time_scheme.h"
 
 namespace gphys {
 
@@ -62,6 +63,8 @@ public:
     /// As far along the path as leaves the skin to what it ends at.
     double stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, const Impact& impact) const;
     void record(Body& body, uint32_t particle, const Impact& impact) const;
+    /// The velocity after an impact; the model gets what it takes from the particle.
+    void bounce(Body& body, uint32_t particle, const Impact& impact, double restitution) const;
     /// As far along the surfaces that it touches as it can go, whatever its velocity.
     void shift(Body& body, uint32_t particle, Vec3 way) const;
 
@@ -101,6 +104,14 @@ Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to
 /// Of a body whose particles have just been moved from start to position.
 void collide(Body& body, const Surroundings& around, double quiet);
 
+/// Whether a particle is no faster than a fall through four times its skin makes it, 9 mm/s for a radius of
+/// 1 cm: it may have been put down so far above what it lies on.
+bool rests(const Body& body, uint32_t particle, Vec3 velocity, Vec3 gravity);
+
+/// Around the substep of a body that is not cloth: which particles static friction may hold.
+void begin_friction(Body& body, Vec3 gravity);
+void end_friction(Body& body);
+
 /// How constraints are solved while particles that touch something stay where they are.
 struct SolveAgain {
     void (*solve)(Body& body, double step);
@@ -117,7 +128,8 @@ inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravit
 
 bool touch(const Box& a, const Box& b);
 
-void record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);
+/// Returns its place in the touches of the particle; the last if others fill them all.
+uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);
 
 /// How far a particle stays off what it touches: 1e-4 of its radius, which nobody sees, and at least
 /// 2^-40 of the coordinates, which is 2^12 times their rounding; for points at the origin, a nanometre.
@@ -126,9 +138,11 @@ inline double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * ma
 /// cloth_contacts.cpp: by turns before and after the chains of a substep.
 void reserve_cloth_contacts(Body& body);
 void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity);
-void touch_walls(Body& body, Vec3 gravity, double h);
+void touch_walls(Body& body, Vec3 gravity, const TimeScheme& scheme);
+void note_places(Body& body);
 void leave_walls(Body& body);
-void turn_velocities(Body& body, double quiet);
+void count_contacts(Body& body, const Surroundings& around, double rate);
+void turn_velocities(Body& body, const Surroundings& around, double quiet);
 void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void record_touches(Body& body, const Surroundings& around);
 
@@ -140,7 +154,7 @@ void end_cloth(Body& body, const Surroundings& around);
 
 /// rope_limits.cpp: after the prediction, and after the new velocities. Whether a link has become taut.
 void predict_flying(Body& body, Vec3 gravity, double h);
-bool capture(Body& body);
+bool capture(Body& body, const Surroundings& around, double h);
 
 /// free_flight.cpp: a body without constraints, moved and collided.
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h);

@@ -14,7 +14,8 @@ double largest_strain(const Body& body) {
         if (!body.constraint_ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints[slot];
         if (c.compliance > 0 || c.rest == 0) continue;
-        largest = std::max(largest, std::fabs(distance(body.position[c.a], body.position[c.b]) / c.rest - 1));
+        const double strain = distance(body.position[c.a], body.position[c.b]) / c.rest - 1;
+        largest = std::max(largest, c.limit ? strain : std::fabs(strain));
     }
     return largest;
 }

@@ -33,7 +33,8 @@ void fly_among(const Collider& collider, Body& body, uint32_t p, const Flight& f
         const bool bounces = body.settings.restitution * approach > std::max(0.0, pressing);
         collider.record(body, p, impact);
         at += displacement * t;
-        velocity = after_impact(arrival, impact, bounces ? body.settings.restitution : 0, body.settings.friction);
+        velocity = arrival;
+        collider.bounce(body, p, impact, bounces ? body.settings.restitution : 0);
         time -= s;
         if (!bounces) break;
     }

@@ -60,6 +60,7 @@ uint32_t longest_chain(const Plan& plan) {
 /// a particle, and walking from all free ends passes every constraint (twice, from both ends).
 gphys_solve_method method_of(const Body& body) {
     const uint32_t constraint_count = body.constraint_ids.size();
+    if (body.volume.held) return GPHYS_SOLVE_GRAPH;
     if (constraint_count == 0) return GPHYS_SOLVE_FREE;
     for (const Links& links : body.links) {
         if (links.degree > 2) return GPHYS_SOLVE_GRAPH;

@@ -72,6 +72,15 @@ void pack_limits(const Body& body, uint32_t nowhere, ClothBatches& batches) {
     fill_up();
 }
 
+/// Which chains move what is attached to models.
+void mark_attached(const Body& body, ClothBatches& batches) {
+    for (ChainBatch& batch : batches.chains) {
+        const uint32_t* first = &batches.particles[lanes * size_t{batch.first_particle}];
+        batch.attached = std::any_of(first, first + lanes * size_t{batch.link_count + 1},
+                                     [&](uint32_t p) { return find_attachment(body, p) != nullptr; });
+    }
+}
+
 }  // namespace
 
 void pack_cloth(Body& body) {
@@ -95,6 +104,7 @@ void pack_cloth(Body& body) {
             longest = std::max(longest, batches.chains.back().link_count);
         }
     }
+    if (!body.attachments.empty()) mark_attached(body, batches);
     batches.target.clear();
     if (!batches.damped.empty()) batches.target = batches.rest;
     batches.softness.resize(batches.rest.size());

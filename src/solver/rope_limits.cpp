@@ -19,6 +19,8 @@ bool is_slack(const Body& body, const Vector<Vec3>& position, uint32_t a, uint32
 /// Links of a chain that hold rigidly at the end of the substep.
 struct TautLinks {
     Body& body;
+    const Surroundings& around;
+    double h;
     const Chain& chain;
 
     uint32_t particle(uint32_t i) const { return body.plan.particles[chain.first_particle + i]; }
@@ -77,6 +79,8 @@ struct TautLinks {
             const Vec3 pull = direction(i) * impulse;
             body.velocity[a] += pull * body.inverse_mass[a];
             body.velocity[b] -= pull * body.inverse_mass[b];
+            if (body.pinned(a)) give_anchor(body, around, a, pull);
+            if (body.pinned(b)) give_anchor(body, around, b, -pull);
         }
     }
 };
@@ -102,10 +106,10 @@ void predict_flying(Body& body, Vec3 gravity, double h) {
     }
 }
 
-bool capture(Body& body) {
+bool capture(Body& body, const Surroundings& around, double h) {
     bool any = false;
     for (const Chain& chain : body.plan.chains) {
-        const TautLinks links{body, chain};
+        const TautLinks links{body, around, h, chain};
         if (!links.captured()) continue;
         links.stop();
         any = true;

@@ -18,11 +18,12 @@ constexpr uint32_t header_words = sizeof(Header) / 4;
 constexpr uint32_t magic = 0x6770686e;
 constexpr uint32_t swapped_magic = 0x6e687067;
 // Of the list below: to be raised when it changes.
-constexpr uint32_t format = 3;
+constexpr uint32_t format = 4;
 
 // Copied as they lie in memory, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(Attachment) == 80);
-static_assert(sizeof(Touch) == 32 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 && sizeof(ReachLimit) == 16);
+static_assert(sizeof(Touch) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 &&
+              sizeof(ReachLimit) == 16);
 
 /// Body and Plan are const when they are written.
 template <class Archive, class Plan>
@@ -46,6 +47,7 @@ void visit_body(Archive& archive, Body& body) {
     archive.value(body.kind);
     archive.value(body.settings.damping);
     archive.value(body.settings.friction);
+    archive.value(body.settings.static_friction);
     archive.value(body.settings.restitution);
     archive.value(body.settings.layers);
     archive.array(body.position);
@@ -59,6 +61,10 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.constraints);
     archive.array(body.rest_position);
     archive.array(body.triangles);
+    archive.flag(body.volume.held);
+    archive.value(body.volume.rest);
+    archive.value(body.volume.compliance);
+    archive.value(body.volume.pressure);
     archive.array(body.start);
     archive.array(body.start_velocity);
     archive.value(body.earlier_step);
@@ -66,6 +72,8 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.touches);
     archive.value(body.substeps);
     archive.value(body.wanted_substep);
+    archive.array(body.stuck);
+    archive.array(body.impulses);
     archive.value(body.sleep.calm);
     archive.flag(body.sleep.asleep);
     archive.value(body.sleep.box);
@@ -178,7 +186,12 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     SolverState restored(&memory);
     Reader archive(words + header_words, count - header_words);
     if (const char* wrong = read(archive, restored)) return refused(wrong);
+    size_t given = 0;
+    for (const Body& body : restored.bodies) given += body.impulses.size();
+    givers_.reserve(given);
+    impulses_.reserve(given);
     state_ = std::move(restored);
+    add_impulses();
     return GPHYS_OK;
 }
 

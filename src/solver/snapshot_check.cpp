@@ -24,7 +24,8 @@ bool sizes_agree(const Body& body) {
            body.mass.size() == n && body.inverse_mass.size() == n && body.radius.size() == n &&
            body.constraints.size() == body.constraint_ids.slots() && none_or(body.rest_position.size(), n) &&
            none_or(body.start.size(), n) && none_or(body.start_velocity.size(), n) &&
-           none_or(body.touches.size(), n * touches_per_particle) && body.triangles.size() % 3 == 0;
+           none_or(body.touches.size(), n * touches_per_particle) && none_or(body.stuck.size(), n) &&
+           body.triangles.size() % 3 == 0;
 }
 
 /// Empty, or of finite floats.
@@ -46,6 +47,13 @@ bool particles_fine(const Body& body) {
            all(body.start_velocity, is_speed) && all(body.cloth.moved, float_finite) &&
            all(body.cloth.velocity_before, float_finite) && is_amount(body.earlier_step) &&
            is_amount(body.sleep.calm) && fine_box(body.sleep.box);
+}
+
+bool impulses_fine(const Body& body) {
+    const auto finite_one = [](const ModelImpulse& given) { return finite(given.linear) && finite(given.angular); };
+    const auto out_of_order = [](const ModelImpulse& a, const ModelImpulse& b) { return a.model >= b.model; };
+    return all(body.impulses, finite_one) &&
+           std::adjacent_find(body.impulses.begin(), body.impulses.end(), out_of_order) == body.impulses.end();
 }
 
 bool attachments_fine(const Body& body) {
@@ -117,11 +125,16 @@ const char* defect(const Body& body) {
     if (!sizes_agree(body)) return "words: the arrays of a body have different lengths";
     const BodySettings& settings = body.settings;
     if (body.kind < GPHYS_BODY_PARTICLES || body.kind > GPHYS_BODY_CLOTH || !is_amount(settings.damping) ||
-        !is_amount(settings.friction) || !(settings.restitution >= 0 && settings.restitution <= 1) ||
-        !is_amount(body.wanted_substep)) {
+        !is_amount(settings.friction) || !is_amount(settings.static_friction) ||
+        !(settings.restitution >= 0 && settings.restitution <= 1) || !is_amount(body.wanted_substep)) {
         return "words: a setting of a body is out of range";
     }
     if (!particles_fine(body)) return "words: a particle's state is out of range";
+    const Volume& volume = body.volume;
+    if (!is_amount(volume.rest) || !is_amount(volume.compliance) || !finite(volume.pressure)) {
+        return "words: a volume is none";
+    }
+    if (!impulses_fine(body)) return "words: an impulse is none";
     if (!attachments_fine(body)) return "words: an attachment is none";
     if (!constraints_fine(body)) return "words: a constraint is none";
     if (!all(body.triangles, [&](uint32_t p) { return p < body.size(); })) return "words: a triangle is none";

@@ -8,13 +8,15 @@
 //   plan_chains.cpp     which constraints form chains
 //   rope_direct.cpp     ropes: Newton on the whole chain
 //   rope_limits.cpp     ropes with links that only pull
-//   damping.cpp         damped links as undamped ones with other numbers
+//   damping.h           damped links as undamped ones with other numbers
 //   cloth.cpp           cloth and graphs: families of chains
 //   cloth_kernels.cpp   their inner loops
 //   reach_limits.cpp    how far cloth can be from its pins
 //   cloth_contacts.cpp  what cloth touches, as part of its chains
 //   plan_cloth.cpp      chains and limits, packed for the kernels
 //   collision.cpp       particles against the scene
+//   impulses.cpp        what models get from bodies
+//   volume.cpp          what closed cloth encloses
 //   sleep.cpp           bodies at rest
 //   error_targets.cpp   how many substeps a body takes
 //   stats.cpp           strain, energy, contacts
@@ -65,9 +67,18 @@ struct ContactOrder {
         return a.particle != b.particle ? a.particle < b.particle : a.model < b.model;
     }
 };
+struct ImpulseOrder {
+    bool operator()(const gphys_impulse& a, const gphys_impulse& b) const { return a.model < b.model; }
+};
 struct ConstraintOrder {
     bool operator()(const gphys_constraint_info& a, const gphys_constraint_info& b) const { return a.id < b.id; }
 };
+
+/// What is beyond all floats stays at the largest: the cast would trap.
+inline float to_float(double value) {
+    constexpr double largest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::min(std::max(value, -largest), largest));
+}
 
 /// sleep.cpp: after the body has been moved by a step, see whether it is at rest and falls asleep.
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
@@ -132,6 +143,7 @@ public:
     /// Of one body, or of all: 0.
     gphys_solver_stats stats(gphys_body_id body) const;
     void contacts(Smallest<gphys_contact, ContactOrder>& out) const;
+    void impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const;
 
     // snapshot.cpp
     void hash(uint32_t (&out)[2]) const;
@@ -144,8 +156,20 @@ private:
     /// The largest first: no worker begins a large body when the others are done.
     struct Moving {
         uint32_t size, slot;
+        uint32_t models_near;
 
         bool operator<(const Moving& other) const { return size != other.size ? size > other.size : slot < other.slot; }
+    };
+
+    /// What one body gave one model.
+    struct Giver {
+        gphys_model_id model;
+        uint32_t slot;
+        const ModelImpulse* impulse;
+
+        bool operator<(const Giver& other) const {
+            return model != other.model ? model < other.model : slot < other.slot;
+        }
     };
 
     gphys_status insert(Body&& body, gphys_body_id& out);
@@ -154,6 +178,7 @@ private:
     /// Whether the body sleeps and nothing wakes it.
     bool sleeps_on(Body& body, const Scene* scene);
     void look_around(const Scene& scene, double dt);
+    void add_impulses();
 
     const Workers workers_;  // each moves a body at a time
     SolverState state_{&memory};
@@ -162,6 +187,9 @@ private:
     /// The bodies of the step under way, and where each may come near to models.
     Vector<Moving> moving_{&memory};
     Vector<Box> nearby_{&memory};
+    /// Of the last step: by model and body, and by model.
+    Vector<Giver> givers_{&memory};
+    Vector<ModelImpulse> impulses_{&memory};
 };
 
 // state.cpp: one body.
@@ -178,6 +206,9 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
 /// N s/m
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping);
 gphys_status remove_constraint(Body& body, gphys_constraint_id id);
+/// rest < 0: the present volume. The body keeps it from then on.
+gphys_status set_volume(Body& body, double rest, double compliance);
+void release_volume(Body& body);
 void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out);
 
 }  // namespace gphys

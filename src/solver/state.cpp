@@ -46,6 +46,7 @@ void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3
     const Strided<gphys_vec3> from(velocities, stride);
     for (uint32_t i = 0; i < count; ++i) {
         if (!body.pinned(first + i)) body.velocity[first + i] = widen(from[i]);
+        if (!body.stuck.empty()) body.stuck[first + i] = 0;
     }
     interrupt(body);
 }
@@ -74,10 +75,7 @@ void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned) {
     interrupt(body);
 }
 
-bool is_attached(const Body& body, uint32_t particle) {
-    const auto at = std::lower_bound(body.attachments.begin(), body.attachments.end(), particle, before);
-    return at != body.attachments.end() && at->particle == particle;
-}
+bool is_attached(const Body& body, uint32_t particle) { return find_attachment(body, particle) != nullptr; }
 
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
     const auto at = std::lower_bound(body.attachments.begin(), body.attachments.end(), particle, before);
@@ -153,6 +151,27 @@ gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
     body.constraint_ids.remove(id);
     body.rest_position.clear();
     return GPHYS_OK;
+}
+
+gphys_status set_volume(Body& body, double rest, double compliance) {
+    if (!body.volume.held && !encloses_volume(body)) {
+        return fail(GPHYS_ERROR_UNSUPPORTED, "body: its triangles do not close, or are not all turned the same way");
+    }
+    const double now = volume_of(body);
+    if (rest < 0 && !(now > 0)) return fail(GPHYS_ERROR_UNSUPPORTED, "body: it is turned inside out");
+    if (!body.volume.held) body.plan.chains_current = false;
+    body.volume.held = true;
+    body.volume.rest = rest < 0 ? now : rest;
+    body.volume.compliance = compliance;
+    interrupt(body);
+    return GPHYS_OK;
+}
+
+void release_volume(Body& body) {
+    body.volume.held = false;
+    body.volume.pressure = 0;
+    body.plan.chains_current = false;
+    interrupt(body);
 }
 
 void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out) {

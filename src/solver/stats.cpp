@@ -1,4 +1,4 @@
-// What can be said about bodies: strain, energy, contacts.
+// What can be said about bodies: strain, energy, contacts, impulses.
 #include "solver/solver.h"
 
 namespace gphys {
@@ -16,6 +16,7 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
         if (!body.pinned(p)) totals.kinetic += 0.5 * body.mass[p] * length_squared(body.velocity[p]);
         totals.potential -= body.mass[p] * dot(gravity, body.position[p]);
     }
+    if (body.volume.held) totals.potential += stored_in_volume(body, volume_of(body));
     totals.constraints += body.constraint_ids.size();
     for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
         if (!body.constraint_ids.live(slot)) continue;
@@ -31,12 +32,6 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
         }
     }
     for (const Touch& touch : body.touches) totals.contacts += touch.model != 0;
-}
-
-/// What is beyond all floats stays at the largest: the cast would trap.
-float to_float(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::min(std::max(value, -largest), largest));
 }
 
 }  // namespace
@@ -59,6 +54,13 @@ gphys_solver_stats Solver::stats(gphys_body_id id) const {
             to_float(strain_rms),
             to_float(totals.kinetic),
             to_float(totals.potential)};
+}
+
+void Solver::impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const {
+    const auto narrowed = [](Vec3 v) { return gphys_vec3{to_float(v.x), to_float(v.y), to_float(v.z)}; };
+    for (const ModelImpulse& given : impulses_) {
+        out.add({given.model, given.tag, narrowed(given.linear), narrowed(given.angular)});
+    }
 }
 
 void Solver::contacts(Smallest<gphys_contact, ContactOrder>& out) const {

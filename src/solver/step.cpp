@@ -89,6 +89,20 @@ void solve_beside_contacts(Body& body, double step) {
     }
 }
 
+/// To the models that ropes hang from.
+void give_tensions(Body& body, const Surroundings& around, double h) {
+    for (const Chain& chain : body.plan.chains) {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t a = body.plan.particles[chain.first_particle + i];
+            const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
+            if (!body.pinned(a) && !body.pinned(b)) continue;
+            const Vec3 impulse = link_pull(body, a, b, chain.first_link + i) * h;
+            if (body.pinned(a)) give_anchor(body, around, a, impulse);
+            if (body.pinned(b)) give_anchor(body, around, b, -impulse);
+        }
+    }
+}
+
 void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const TimeScheme scheme(h, body.earlier_step);
     predict(body, scheme, gravity);
@@ -97,10 +111,11 @@ void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h)
     const double step = scheme.step(body.settings.damping);
     solve_directly(body, step);
     finish(body, scheme);
-    const bool captured = body.plan.limited && capture(body);
+    const bool captured = body.plan.limited && capture(body, around, h);
     const double quiet = quiet_speed(gravity, h);
     collide(body, around, quiet);
     if (body.touched) collide_again(body, around, quiet, {solve_beside_contacts, step, scheme.next / h});
+    if (!body.attachments.empty()) give_tensions(body, around, h);
     body.earlier_step = body.touched || captured ? 0 : h;
 }
 
@@ -123,14 +138,18 @@ void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
             follow_models(body, around.end, h);
+            begin_friction(body, gravity);
             fly(body, around, gravity, h);
+            end_friction(body);
             break;
         case GPHYS_SOLVE_DIRECT:
+            begin_friction(body, gravity);
             if (body.earlier_step == 0 && !body.touched) {
                 start_chains(body, around, gravity, h);
             } else {
                 move_chains(body, around, gravity, h);
             }
+            end_friction(body);
             break;
         default:
             move_cloth(body, around, gravity, h);
@@ -164,6 +183,7 @@ void reserve_history(Body& body) {
         return;
     }
     body.predicted.resize(body.size());
+    body.solved.resize(body.size());
     body.start_velocity.resize(body.size());
     if (body.plan.limited) body.flying.resize(body.size());
     body.earlier.resize(body.size());
@@ -181,18 +201,24 @@ void Solver::prepare(const Scene* scene, double dt) {
         if (!state_.ids.live(slot)) continue;
         Body& body = state_.bodies[slot];
         if (sleeps_on(body, scene)) continue;
-        moving_.push_back({body.size(), slot});
+        moving_.push_back({body.size(), slot, 0});
         aim_attachments(body, scene);
         update_plan(body);
         reserve_history(body);
         if (scene && body.settings.layers != 0) {
             body.touches.resize(size_t{body.size()} * touches_per_particle);
             body.held.resize(body.size());
+            if (body.settings.sticks()) body.stuck.resize(body.size());
             if (body.plan.method == GPHYS_SOLVE_GRAPH) reserve_cloth_contacts(body);
         }
     }
     std::sort(moving_.begin(), moving_.end());
     if (scene) look_around(*scene, dt);
+    state_.seen.reserve(next_seen_.capacity());  // they change places
+    size_t given = 0;
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) given += state_.bodies[slot].impulses.capacity();
+    givers_.reserve(given);
+    impulses_.reserve(given);
 }
 
 /// Note where the models near the bodies stand, and which of them have moved since the last step.
@@ -207,9 +233,11 @@ void Solver::look_around(const Scene& scene, double dt) {
         nearby_[i] = swept_box(body, body.position, body.position, margin);
     });
     for (size_t i = 0; i < moving_.size(); ++i) {
+        moving_[i].models_near = static_cast<uint32_t>(next_seen_.size());
         scene.for_each_in_box(nearby_[i], state_.bodies[moving_[i].slot].settings.layers, [&](gphys_model_id model) {
             next_seen_.push_back({model, scene.world(model)});
         });
+        moving_[i].models_near = static_cast<uint32_t>(next_seen_.size()) - moving_[i].models_near;
     }
     std::sort(next_seen_.begin(), next_seen_.end());
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
@@ -219,14 +247,19 @@ void Solver::look_around(const Scene& scene, double dt) {
         const gphys_transform& now = scene.world(seen.model);
         if (std::memcmp(&now, &seen.world, sizeof now) != 0) moved_.push_back(seen);
     }
+    for (const Moving& moving : moving_) {
+        reserve_impulses(state_.bodies[moving.slot], moving.models_near + moved_.size());
+    }
 }
 
 /// All substeps of one body. Touches nothing of other bodies, allocates nothing.
 void Solver::move_through(Body& body, const Scene* scene, double dt) const {
     std::fill(body.touches.begin(), body.touches.end(), Touch{});
+    body.impulses.clear();
     const uint32_t substeps = substeps_of(body, state_.settings, dt);
     const double h = dt / substeps;
-    const Surroundings whole{scene, &moved_, dt, 0, 1};
+    const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
+    give_attached(body, beginning, 1, {}, 0);
     if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, whole, state_.settings.gravity);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
@@ -235,6 +268,7 @@ void Solver::move_through(Body& body, const Scene* scene, double dt) const {
     }
     if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
     meet_targets(body, state_.settings, dt, substeps);
+    give_attached(body, whole, -1, state_.settings.gravity, dt);
     rest(body, scene, state_.settings, dt);
 }
 
@@ -243,6 +277,26 @@ void Solver::step(const Scene* scene, double dt) {
     workers_.run(static_cast<uint32_t>(moving_.size()),
                  [&](uint32_t i) { move_through(state_.bodies[moving_[i].slot], scene, dt); });
     state_.seen.swap(next_seen_);
+    add_impulses();
+}
+
+/// The sums of all bodies by model, in the order of the bodies. Within the room that is reserved.
+void Solver::add_impulses() {
+    givers_.clear();
+    impulses_.clear();
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (!state_.ids.live(slot)) continue;
+        for (const ModelImpulse& given : state_.bodies[slot].impulses) givers_.push_back({given.model, slot, &given});
+    }
+    std::sort(givers_.begin(), givers_.end());
+    for (const Giver& giver : givers_) {
+        if (impulses_.empty() || impulses_.back().model != giver.model) {
+            impulses_.push_back(*giver.impulse);
+        } else {
+            impulses_.back().linear += giver.impulse->linear;
+            impulses_.back().angular += giver.impulse->angular;
+        }
+    }
 }
 
 void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover) {

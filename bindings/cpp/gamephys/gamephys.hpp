@@ -38,6 +38,7 @@ using BodyInfo = gphys_body_info;
 using ConstraintInfo = gphys_constraint_info;
 using SolverStats = gphys_solver_stats;
 using Contact = gphys_contact;
+using Impulse = gphys_impulse;
 
 inline MeshDesc mesh_desc() {
     MeshDesc desc;
@@ -952,11 +953,33 @@ public:
         check(gphys_solver_set_constraint_damping(handle(), body, constraint, damping));
     }
 
-    // Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-    // its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-    // on steps. Rigid constraints have nothing to damp.
-    // @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-    // @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+    // Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+    // it again changes it, which inflates a body.
+    // @param rest_volume  m^3, > 0; negative: the present volume
+    // @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+    //                     which keeps its volume; INFINITY: none, which ends the constraint
+    // @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
+    //         not all turned the same way, or face inward when the present volume is asked for
+    // Cost: O(triangles) in each substep, twice.
+    void set_volume(gphys_body_id body, float rest_volume, float compliance) {
+        check(gphys_solver_set_volume(handle(), body, rest_volume, compliance));
+    }
+
+    // The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    // held at the end of the last step: above 0 it pushes outward.
+    // @param out_volume, out_pressure  may be NULL
+    // @return GPHYS_ERROR_UNSUPPORTED if none is held
+    std::tuple<float, float> get_volume(gphys_body_id body) const {
+        float out_volume{};
+        float out_pressure{};
+        check(gphys_solver_get_volume(handle(), body, &out_volume, &out_pressure));
+        return std::make_tuple(out_volume, out_pressure);
+    }
+
+    // The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    // held at the end of the last step: above 0 it pushes outward.
+    // @param out_volume, out_pressure  may be NULL
+    // @return GPHYS_ERROR_UNSUPPORTED if none is held
     void remove_constraint(gphys_body_id body, gphys_constraint_id constraint) {
         check(gphys_solver_remove_constraint(handle(), body, constraint));
     }
@@ -1014,7 +1037,17 @@ public:
         return list<Contact>([&](Contact* out_contacts, uint32_t capacity, uint32_t* total) { return gphys_solver_get_contacts(handle(), out_contacts, capacity, total); });
     }
 
-    // Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+    // Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+    // which they fell asleep. Kept when too many: the lowest models.
+    // Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+    // cloth that touches several models at once gives to the one that it touches most. Models have no mass
+    // here; a body of yours much lighter than what hangs from it should be moved in small steps.
+    // Cost: O(models touched); no allocation. The same bits for any number of workers.
+    std::vector<Impulse> get_impulses() const {
+        return list<Impulse>([&](Impulse* out_impulses, uint32_t capacity, uint32_t* total) { return gphys_solver_get_impulses(handle(), out_impulses, capacity, total); });
+    }
+
+    // Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
     // that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
     // @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
     //                   for the same release of the library and machines of the same byte order; it may

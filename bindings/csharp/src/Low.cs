@@ -152,6 +152,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_add_distance(SolverHandle solver, uint body, uint particle_a, uint particle_b, float rest_length, float compliance, uint* out_constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_add_max_distance(SolverHandle solver, uint body, uint particle_a, uint particle_b, float max_length, float compliance, uint* out_constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_set_constraint_damping(SolverHandle solver, uint body, uint constraint, float damping);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_volume(SolverHandle solver, uint body, float rest_volume, float compliance);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_volume(SolverHandle solver, uint body, float* out_volume, float* out_pressure);
     [DllImport(Library)] internal static extern Status gphys_solver_remove_constraint(SolverHandle solver, uint body, uint constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraints(SolverHandle solver, uint body, ConstraintInfo* out_constraints, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_step(SolverHandle solver, SceneHandle scene, float dt);
@@ -159,6 +161,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_substeps(SolverHandle solver, uint body, uint* out_substeps);
     [DllImport(Library)] internal static extern Status gphys_solver_get_stats(SolverHandle solver, uint body, SolverStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_solver_get_contacts(SolverHandle solver, Contact* out_contacts, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_impulses(SolverHandle solver, Impulse* out_impulses, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_get_snapshot(SolverHandle solver, uint* out_words, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_restore(SolverHandle solver, uint* words, uint count);
     [DllImport(Library)] internal static extern Status gphys_solver_get_hash(SolverHandle solver, uint* out_hash);

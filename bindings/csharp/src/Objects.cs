@@ -1232,11 +1232,37 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>
-    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-    /// its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-    /// on steps. Rigid constraints have nothing to damp.
-    /// @param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
-    /// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+    /// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+    /// it again changes it, which inflates a body.
+    /// @param rest_volume  m^3, &gt; 0; negative: the present volume
+    /// @param compliance   m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0: as water,
+    ///                     which keeps its volume; INFINITY: none, which ends the constraint
+    /// @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
+    ///         not all turned the same way, or face inward when the present volume is asked for
+    /// Cost: O(triangles) in each substep, twice.
+    /// </summary>
+    public unsafe void SetVolume(uint body, float restVolume, float compliance = 0) {
+        Check(Low.gphys_solver_set_volume(Handle, body, restVolume, compliance));
+    }
+
+    /// <summary>
+    /// The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    /// held at the end of the last step: above 0 it pushes outward.
+    /// @param out_volume, out_pressure  may be NULL
+    /// @return GPHYS_ERROR_UNSUPPORTED if none is held
+    /// </summary>
+    public unsafe (float Volume, float Pressure) GetVolume(uint body) {
+        var volume = default(float);
+        var pressure = default(float);
+        Check(Low.gphys_solver_get_volume(Handle, body, &volume, &pressure));
+        return (volume, pressure);
+    }
+
+    /// <summary>
+    /// The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    /// held at the end of the last step: above 0 it pushes outward.
+    /// @param out_volume, out_pressure  may be NULL
+    /// @return GPHYS_ERROR_UNSUPPORTED if none is held
     /// </summary>
     public unsafe void RemoveConstraint(uint body, uint constraint) {
         Check(Low.gphys_solver_remove_constraint(Handle, body, constraint));
@@ -1326,7 +1352,31 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>
-    /// Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+    /// Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+    /// which they fell asleep. Kept when too many: the lowest models.
+    /// Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+    /// cloth that touches several models at once gives to the one that it touches most. Models have no mass
+    /// here; a body of yours much lighter than what hangs from it should be moved in small steps.
+    /// Cost: O(models touched); no allocation. The same bits for any number of workers.
+    /// </summary>
+    public unsafe Impulse[] GetImpulses() {
+        var result = new Impulse[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (Impulse* out_ = result)
+            status = Low.gphys_solver_get_impulses(Handle, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new Impulse[total];
+        }
+    }
+
+    /// <summary>
+    /// Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
     /// that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
     /// @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
     ///                   for the same release of the library and machines of the same byte order; it may

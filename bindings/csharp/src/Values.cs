@@ -586,6 +586,11 @@ public partial struct BodyDesc {
     public uint ClothFlags;
     /// <summary>mask of the models it collides with; 0: none; default all</summary>
     public uint Layers;
+    /// <summary>
+    /// of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
+    /// as friction; default 0
+    /// </summary>
+    public float StaticFriction;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe BodyDesc Default {
         get {
@@ -634,7 +639,7 @@ public partial struct SolverStats {
     public float StrainRms;
     /// <summary>joules</summary>
     public float KineticEnergy;
-    /// <summary>joules: of gravity, 0 at the solver's origin, and of stretch</summary>
+    /// <summary>joules: of gravity, 0 at the solver's origin, of stretch and of held volumes</summary>
     public float PotentialEnergy;
 }
 
@@ -650,6 +655,18 @@ public partial struct Contact {
     public Vec3 Point;
     /// <summary>unit, from the model to the particle</summary>
     public Vec3 Normal;
+}
+
+/// <summary>What bodies gave a model in the last step, by contacts and by attachments. Frozen.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct Impulse {
+    public uint Model;
+    /// <summary>the model's</summary>
+    public uint Tag;
+    /// <summary>N s: what to add to the momentum of the model if it is a body of yours</summary>
+    public Vec3 Linear;
+    /// <summary>N m s, about the model's position in the world: the same for its spin</summary>
+    public Vec3 Angular;
 }
 
 [StructLayout(LayoutKind.Explicit)]

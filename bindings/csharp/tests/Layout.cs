@@ -32,10 +32,11 @@ static class Layout {
         (typeof(CameraDesc), 40, new string[] { "StructSize", "Allocator", "Handedness", "DepthRange", "ReverseZ", "ViewportWidth", "ViewportHeight" }, new int[] { 0, 8, 16, 20, 24, 28, 32 }),
         (typeof(Orbit), 60, new string[] { "Target", "Up", "Distance", "Yaw", "Pitch", "RadiansPerUnit", "MetresPerUnit", "MinDistance", "MaxDistance", "MinPitch", "MaxPitch" }, new int[] { 0, 12, 24, 28, 32, 36, 40, 44, 48, 52, 56 }),
         (typeof(SolverDesc), 80, new string[] { "StructSize", "Allocator", "Gravity", "Substeps", "FixedStep", "MaxSteps", "TaskRunner", "WorkerCount", "SleepSpeed", "SleepStrain", "SleepTime", "MaxStrain", "Tolerance", "MaxSubsteps" }, new int[] { 0, 8, 16, 28, 32, 36, 40, 48, 52, 56, 60, 64, 68, 72 }),
-        (typeof(BodyDesc), 40, new string[] { "StructSize", "Mass", "Radius", "Damping", "Friction", "Restitution", "Compliance", "BendCompliance", "ClothFlags", "Layers" }, new int[] { 0, 4, 8, 12, 16, 20, 24, 28, 32, 36 }),
+        (typeof(BodyDesc), 44, new string[] { "StructSize", "Mass", "Radius", "Damping", "Friction", "Restitution", "Compliance", "BendCompliance", "ClothFlags", "Layers", "StaticFriction" }, new int[] { 0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40 }),
         (typeof(BodyInfo), 20, new string[] { "Kind", "Method", "ParticleCount", "ConstraintCount", "TriangleCount" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(ConstraintInfo), 20, new string[] { "Id", "ParticleA", "ParticleB", "RestLength", "Compliance" }, new int[] { 0, 4, 8, 12, 16 }),
         (typeof(SolverStats), 32, new string[] { "ParticleCount", "PinnedCount", "ConstraintCount", "ContactCount", "StrainMax", "StrainRms", "KineticEnergy", "PotentialEnergy" }, new int[] { 0, 4, 8, 12, 16, 20, 24, 28 }),
         (typeof(Contact), 40, new string[] { "Body", "Particle", "Model", "Tag", "Point", "Normal" }, new int[] { 0, 4, 8, 12, 16, 28 }),
+        (typeof(Impulse), 32, new string[] { "Model", "Tag", "Linear", "Angular" }, new int[] { 0, 4, 8, 20 }),
     };
 }

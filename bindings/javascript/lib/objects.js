@@ -442,33 +442,33 @@ export function objects(memory) {
         }
         addParticles(positions, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 40)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 44)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions');
             const count = common(positions_);
-            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 40));
-            return v.u32[10];
+            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 44));
+            return v.u32[11];
         }
         addRope(positions, link_length, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 40)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 44)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions');
             const count = common(positions_);
-            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 40));
-            return v.u32[10];
+            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 44));
+            return v.u32[11];
         }
         addCloth(corner, edge_u, edge_v, columns, rows, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 40)); writeBodyDesc(v, 0, desc); }
-            writeVec3(v, 10, corner);
-            writeVec3(v, 14, edge_u);
-            writeVec3(v, 18, edge_v);
-            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 40, base + 56, base + 72, columns, rows, base + 84));
-            return v.u32[21];
+            if (desc != null) { check(native.gphys_body_desc_init(base, 44)); writeBodyDesc(v, 0, desc); }
+            writeVec3(v, 12, corner);
+            writeVec3(v, 16, edge_u);
+            writeVec3(v, 20, edge_v);
+            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 48, base + 64, base + 80, columns, rows, base + 92));
+            return v.u32[23];
         }
         addClothMesh(mesh, transform, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 40)); writeBodyDesc(v, 0, desc); }
-            if (transform != null) { writeTransform(v, 10, transform); }
-            check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 40, base + 72));
-            return v.u32[18];
+            if (desc != null) { check(native.gphys_body_desc_init(base, 44)); writeBodyDesc(v, 0, desc); }
+            if (transform != null) { writeTransform(v, 12, transform); }
+            check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 48, base + 80));
+            return v.u32[20];
         }
         removeBody(body) {
             check(native.gphys_solver_remove_body(this.pointer, body));
@@ -561,6 +561,13 @@ export function objects(memory) {
         setConstraintDamping(body, constraint, damping) {
             check(native.gphys_solver_set_constraint_damping(this.pointer, body, constraint, damping));
         }
+        setVolume(body, rest_volume, compliance) {
+            check(native.gphys_solver_set_volume(this.pointer, body, rest_volume, compliance));
+        }
+        getVolume(body) {
+            check(native.gphys_solver_get_volume(this.pointer, body, base, base + 4));
+            return [v.f32[0], v.f32[1]];
+        }
         removeConstraint(body, constraint) {
             check(native.gphys_solver_remove_constraint(this.pointer, body, constraint));
         }
@@ -586,6 +593,10 @@ export function objects(memory) {
         getContacts() {
             begin();
             return list('contact', 0, (room, capacity) => native.gphys_solver_get_contacts(this.pointer, room, capacity, base));
+        }
+        getImpulses() {
+            begin();
+            return list('impulse', 0, (room, capacity) => native.gphys_solver_get_impulses(this.pointer, room, capacity, base));
         }
         getSnapshot() {
             begin();

@@ -246,6 +246,7 @@ export function writeBodyDesc(v, at, value) {
             case 'bend_compliance': v.f32[at + 7] = number(value[name], 'bend_compliance'); break;
             case 'cloth_flags': v.u32[at + 8] = number(value[name], 'cloth_flags'); break;
             case 'layers': v.u32[at + 9] = number(value[name], 'layers'); break;
+            case 'static_friction': v.f32[at + 10] = number(value[name], 'static_friction'); break;
             default: throw new TypeError(`body_desc has no field ${name}`);
         }
     }
@@ -290,6 +291,14 @@ export function writeContact(v, at, value) {
     writeVec3(v, at + 4, rows ? value[4] : value.point);
     writeVec3(v, at + 7, rows ? value[5] : value.normal);
 }
+export const readImpulse = (v, at) => ({ model: v.u32[at], tag: v.u32[at + 1], linear: readVec3(v, at + 2), angular: readVec3(v, at + 5) });
+export function writeImpulse(v, at, value) {
+    const rows = row(value, 4, 'impulse');
+    v.u32[at] = number(rows ? value[0] : value.model, 'model');
+    v.u32[at + 1] = number(rows ? value[1] : value.tag, 'tag');
+    writeVec3(v, at + 2, rows ? value[2] : value.linear);
+    writeVec3(v, at + 5, rows ? value[3] : value.angular);
+}
 /** What can stand in arrays. */
 export const types = {
     float: { size: 4, read: (v, at) => v.f32[at] },
@@ -320,4 +329,5 @@ export const types = {
     constraint_info: { size: 20, read: readConstraintInfo, write: writeConstraintInfo },
     solver_stats: { size: 32, read: readSolverStats, write: writeSolverStats },
     contact: { size: 40, read: readContact, write: writeContact },
+    impulse: { size: 32, read: readImpulse, write: writeImpulse },
 };

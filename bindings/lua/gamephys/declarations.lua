@@ -44,11 +44,12 @@ typedef struct gphys_model_info { gphys_shape_type type; gphys_model_id parent; 
 typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; } gphys_camera_desc;
 typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; float yaw; float pitch; float radians_per_unit; float metres_per_unit; float min_distance; float max_distance; float min_pitch; float max_pitch; } gphys_orbit;
 typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; } gphys_solver_desc;
-typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; } gphys_body_desc;
+typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; } gphys_body_desc;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
 typedef struct gphys_constraint_info { gphys_constraint_id id; uint32_t particle_a; uint32_t particle_b; float rest_length; float compliance; } gphys_constraint_info;
 typedef struct gphys_solver_stats { uint32_t particle_count; uint32_t pinned_count; uint32_t constraint_count; uint32_t contact_count; float strain_max; float strain_rms; float kinetic_energy; float potential_energy; } gphys_solver_stats;
 typedef struct gphys_contact { gphys_body_id body; uint32_t particle; gphys_model_id model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; } gphys_contact;
+typedef struct gphys_impulse { gphys_model_id model; uint32_t tag; gphys_vec3 linear; gphys_vec3 angular; } gphys_impulse;
 uint32_t gphys_version(void);
 const char *gphys_status_name(gphys_status status);
 const char *gphys_last_error(void);
@@ -193,6 +194,8 @@ gphys_status gphys_solver_detach(gphys_solver *solver, gphys_body_id body, uint3
 gphys_status gphys_solver_add_distance(gphys_solver *solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float rest_length, float compliance, gphys_constraint_id *out_constraint);
 gphys_status gphys_solver_add_max_distance(gphys_solver *solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float max_length, float compliance, gphys_constraint_id *out_constraint);
 gphys_status gphys_solver_set_constraint_damping(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint, float damping);
+gphys_status gphys_solver_set_volume(gphys_solver *solver, gphys_body_id body, float rest_volume, float compliance);
+gphys_status gphys_solver_get_volume(const gphys_solver *solver, gphys_body_id body, float *out_volume, float *out_pressure);
 gphys_status gphys_solver_remove_constraint(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint);
 gphys_status gphys_solver_get_constraints(const gphys_solver *solver, gphys_body_id body, gphys_constraint_info *out_constraints, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_step(gphys_solver *solver, const gphys_scene *scene, float dt);
@@ -200,6 +203,7 @@ gphys_status gphys_solver_advance(gphys_solver *solver, const gphys_scene *scene
 gphys_status gphys_solver_get_substeps(const gphys_solver *solver, gphys_body_id body, uint32_t *out_substeps);
 gphys_status gphys_solver_get_stats(const gphys_solver *solver, gphys_body_id body, gphys_solver_stats *out_stats);
 gphys_status gphys_solver_get_contacts(const gphys_solver *solver, gphys_contact *out_contacts, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_get_impulses(const gphys_solver *solver, gphys_impulse *out_impulses, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_get_snapshot(const gphys_solver *solver, uint32_t *out_words, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_restore(gphys_solver *solver, const uint32_t *words, uint32_t count);
 gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_hash);
@@ -289,11 +293,12 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height" } },
         { name = "orbit", fields = { "target", "up", "distance", "yaw", "pitch", "radians_per_unit", "metres_per_unit", "min_distance", "max_distance", "min_pitch", "max_pitch" } },
         { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps" } },
-        { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers" } },
+        { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
         { name = "constraint_info", fields = { "id", "particle_a", "particle_b", "rest_length", "compliance" } },
         { name = "solver_stats", fields = { "particle_count", "pinned_count", "constraint_count", "contact_count", "strain_max", "strain_rms", "kinetic_energy", "potential_energy" } },
         { name = "contact", fields = { "body", "particle", "model", "tag", "point", "normal" } },
+        { name = "impulse", fields = { "model", "tag", "linear", "angular" } },
     },
     shapes = {"sphere", "capsule", "aabb", "obb", "plane", "triangle", "frustum", "ray", "segment"},
     objects = {"mesh", "scene", "camera", "solver"},

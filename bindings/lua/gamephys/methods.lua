@@ -39,6 +39,7 @@ local BodyInfo = runtime.element 'gphys_body_info'
 local ConstraintInfo = runtime.element 'gphys_constraint_info'
 local SolverStats = runtime.element 'gphys_solver_stats'
 local Contact = runtime.element 'gphys_contact'
+local Impulse = runtime.element 'gphys_impulse'
 
 local Mesh = runtime.class 'mesh'
 --- Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
@@ -927,11 +928,35 @@ function Solver:set_constraint_damping(body, constraint, damping)
     check(C.gphys_solver_set_constraint_damping(opened(self), body, constraint, damping))
 end
 
---- Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
---- its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
---- on steps. Rigid constraints have nothing to damp.
---- @param damping  N s/m, >= 0; 0, which every constraint begins with: none
---- @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+--- Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+--- it again changes it, which inflates a body.
+--- @param rest_volume  m^3, > 0; negative: the present volume
+--- @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+---                     which keeps its volume; INFINITY: none, which ends the constraint
+--- @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
+---         not all turned the same way, or face inward when the present volume is asked for
+--- Cost: O(triangles) in each substep, twice.
+function Solver:set_volume(body, rest_volume, compliance)
+    check(C.gphys_solver_set_volume(opened(self), body, rest_volume, compliance))
+end
+
+do
+    local out_volume = float.array(1)
+    local out_pressure = float.array(1)
+    --- The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    --- held at the end of the last step: above 0 it pushes outward.
+    --- @param out_volume, out_pressure  may be NULL
+    --- @return GPHYS_ERROR_UNSUPPORTED if none is held
+    function Solver:get_volume(body)
+        check(C.gphys_solver_get_volume(opened(self), body, out_volume, out_pressure))
+        return out_volume[0], out_pressure[0]
+    end
+end
+
+--- The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+--- held at the end of the last step: above 0 it pushes outward.
+--- @param out_volume, out_pressure  may be NULL
+--- @return GPHYS_ERROR_UNSUPPORTED if none is held
 function Solver:remove_constraint(body, constraint)
     check(C.gphys_solver_remove_constraint(opened(self), body, constraint))
 end
@@ -997,7 +1022,19 @@ function Solver:get_contacts()
     end)
 end
 
---- Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+--- Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+--- which they fell asleep. Kept when too many: the lowest models.
+--- Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+--- cloth that touches several models at once gives to the one that it touches most. Models have no mass
+--- here; a body of yours much lighter than what hangs from it should be moved in small steps.
+--- Cost: O(models touched); no allocation. The same bits for any number of workers.
+function Solver:get_impulses()
+    return list(Impulse, function(out, capacity, total)
+        return C.gphys_solver_get_impulses(opened(self), out, capacity, total)
+    end)
+end
+
+--- Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
 --- that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
 --- @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
 ---                   for the same release of the library and machines of the same byte order; it may

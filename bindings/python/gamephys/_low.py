@@ -405,10 +405,11 @@ class BodyDesc(Desc, Structure):
     bend_compliance: float  # of GPHYS_CLOTH_BEND constraints, m/N; default 0.001
     cloth_flags: int  # GPHYS_CLOTH_...; default SHEAR | BEND
     layers: int  # mask of the models it collides with; 0: none; default all
-    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32)]
+    static_friction: float  # of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0: as friction; default 0
+    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float)]
 
 
-body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4")])
+body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4")])
 BodyDesc.dtype = body_desc_dtype
 
 
@@ -449,7 +450,7 @@ class SolverStats(Value, Structure):
     strain_max: float  # largest |length / rest length - 1| of rigid constraints
     strain_rms: float  # root mean square of the same
     kinetic_energy: float  # joules
-    potential_energy: float  # joules: of gravity, 0 at the solver's origin, and of stretch
+    potential_energy: float  # joules: of gravity, 0 at the solver's origin, of stretch and of held volumes
     _fields_ = [("particle_count", c_uint32), ("pinned_count", c_uint32), ("constraint_count", c_uint32), ("contact_count", c_uint32), ("strain_max", c_float), ("strain_rms", c_float), ("kinetic_energy", c_float), ("potential_energy", c_float)]
 
 
@@ -470,6 +471,19 @@ class Contact(Value, Structure):
 
 contact_dtype = dtype([("body", "<u4"), ("particle", "<u4"), ("model", "<u4"), ("tag", "<u4"), ("point", "<f4", (3,)), ("normal", "<f4", (3,))])
 Contact.dtype = contact_dtype
+
+
+class Impulse(Value, Structure):
+    """What bodies gave a model in the last step, by contacts and by attachments. Frozen."""
+    model: int
+    tag: int  # the model's
+    linear: Vec3  # N s: what to add to the momentum of the model if it is a body of yours
+    angular: Vec3  # N m s, about the model's position in the world: the same for its spin
+    _fields_ = [("model", c_uint32), ("tag", c_uint32), ("linear", Vec3), ("angular", Vec3)]
+
+
+impulse_dtype = dtype([("model", "<u4"), ("tag", "<u4"), ("linear", "<f4", (3,)), ("angular", "<f4", (3,))])
+Impulse.dtype = impulse_dtype
 
 
 gphys_version = function("gphys_version", c_uint32, [])
@@ -616,6 +630,8 @@ gphys_solver_detach = function("gphys_solver_detach", c_int32, [c_void_p, c_uint
 gphys_solver_add_distance = function("gphys_solver_add_distance", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
 gphys_solver_add_max_distance = function("gphys_solver_add_max_distance", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
 gphys_solver_set_constraint_damping = function("gphys_solver_set_constraint_damping", c_int32, [c_void_p, c_uint32, c_uint32, c_float])
+gphys_solver_set_volume = function("gphys_solver_set_volume", c_int32, [c_void_p, c_uint32, c_float, c_float])
+gphys_solver_get_volume = function("gphys_solver_get_volume", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p])
 gphys_solver_remove_constraint = function("gphys_solver_remove_constraint", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_solver_get_constraints = function("gphys_solver_get_constraints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_solver_step = function("gphys_solver_step", c_int32, [c_void_p, c_void_p, c_float])
@@ -623,6 +639,7 @@ gphys_solver_advance = function("gphys_solver_advance", c_int32, [c_void_p, c_vo
 gphys_solver_get_substeps = function("gphys_solver_get_substeps", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_stats = function("gphys_solver_get_stats", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_contacts = function("gphys_solver_get_contacts", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_solver_get_impulses = function("gphys_solver_get_impulses", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_get_snapshot = function("gphys_solver_get_snapshot", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_restore = function("gphys_solver_restore", c_int32, [c_void_p, c_void_p, c_uint32])
 gphys_solver_get_hash = function("gphys_solver_get_hash", c_int32, [c_void_p, c_void_p])

@@ -797,12 +797,32 @@ class Solver(Object):
         @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist"""
         check(low.gphys_solver_set_constraint_damping(self._handle, body, constraint, damping))
 
+    def set_volume(self, body: int, rest_volume: float, compliance: float = 0) -> None:
+        """Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+        it again changes it, which inflates a body.
+        @param rest_volume  m^3, > 0; negative: the present volume
+        @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+                            which keeps its volume; INFINITY: none, which ends the constraint
+        @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
+                not all turned the same way, or face inward when the present volume is asked for
+        Cost: O(triangles) in each substep, twice."""
+        check(low.gphys_solver_set_volume(self._handle, body, rest_volume, compliance))
+
+    def get_volume(self, body: int) -> tuple[float, float]:
+        """The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+        held at the end of the last step: above 0 it pushes outward.
+        @param out_volume, out_pressure  may be NULL
+        @return GPHYS_ERROR_UNSUPPORTED if none is held"""
+        out_volume = ctypes.c_float()
+        out_pressure = ctypes.c_float()
+        check(low.gphys_solver_get_volume(self._handle, body, ctypes.byref(out_volume), ctypes.byref(out_pressure)))
+        return out_volume.value, out_pressure.value
+
     def remove_constraint(self, body: int, constraint: int) -> None:
-        """Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-        its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-        on steps. Rigid constraints have nothing to damp.
-        @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-        @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist"""
+        """The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+        held at the end of the last step: above 0 it pushes outward.
+        @param out_volume, out_pressure  may be NULL
+        @return GPHYS_ERROR_UNSUPPORTED if none is held"""
         check(low.gphys_solver_remove_constraint(self._handle, body, constraint))
 
     def get_constraints(self, body: int) -> np.ndarray:
@@ -852,8 +872,17 @@ class Solver(Object):
         """Contacts of the last step by body, particle, model. Kept when too many: the first."""
         return list_of(low.gphys_solver_get_contacts, (self._handle,), low.contact_dtype)
 
+    def get_impulses(self) -> np.ndarray:
+        """Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+        which they fell asleep. Kept when too many: the lowest models.
+        Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+        cloth that touches several models at once gives to the one that it touches most. Models have no mass
+        here; a body of yours much lighter than what hangs from it should be moved in small steps.
+        Cost: O(models touched); no allocation. The same bits for any number of workers."""
+        return list_of(low.gphys_solver_get_impulses, (self._handle,), low.impulse_dtype)
+
     def get_snapshot(self) -> np.ndarray:
-        """Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+        """Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
         that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
         @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
                           for the same release of the library and machines of the same byte order; it may

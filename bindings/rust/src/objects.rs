@@ -1102,12 +1102,37 @@ impl Solver {
         check(unsafe { sys::gphys_solver_set_constraint_damping(self.handle.as_ptr(), body, constraint, damping) })
     }
 
-    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-    /// its tension; one of `gphys_solver_add_max_distance` never pushes. The decay depends on time, not
-    /// on steps. Rigid constraints have nothing to damp.
-    /// * `damping`: N s/m, >= 0; 0, which every constraint begins with: none
+    /// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+    /// it again changes it, which inflates a body.
+    /// * `rest_volume`: m^3, > 0; negative: the present volume
+    /// * `compliance`: m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+    ///   which keeps its volume; INFINITY: none, which ends the constraint
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ID` for a body or constraint that does not exist
+    /// Returns `GPHYS_ERROR_UNSUPPORTED` if the triangles do not close (each side is that of two triangles), are
+    /// not all turned the same way, or face inward when the present volume is asked for
+    ///
+    /// Cost: O(triangles) in each substep, twice.
+    pub fn set_volume(&mut self, body: BodyId, rest_volume: f32, compliance: f32) -> Result<()> {
+        check(unsafe { sys::gphys_solver_set_volume(self.handle.as_ptr(), body, rest_volume, compliance) })
+    }
+
+    /// The volume held by `gphys_solver_set_volume`, m^3, as it is, and the pressure in pascals with which it was
+    /// held at the end of the last step: above 0 it pushes outward.
+    /// * `out_volume, out_pressure`: may be NULL
+    ///
+    /// Returns `GPHYS_ERROR_UNSUPPORTED` if none is held
+    pub fn get_volume(&self, body: BodyId) -> Result<(f32, f32)> {
+        let mut out_volume = f32::default();
+        let mut out_pressure = f32::default();
+        check(unsafe { sys::gphys_solver_get_volume(self.handle.as_ptr(), body, &mut out_volume, &mut out_pressure) })?;
+        Ok((out_volume, out_pressure))
+    }
+
+    /// The volume held by `gphys_solver_set_volume`, m^3, as it is, and the pressure in pascals with which it was
+    /// held at the end of the last step: above 0 it pushes outward.
+    /// * `out_volume, out_pressure`: may be NULL
+    ///
+    /// Returns `GPHYS_ERROR_UNSUPPORTED` if none is held
     pub fn remove_constraint(&mut self, body: BodyId, constraint: ConstraintId) -> Result<()> {
         check(unsafe { sys::gphys_solver_remove_constraint(self.handle.as_ptr(), body, constraint) })
     }
@@ -1165,7 +1190,18 @@ impl Solver {
         list(|out_contacts, capacity, total| unsafe { sys::gphys_solver_get_contacts(self.handle.as_ptr(), out_contacts, capacity, total) })
     }
 
-    /// Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+    /// Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+    /// which they fell asleep. Kept when too many: the lowest models.
+    /// Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+    /// cloth that touches several models at once gives to the one that it touches most. Models have no mass
+    /// here; a body of yours much lighter than what hangs from it should be moved in small steps.
+    ///
+    /// Cost: O(models touched); no allocation. The same bits for any number of workers.
+    pub fn get_impulses(&self) -> Result<Vec<Impulse>> {
+        list(|out_impulses, capacity, total| unsafe { sys::gphys_solver_get_impulses(self.handle.as_ptr(), out_impulses, capacity, total) })
+    }
+
+    /// Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
     /// that `gphys_solver_advance` still owes. The scene, workers and allocator are not in it.
     /// * `out_words`: the snapshot; written as a whole, or not at all when capacity is too small. It is
     ///   for the same release of the library and machines of the same byte order; it may

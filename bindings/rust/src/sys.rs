@@ -168,6 +168,8 @@ extern "C" {
     pub fn gphys_solver_add_distance(solver: *mut gphys_solver, body: BodyId, particle_a: u32, particle_b: u32, rest_length: f32, compliance: f32, out_constraint: *mut ConstraintId) -> Status;
     pub fn gphys_solver_add_max_distance(solver: *mut gphys_solver, body: BodyId, particle_a: u32, particle_b: u32, max_length: f32, compliance: f32, out_constraint: *mut ConstraintId) -> Status;
     pub fn gphys_solver_set_constraint_damping(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId, damping: f32) -> Status;
+    pub fn gphys_solver_set_volume(solver: *mut gphys_solver, body: BodyId, rest_volume: f32, compliance: f32) -> Status;
+    pub fn gphys_solver_get_volume(solver: *mut gphys_solver, body: BodyId, out_volume: *mut f32, out_pressure: *mut f32) -> Status;
     pub fn gphys_solver_remove_constraint(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId) -> Status;
     pub fn gphys_solver_get_constraints(solver: *mut gphys_solver, body: BodyId, out_constraints: *mut ConstraintInfo, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_step(solver: *mut gphys_solver, scene: *mut gphys_scene, dt: f32) -> Status;
@@ -175,6 +177,7 @@ extern "C" {
     pub fn gphys_solver_get_substeps(solver: *mut gphys_solver, body: BodyId, out_substeps: *mut u32) -> Status;
     pub fn gphys_solver_get_stats(solver: *mut gphys_solver, body: BodyId, out_stats: *mut SolverStats) -> Status;
     pub fn gphys_solver_get_contacts(solver: *mut gphys_solver, out_contacts: *mut Contact, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_get_impulses(solver: *mut gphys_solver, out_impulses: *mut Impulse, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_get_snapshot(solver: *mut gphys_solver, out_words: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_restore(solver: *mut gphys_solver, words: *const u32, count: u32) -> Status;
     pub fn gphys_solver_get_hash(solver: *mut gphys_solver, out_hash: *mut u32) -> Status;

@@ -550,6 +550,9 @@ pub struct BodyDesc {
     pub cloth_flags: u32,
     /// mask of the models it collides with; 0: none; default all
     pub layers: u32,
+    /// of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
+    /// as friction; default 0
+    pub static_friction: f32,
 }
 
 /// Frozen.
@@ -593,7 +596,7 @@ pub struct SolverStats {
     pub strain_rms: f32,
     /// joules
     pub kinetic_energy: f32,
-    /// joules: of gravity, 0 at the solver's origin, and of stretch
+    /// joules: of gravity, 0 at the solver's origin, of stretch and of held volumes
     pub potential_energy: f32,
 }
 
@@ -610,6 +613,19 @@ pub struct Contact {
     pub point: Vec3,
     /// unit, from the model to the particle
     pub normal: Vec3,
+}
+
+/// What bodies gave a model in the last step, by contacts and by attachments. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Impulse {
+    pub model: ModelId,
+    /// the model's
+    pub tag: u32,
+    /// N s: what to add to the momentum of the model if it is a body of yours
+    pub linear: Vec3,
+    /// N m s, about the model's position in the world: the same for its spin
+    pub angular: Vec3,
 }
 
 // The layouts are those of C, or this does not compile.
@@ -642,11 +658,12 @@ const _: () = {
     assert!(std::mem::size_of::<CameraDesc>() == 40);
     assert!(std::mem::size_of::<Orbit>() == 60);
     assert!(std::mem::size_of::<SolverDesc>() == 80);
-    assert!(std::mem::size_of::<BodyDesc>() == 40);
+    assert!(std::mem::size_of::<BodyDesc>() == 44);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
+    assert!(std::mem::size_of::<Impulse>() == 32);
 };
 #[cfg(target_pointer_width = "32")]
 const _: () = {
@@ -677,11 +694,12 @@ const _: () = {
     assert!(std::mem::size_of::<CameraDesc>() == 28);
     assert!(std::mem::size_of::<Orbit>() == 60);
     assert!(std::mem::size_of::<SolverDesc>() == 64);
-    assert!(std::mem::size_of::<BodyDesc>() == 40);
+    assert!(std::mem::size_of::<BodyDesc>() == 44);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
+    assert!(std::mem::size_of::<Impulse>() == 32);
 };
 #[cfg(all(test, target_pointer_width = "64"))]
 #[test]
@@ -871,6 +889,7 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).bend_compliance) } as usize - p as usize, 28);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).cloth_flags) } as usize - p as usize, 32);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 36);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).static_friction) } as usize - p as usize, 40);
     let s = std::mem::MaybeUninit::<BodyInfo>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).kind) } as usize - p as usize, 0);
@@ -903,4 +922,10 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).point) } as usize - p as usize, 16);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).normal) } as usize - p as usize, 28);
+    let s = std::mem::MaybeUninit::<Impulse>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).linear) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).angular) } as usize - p as usize, 20);
 }

@@ -25,7 +25,7 @@ module Gamephys
     end
 
     class BodyDesc < FFI::Struct
-      layout :struct_size, :uint32, :mass, :float, :radius, :float, :damping, :float, :friction, :float, :restitution, :float, :compliance, :float, :bend_compliance, :float, :cloth_flags, :uint32, :layers, :uint32
+      layout :struct_size, :uint32, :mass, :float, :radius, :float, :damping, :float, :friction, :float, :restitution, :float, :compliance, :float, :bend_compliance, :float, :cloth_flags, :uint32, :layers, :uint32, :static_friction, :float
     end
 
     attach_function :gphys_version, [], :uint32
@@ -172,6 +172,8 @@ module Gamephys
     attach_function :gphys_solver_add_distance, [:pointer, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
     attach_function :gphys_solver_add_max_distance, [:pointer, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
     attach_function :gphys_solver_set_constraint_damping, [:pointer, :uint32, :uint32, :float], :int32
+    attach_function :gphys_solver_set_volume, [:pointer, :uint32, :float, :float], :int32
+    attach_function :gphys_solver_get_volume, [:pointer, :uint32, :pointer, :pointer], :int32
     attach_function :gphys_solver_remove_constraint, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_get_constraints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_step, [:pointer, :pointer, :float], :int32
@@ -179,6 +181,7 @@ module Gamephys
     attach_function :gphys_solver_get_substeps, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_stats, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_contacts, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_impulses, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_snapshot, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_restore, [:pointer, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_hash, [:pointer, :pointer], :int32

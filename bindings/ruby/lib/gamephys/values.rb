@@ -296,4 +296,13 @@ module Gamephys
     def numbers = [body, particle, model, tag, *point, *normal]
   end
   Contact::FORMAT, Contact::COUNT, Contact::BYTES = 'L4f6', 10, 40
+
+  # What bodies gave a model in the last step, by contacts and by attachments. Frozen.
+  Impulse = ::Struct.new(:model, :tag, :linear, :angular) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2, 3], n[5, 3])
+    def numbers = [model, tag, *linear, *angular]
+  end
+  Impulse::FORMAT, Impulse::COUNT, Impulse::BYTES = 'L2f6', 8, 32
 end

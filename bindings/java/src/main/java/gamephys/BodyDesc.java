@@ -10,7 +10,7 @@ import java.nio.ByteBuffer;
  * </pre>
  */
 public final class BodyDesc {
-    private final ByteBuffer memory = Batch.direct(40);
+    private final ByteBuffer memory = Batch.direct(44);
 
     public BodyDesc() {
         Low.check(Low.gphys_body_desc_init(pointer(), memory.capacity()));
@@ -144,5 +144,20 @@ public final class BodyDesc {
 
     public int layers() {
         return memory.getInt(36);
+    }
+
+    /**
+     * <pre>
+     * of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
+     * as friction; default 0
+     * </pre>
+     */
+    public BodyDesc staticFriction(float value) {
+        memory.putFloat(40, value);
+        return this;
+    }
+
+    public float staticFriction() {
+        return memory.getFloat(40);
     }
 }

@@ -153,6 +153,8 @@ class LowFunctions {
     static native int gphys_solver_add_distance(Pointer solver, int body, int particleA, int particleB, float restLength, float compliance, Pointer outConstraint);
     static native int gphys_solver_add_max_distance(Pointer solver, int body, int particleA, int particleB, float maxLength, float compliance, Pointer outConstraint);
     static native int gphys_solver_set_constraint_damping(Pointer solver, int body, int constraint, float damping);
+    static native int gphys_solver_set_volume(Pointer solver, int body, float restVolume, float compliance);
+    static native int gphys_solver_get_volume(Pointer solver, int body, Pointer outVolume, Pointer outPressure);
     static native int gphys_solver_remove_constraint(Pointer solver, int body, int constraint);
     static native int gphys_solver_get_constraints(Pointer solver, int body, Pointer outConstraints, int capacity, Pointer outTotal);
     static native int gphys_solver_step(Pointer solver, Pointer scene, float dt);
@@ -160,6 +162,7 @@ class LowFunctions {
     static native int gphys_solver_get_substeps(Pointer solver, int body, Pointer outSubsteps);
     static native int gphys_solver_get_stats(Pointer solver, int body, Pointer outStats);
     static native int gphys_solver_get_contacts(Pointer solver, Pointer outContacts, int capacity, Pointer outTotal);
+    static native int gphys_solver_get_impulses(Pointer solver, Pointer outImpulses, int capacity, Pointer outTotal);
     static native int gphys_solver_get_snapshot(Pointer solver, Pointer outWords, int capacity, Pointer outTotal);
     static native int gphys_solver_restore(Pointer solver, Pointer words, int count);
     static native int gphys_solver_get_hash(Pointer solver, Pointer outHash);

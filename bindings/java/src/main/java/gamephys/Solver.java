@@ -471,11 +471,52 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-     * its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-     * on steps. Rigid constraints have nothing to damp.
-     * &#64;param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
-     * &#64;return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+     * Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
+     * it again changes it, which inflates a body.
+     * &#64;param rest_volume  m^3, &gt; 0; negative: the present volume
+     * &#64;param compliance   m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0: as water,
+     *                     which keeps its volume; INFINITY: none, which ends the constraint
+     * &#64;return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
+     *         not all turned the same way, or face inward when the present volume is asked for
+     * Cost: O(triangles) in each substep, twice.
+     * </pre>
+     */
+    public void setVolume(int body, float restVolume, float compliance) {
+        int status = Low.gphys_solver_set_volume(opened(), body, restVolume, compliance);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /** The same with defaults. */
+    public void setVolume(int body, float restVolume) {
+        setVolume(body, restVolume, 0);
+    }
+
+    /** What getVolume returns. */
+    public record VolumeResult(float volume, float pressure) {}
+
+    /**
+     * <pre>
+     * The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+     * held at the end of the last step: above 0 it pushes outward.
+     * &#64;param out_volume, out_pressure  may be NULL
+     * &#64;return GPHYS_ERROR_UNSUPPORTED if none is held
+     * </pre>
+     */
+    public VolumeResult getVolume(int body) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_volume(opened(), body, scratch.slot(2), scratch.slot(3));
+        Low.keep(this);
+        Low.check(status);
+        return new VolumeResult(scratch.getFloat(2), scratch.getFloat(3));
+    }
+
+    /**
+     * <pre>
+     * The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+     * held at the end of the last step: above 0 it pushes outward.
+     * &#64;param out_volume, out_pressure  may be NULL
+     * &#64;return GPHYS_ERROR_UNSUPPORTED if none is held
      * </pre>
      */
     public void removeConstraint(int body, int constraint) {
@@ -581,7 +622,25 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Copy the whole state out: settings, origin, bodies with their ids, constraints and contacts, time
+     * Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+     * which they fell asleep. Kept when too many: the lowest models.
+     * Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
+     * cloth that touches several models at once gives to the one that it touches most. Models have no mass
+     * here; a body of yours much lighter than what hangs from it should be moved in small steps.
+     * Cost: O(models touched); no allocation. The same bits for any number of workers.
+     * </pre>
+     */
+    public Batch<Impulse> getImpulses() {
+        return Low.list(Impulse.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_impulses(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
+     * Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
      * that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
      * &#64;param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
      *                   for the same release of the library and machines of the same byte order; it may

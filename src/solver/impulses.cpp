@@ -1,0 +1,53 @@
+#include "solver/impulses.h"
+
+#include "solver/collision.h"
+
+namespace gphys {
+namespace {
+
+bool before(const ModelImpulse& a, gphys_model_id model) { return a.model < model; }
+
+Vec3 place_of(const Surroundings& around, gphys_model_id model) {
+    const gphys_transform& now = around.scene->world(model);
+    const auto moved = std::lower_bound(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
+    if (moved == around.moved->end() || moved->model != model) return widen(now.position);
+    return widen(moved->world.position) * (1 - around.end) + widen(now.position) * around.end;
+}
+
+}  // namespace
+
+void reserve_impulses(Body& body, size_t models_near) {
+    const size_t wanted = models_near + body.attachments.size() + spare_impulses;
+    // Twice as many, so that no step allocates because one model more has come near.
+    if (body.impulses.capacity() < wanted) body.impulses.reserve(2 * wanted);
+}
+
+void give(Body& body, const Surroundings& around, gphys_model_id model, Vec3 point, Vec3 impulse, Vec3 moment) {
+    Vector<ModelImpulse>& sums = body.impulses;
+    auto sum = std::lower_bound(sums.begin(), sums.end(), model, before);
+    if (sum == sums.end() || sum->model != model) {
+        if (sums.size() == sums.capacity()) return;
+        sum = sums.insert(sum, {model, around.scene->tag(model), {}, {}});
+    }
+    sum->linear += impulse;
+    sum->angular += cross(point - place_of(around, model), impulse) + moment;
+}
+
+void give_anchor(Body& body, const Surroundings& around, uint32_t particle, Vec3 impulse) {
+    if (!around.scene) return;
+    if (const Attachment* attachment = find_attachment(body, particle)) {
+        give(body, around, attachment->model, body.position[particle], impulse);
+    }
+}
+
+void give_attached(Body& body, const Surroundings& around, double sign, Vec3 gravity, double seconds) {
+    if (!around.scene) return;
+    for (const Attachment& attachment : body.attachments) {
+        const uint32_t p = attachment.particle;
+        const Vec3 momentum = body.velocity[p] * body.mass[p];
+        const Vec3 pressed = (gravity * body.mass[p] + body.force[p]) * seconds;
+        give(body, around, attachment.model, body.position[p], momentum * sign + pressed);
+    }
+}
+
+}  // namespace gphys

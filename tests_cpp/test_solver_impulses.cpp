@@ -1,0 +1,324 @@
+// What bodies give to models, against the balance of momentum.
+#include <cstring>
+
+#include "resources.h"
+#include "solver_world.h"
+
+using namespace test;
+using gphys::Vec3;
+
+namespace {
+
+constexpr double g = static_cast<double>(9.81f);
+constexpr float frame = 1 / 60.0f;
+
+gphys_transform placed(float x, float y, float z) {
+    gphys_transform transform{};
+    transform.position = {x, y, z};
+    transform.rotation.w = 1;
+    transform.scale = 1;
+    return transform;
+}
+
+gphys_model_id ground(World& world, gphys_vec3 normal = {0, 1, 0}) {
+    const gphys_plane plane{normal, 0};
+    return world.model(GPHYS_SHAPE_PLANE, &plane);
+}
+
+gphys_model_id ball(World& world, float x, float y, float z) {
+    const gphys_sphere sphere{{0, 0, 0}, 0.05f};
+    const gphys_transform transform = placed(x, y, z);
+    return world.model(GPHYS_SHAPE_SPHERE, &sphere, &transform);
+}
+
+std::vector<gphys_impulse> impulses(const World& world) {
+    std::vector<gphys_impulse> out(8);
+    uint32_t total = 0;
+    REQUIRE(gphys_solver_get_impulses(world.solver, out.data(), 8, &total) == GPHYS_OK);
+    out.resize(total);
+    return out;
+}
+
+Vec3 linear(const World& world, gphys_model_id model) {
+    for (const gphys_impulse& impulse : impulses(world)) {
+        if (impulse.model == model) return gphys::widen(impulse.linear);
+    }
+    return {};
+}
+
+Vec3 angular(const World& world, gphys_model_id model) {
+    for (const gphys_impulse& impulse : impulses(world)) {
+        if (impulse.model == model) return gphys::widen(impulse.angular);
+    }
+    return {};
+}
+
+/// A particle, a rope or a sheet of 3 kg that lies on the ground.
+gphys_body_id lay(World& world, gphys_body_kind kind, float height = 0.0101f) {
+    gphys_body_desc desc = World::body_desc();
+    desc.mass = 3;
+    if (kind == GPHYS_BODY_CLOTH) return world.cloth({1, height, 1}, {1, 0, 0}, {0, 0, 1}, 15, 15, desc);
+    std::vector<gphys_vec3> places;
+    for (int i = 0; i < 30; ++i) places.push_back({0.05f * static_cast<float>(i), height, 0});
+    return kind == GPHYS_BODY_ROPE ? world.rope(places, 0, desc) : world.particles(places, desc);
+}
+
+}  // namespace
+
+TEST_CASE("What lies on the ground presses it with its weight") {
+    for (const gphys_body_kind kind : {GPHYS_BODY_PARTICLES, GPHYS_BODY_ROPE, GPHYS_BODY_CLOTH}) {
+        for (const float height : {0.0101f, 0.4f}) {
+            World world(8);
+            const gphys_model_id floor = ground(world);
+            lay(world, kind, height);
+            double worst = 0;
+            for (int i = 0; i < 180; ++i) {
+                world.step(frame);
+                if (i >= 120) worst = std::max(worst, length(linear(world, floor) - Vec3{0, -3 * g * frame, 0}));
+            }
+            std::printf("    kind %d from %.2f m: off by %.3g of %.3g N s\n", kind, static_cast<double>(height), worst,
+                        3 * g * frame);
+            // At rest what comes is what gravity has given. The answer is a float32.
+            CHECK(worst < 1e-6 * 3 * g * frame);
+        }
+    }
+}
+
+TEST_CASE("What falls gives the ground all of its momentum") {
+    for (const gphys_body_kind kind : {GPHYS_BODY_PARTICLES, GPHYS_BODY_ROPE, GPHYS_BODY_CLOTH}) {
+        World world(8);
+        const gphys_model_id floor = ground(world);
+        lay(world, kind, 0.5f);
+        Vec3 sum;
+        const int steps = 120;
+        for (int i = 0; i < steps; ++i) {
+            world.step(frame);
+            sum += linear(world, floor);
+        }
+        const Vec3 whole{0, -3 * g * frame * steps, 0};
+        std::printf("    kind %d: %.6g of %.6g N s\n", kind, sum.y, whole.y);
+        // From rest to rest it is the whole impulse of gravity. Each of 960 substeps rounds the velocities of
+        // cloth, of 3 m/s at most, to 2^-24 of them.
+        CHECK(length(sum - whole) < 2e-5 * length(whole));
+    }
+}
+
+TEST_CASE("A bounce gives m (1 + e) v") {
+    World world(8);
+    const gphys_model_id floor = ground(world);
+    gphys_body_desc desc = World::body_desc();
+    desc.mass = 2;
+    desc.radius = 0;
+    desc.restitution = 0.75f;
+    world.particles({{0.5f, 1, 0.25f}}, desc);
+    const double fall = std::sqrt(2 / g);
+    for (int i = 0; i * frame < fall; ++i) world.step(frame);
+    const double expected = 2 * 1.75 * g * fall;
+    figure("impulse of a bounce, relative error", std::fabs(linear(world, floor).y / -expected - 1), "");
+    CHECK(std::fabs(linear(world, floor).y / -expected - 1) < 1e-6);
+    // r x J about the floor's position, the origin, with r = (0.5, 0, 0.25).
+    CHECK(length(angular(world, floor) - Vec3{0.25 * expected, 0, -0.5 * expected}) < 1e-6 * expected);
+}
+
+TEST_CASE("Friction gives a slope what it takes") {
+    // tan = 0.75: what slides with 0.25 presses with m g cos and drags with a quarter of that.
+    World world(8);
+    const gphys_model_id slope = ground(world, {0.6f, 0.8f, 0});
+    for (const gphys_body_kind kind : {GPHYS_BODY_PARTICLES, GPHYS_BODY_ROPE, GPHYS_BODY_CLOTH}) {
+        gphys_body_desc desc = World::body_desc();
+        desc.mass = 1.5f;
+        desc.friction = 0.25f;
+        gphys_body_id body = 0;
+        const auto on_slope = [](double along, double across) {
+            const Vec3 at = Vec3{0.6, 0.8, 0} * 0.010002 + Vec3{0.8, -0.6, 0} * along + Vec3{0, 0, across};
+            return gphys::narrow(at);
+        };
+        if (kind == GPHYS_BODY_PARTICLES) body = world.particles({on_slope(0, 0), on_slope(0.5, 0)}, desc);
+        if (kind == GPHYS_BODY_ROPE) body = world.rope({on_slope(0, 0), on_slope(0.5, 0), on_slope(1, 0)}, 0, desc);
+        if (kind == GPHYS_BODY_CLOTH) body = world.cloth(on_slope(0, 0), {0.8f, -0.6f, 0}, {0, 0, 1}, 9, 9, desc);
+        for (uint32_t p = 0; p < world.positions(body).size(); ++p) world.set_velocity(body, p, {0.8f, -0.6f, 0});
+        Vec3 sum;
+        for (int i = 0; i < 60; ++i) {
+            world.step(frame);
+            if (i >= 30) sum += linear(world, slope);
+        }
+        sum = sum / 30.0;
+        const double press = 1.5 * g * 0.8 * frame;
+        const double into = -dot(sum, Vec3{0.6, 0.8, 0}), along = dot(sum, Vec3{0.8, -0.6, 0});
+        std::printf("    kind %d: presses with %.6g, drags with %.6g of %.6g N s\n", kind, into, along, press);
+        // Cloth in float32 is pushed by 5e-5 m in a substep, rounded to 6e-8 m, from which friction is reckoned.
+        const double tolerance = kind == GPHYS_BODY_CLOTH ? 1e-2 : 1e-4;
+        CHECK(std::fabs(into / press - 1) < tolerance);
+        CHECK(std::fabs(along / (0.25 * press) - 1) < tolerance);
+        REQUIRE(gphys_solver_remove_body(world.solver, body) == GPHYS_OK);
+        CHECK(impulses(world).empty());
+    }
+}
+
+TEST_CASE("What hangs pulls its models with its weight") {
+    for (const bool is_cloth : {false, true}) {
+        World world(8);
+        const gphys_model_id left = ball(world, 0, 5, 0), right = ball(world, 1, 5, 0);
+        gphys_body_desc desc = World::body_desc();
+        desc.mass = 2;
+        desc.layers = 0;
+        desc.damping = 1;
+        gphys_body_id body = 0;
+        uint32_t last = 0;
+        if (is_cloth) {
+            body = world.cloth({0, 5, 0}, {1, 0, 0}, {0, -1, 0}, 11, 11, desc);
+            last = 10;
+        } else {
+            std::vector<gphys_vec3> places;
+            for (int i = 0; i <= 20; ++i) places.push_back({0.05f * static_cast<float>(i), 5, 0});
+            body = world.rope(places, 0.06f, desc);
+            last = 20;
+        }
+        REQUIRE(gphys_solver_attach(world.solver, world.scene, body, 0, left, nullptr) == GPHYS_OK);
+        REQUIRE(gphys_solver_attach(world.solver, world.scene, body, last, right, nullptr) == GPHYS_OK);
+        for (int i = 0; i < 1800; ++i) world.step(frame);
+        const Vec3 a = linear(world, left), b = linear(world, right);
+        std::printf("    %s: %.6g + %.6g of %.6g N s, across %.3g\n", is_cloth ? "cloth" : "rope", a.y, b.y,
+                    -2 * g * frame, a.x);
+        // After 30 s with a rate of 1/s nothing moves; half of the weight each, and as much across.
+        CHECK(std::fabs(a.y + b.y + 2 * g * frame) < 2e-4 * 2 * g * frame);
+        CHECK(std::fabs(a.y - b.y) < 1e-2 * 2 * g * frame);
+        CHECK(a.x > 0);
+        CHECK(std::fabs(a.x + b.x) < 1e-3 * 2 * g * frame);
+    }
+}
+
+TEST_CASE("A whirling rope pulls its model with the centripetal force, and a string that snaps taut with its jerk") {
+    World world(16, {0, 0, 0});
+    const gphys_model_id hub = ball(world, 1e4f, 0, 0);
+    gphys_body_desc desc = World::body_desc();
+    desc.layers = 0;
+    desc.mass = 2;  // of which half whirls
+    const gphys_body_id body = world.rope({{1e4f, 0, 0}, {1e4f + 0.5f, 0, 0}}, 0, desc);
+    REQUIRE(gphys_solver_attach(world.solver, world.scene, body, 0, hub, nullptr) == GPHYS_OK);
+    world.set_velocity(body, 1, {0, 1, 0});
+    double worst = 0;
+    for (int i = 0; i < 120; ++i) {
+        world.step(frame);
+        // m v^2 / r = 2 N, a frame later on a way turned by 2 / 60 radian.
+        if (i > 0) worst = std::max(worst, std::fabs(length(linear(world, hub)) / (2 * frame) - 1));
+    }
+    figure("centripetal, relative error", worst, "");
+    CHECK(worst < 1e-3);
+
+    World other(16, {0, 0, 0});
+    const gphys_model_id nail = ball(other, 0, 0, 0);
+    const gphys_body_id pair = other.particles({{0, 0, 0}, {0.4f, 0, 0}}, desc);
+    gphys_constraint_id id = 0;
+    REQUIRE(gphys_solver_add_max_distance(other.solver, pair, 0, 1, 0.5f, 0, &id) == GPHYS_OK);
+    REQUIRE(gphys_solver_attach(other.solver, other.scene, pair, 0, nail, nullptr) == GPHYS_OK);
+    other.set_velocity(pair, 1, {3, 0, 0});
+    Vec3 sum;
+    for (int i = 0; i < 30; ++i) {
+        other.step(frame);
+        sum += linear(other, nail);
+    }
+    figure("jerk of 3 N s", sum.x, "N s");
+    CHECK(std::fabs(sum.x - 3) < 1e-3);
+}
+
+TEST_CASE("Impulses do not depend on workers, and survive a snapshot") {
+    uint32_t hashes[3][2];
+    std::vector<gphys_impulse> seen[3];
+    int row = 0;
+    for (const uint32_t workers : {1u, 2u, 5u}) {
+        gphys_solver_desc desc;
+        gphys_solver_desc_init(&desc, sizeof desc);
+        desc.worker_count = workers;
+        World world;
+        gphys_solver_destroy(world.solver);
+        REQUIRE(gphys_solver_create(&desc, &world.solver) == GPHYS_OK);
+        ground(world);
+        ball(world, 0.5f, 0.1f, 0);
+        for (int i = 0; i < 5; ++i) {
+            lay(world, GPHYS_BODY_CLOTH, 0.2f + 0.1f * static_cast<float>(i));
+            lay(world, GPHYS_BODY_ROPE, 0.25f + 0.1f * static_cast<float>(i));
+            lay(world, GPHYS_BODY_PARTICLES, 0.3f + 0.1f * static_cast<float>(i));
+        }
+        for (int i = 0; i < 25; ++i) world.step(frame);
+        seen[row] = impulses(world);
+        CHECK(seen[row].size() == 2);
+        REQUIRE(gphys_solver_get_hash(world.solver, hashes[row]) == GPHYS_OK);
+        CHECK(std::memcmp(seen[row].data(), seen[0].data(), 2 * sizeof(gphys_impulse)) == 0);
+        CHECK(std::memcmp(hashes[row], hashes[0], sizeof hashes[0]) == 0);
+        uint32_t total = 0;
+        gphys_solver_get_snapshot(world.solver, nullptr, 0, &total);
+        std::vector<uint32_t> words(total);
+        REQUIRE(gphys_solver_get_snapshot(world.solver, words.data(), total, &total) == GPHYS_OK);
+        World copy;
+        REQUIRE(gphys_solver_restore(copy.solver, words.data(), total) == GPHYS_OK);
+        CHECK(std::memcmp(impulses(copy).data(), seen[0].data(), 2 * sizeof(gphys_impulse)) == 0);
+        ++row;
+    }
+}
+
+TEST_CASE("Steps with all kinds of constraints and contacts allocate nothing, and running out changes nothing") {
+    WatchedMemory memory;
+    const gphys_allocator hooks{[](void* user, size_t size, size_t alignment) -> void* {
+                                    try {
+                                        return static_cast<WatchedMemory*>(user)->allocate(size, alignment);
+                                    } catch (const std::bad_alloc&) {
+                                        return nullptr;
+                                    }
+                                },
+                                [](void* user, void* p, size_t size, size_t alignment) {
+                                    static_cast<WatchedMemory*>(user)->deallocate(p, size, alignment);
+                                },
+                                &memory};
+    {
+        World world;
+        gphys_solver_destroy(world.solver);
+        gphys_solver_desc desc;
+        gphys_solver_desc_init(&desc, sizeof desc);
+        desc.allocator = &hooks;
+        REQUIRE(gphys_solver_create(&desc, &world.solver) == GPHYS_OK);
+        ground(world);
+        const gphys_model_id nail = ball(world, 0, 1, 0);
+        const gphys_body_id sheet = lay(world, GPHYS_BODY_CLOTH, 0.3f), rope = lay(world, GPHYS_BODY_ROPE, 0.3f);
+        gphys_body_desc sticky = World::body_desc();
+        sticky.static_friction = 1;
+        world.particles({{0, 0.3f, 0}}, sticky);
+        const gphys_vec3 corners[] = {{0, 1, 0}, {1, 1, 0}, {0, 2, 0}, {0, 1, 1}};
+        const uint32_t faces[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+        gphys_mesh* mesh = nullptr;
+        REQUIRE(gphys_mesh_create(nullptr, &corners[0].x, 12, 4, faces, 12, &mesh) == GPHYS_OK);
+        gphys_body_id ball = 0;
+        REQUIRE(gphys_solver_add_cloth_mesh(world.solver, &sticky, mesh, nullptr, &ball) == GPHYS_OK);
+        gphys_mesh_destroy(mesh);
+        REQUIRE(gphys_solver_attach(world.solver, world.scene, rope, 0, nail, nullptr) == GPHYS_OK);
+        REQUIRE(gphys_solver_attach(world.solver, world.scene, sheet, 0, nail, nullptr) == GPHYS_OK);
+
+        const auto until_it_fits = [&](auto&& call) {
+            int refusals = 0;
+            for (long allowed = 0;; ++allowed, ++refusals) {
+                uint32_t before[2], after[2];
+                gphys_solver_get_hash(world.solver, before);
+                memory.fail_at = memory.allocations + allowed;
+                const gphys_status status = call();
+                memory.fail_at = -1;
+                if (status == GPHYS_OK) return refusals;
+                REQUIRE(status == GPHYS_ERROR_OUT_OF_MEMORY);
+                gphys_solver_get_hash(world.solver, after);
+                CHECK(std::memcmp(before, after, sizeof before) == 0);
+            }
+        };
+        gphys_constraint_id string = 0;
+        CHECK(until_it_fits([&] { return gphys_solver_set_volume(world.solver, ball, -1, 0); }) >= 1);
+        until_it_fits([&] { return gphys_solver_add_max_distance(world.solver, rope, 0, 29, 1, 0.01f, &string); });
+        REQUIRE(gphys_solver_set_constraint_damping(world.solver, rope, string, 1) == GPHYS_OK);
+        REQUIRE(gphys_solver_step(world.solver, world.scene, frame) == GPHYS_OK);
+        const long before = memory.allocations;
+        for (int i = 0; i < 60; ++i) {
+            REQUIRE(gphys_solver_step(world.solver, world.scene, frame) == GPHYS_OK);
+            CHECK(impulses(world).size() >= 1);
+        }
+        CHECK(memory.allocations == before);
+        gphys_solver_destroy(world.solver);
+        world.solver = nullptr;
+    }
+}
