@@ -23,7 +23,7 @@ case ${1:-} in
     --bindings)
         presets=(bindings)
         packages+=(python3-numpy python3-pip nodejs emscripten chromium ruby ruby-ffi openjdk-17-jdk-headless
-            libjna-java junit4 mono-mcs mono-runtime libmono-system-core4.0-cil nunit-console libnunit-cil-dev)
+            libjna-java junit4 mono-mcs mono-runtime libmono-system-core4.0-cil nunit-console libnunit-cil-dev ldc php-cli mypy)
         command -v npm >/dev/null || packages+=(npm)
         command -v cargo >/dev/null || packages+=(cargo)
         command -v go >/dev/null || packages+=(golang-go)

@@ -172,3 +172,20 @@ func TestASolverGoesOnFromASnapshot(t *testing.T) {
 	try(t, twin.Wake(0))
 	same(t, len(must(twin.Sleeping())), 0)
 }
+
+func TestSubstepsAreAsManyAsAskedForOrAsATargetTakes(t *testing.T) {
+	substeps := func(maxStrain float32) uint32 {
+		desc := DefaultSolverDesc()
+		desc.MaxStrain = maxStrain
+		solver := must(NewSolver(&desc))
+		cloth := must(solver.AddCloth(Vec3{}, Vec(1, 0, 0), Vec(0, 0, 1), 3, 3, nil))
+		try(t, solver.SetPinned(cloth, 0, 1, true))
+		same(t, must(solver.Substeps(cloth)), uint32(0))
+		for i := 0; i < 5; i++ {
+			try(t, solver.Step(nil, 0.01))
+		}
+		return must(solver.Substeps(cloth))
+	}
+	same(t, substeps(0), uint32(8))
+	same(t, substeps(1e-6) > 8, true)
+}

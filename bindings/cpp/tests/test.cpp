@@ -360,6 +360,21 @@ TEST_CASE("rope and cloth") {
     CHECK(solver.get_sleeping().empty());
 }
 
+TEST_CASE("a body takes the substeps that are asked for, or that a target takes") {
+    const auto substeps = [](float max_strain) {
+        auto desc = solver_desc();
+        desc.max_strain = max_strain;
+        Solver solver(&desc);
+        const auto cloth = solver.add_cloth(zero, {1, 0, 0}, {0, 0, 1}, 3, 3);
+        solver.set_pinned(cloth, 0, 1, true);
+        CHECK(solver.get_substeps(cloth) == 0);
+        for (int i = 0; i < 5; ++i) solver.step(nullptr, 0.01f);
+        return solver.get_substeps(cloth);
+    };
+    CHECK(substeps(0) == 8);
+    CHECK(substeps(1e-6f) > 8);
+}
+
 TEST_CASE("errors have the library's message") {
     Scene scene;
     CHECK(failure(GPHYS_ERROR_INVALID_ARGUMENT, [&] {

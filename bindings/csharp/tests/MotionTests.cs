@@ -176,4 +176,21 @@ public class MotionTests {
         solver.Wake(body);
         CollectionAssert.IsEmpty(solver.GetSleeping());
     }
+
+    [Test]
+    public void SubstepsAreAsManyAsAskedForOrAsATargetTakes() {
+        var substeps = new uint[2];
+        for (var i = 0; i < 2; ++i) {
+            var settings = SolverDesc.Default;
+            settings.MaxStrain = i * 1e-6f;
+            var solver = new Solver(settings);
+            var cloth = solver.AddCloth((0, 0, 0), (1, 0, 0), (0, 0, 1), 3, 3);
+            solver.SetPinned(cloth, 0, 1, true);
+            Assert.AreEqual(0, solver.GetSubsteps(cloth));
+            for (var step = 0; step < 5; ++step) solver.Step(0.01f);
+            substeps[i] = solver.GetSubsteps(cloth);
+        }
+        Assert.AreEqual(8, substeps[0]);
+        Assert.Greater(substeps[1], 8);
+    }
 }

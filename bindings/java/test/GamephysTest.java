@@ -343,6 +343,21 @@ public class GamephysTest {
     }
 
     @Test
+    public void substepsAreAsManyAsAskedForOrAsATargetTakes() {
+        int[] substeps = new int[2];
+        for (int i = 0; i < 2; ++i) {
+            Solver solver = new Solver(new SolverDesc().maxStrain(i * 1e-6f));
+            int cloth = solver.addCloth(ZERO, v(1, 0, 0), v(0, 0, 1), 3, 3);
+            solver.setPinned(cloth, 0, 1, true);
+            assertEquals(0, solver.getSubsteps(cloth));
+            for (int step = 0; step < 5; ++step) solver.step(null, 0.01f);
+            substeps[i] = solver.getSubsteps(cloth);
+        }
+        assertEquals(8, substeps[0]);
+        assertTrue(substeps[1] > 8);
+    }
+
+    @Test
     public void errorsHaveTheLibrarysMessage() {
         Scene scene = new Scene();
         assertTrue(assertFails(ERROR_INVALID_ARGUMENT, () -> scene.add(new Sphere(ZERO, -1))).contains("radius"));

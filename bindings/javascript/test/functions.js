@@ -192,6 +192,19 @@ test('bodies', () => {
     same([...other.getSleeping()], []);
 });
 
+test('substeps, as many as asked for or as a target takes', () => {
+    const [plain, careful] = [{}, { max_strain: 1e-6 }].map((desc) => {
+        const solver = new gp.Solver(desc);
+        const cloth = solver.addCloth([0, 0, 0], [1, 0, 0], [0, 0, 1], 3, 3);
+        solver.setPinned(cloth, 0, 1, true);
+        assert.strictEqual(solver.getSubsteps(cloth), 0);
+        for (let i = 0; i < 5; ++i) solver.step(null, 0.01);
+        return solver.getSubsteps(cloth);
+    });
+    assert.strictEqual(plain, 8);
+    assert(careful > 8);
+});
+
 test('bodies and models', () => {
     const scene = new gp.Scene(), solver = new gp.Solver();
     const floor = scene.add(gp.plane([0, 1, 0], 0), null, { tag: 3 });

@@ -264,6 +264,18 @@ function tests.solver()
     assert(solver:get_origin()[1] == 1 and near(solver:get_positions(free, 0, 1)[0].y, -0.5, 1e-3))
 end
 
+function tests.substeps_are_as_many_as_asked_for_or_as_a_target_takes()
+    local function substeps(desc)
+        local solver = gp.Solver(desc)
+        local cloth = solver:add_cloth({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 1 }, 3, 3)
+        solver:set_pinned(cloth, 0, 1, true)
+        assert(solver:get_substeps(cloth) == 0)
+        for _ = 1, 5 do solver:step(nil, 0.01) end
+        return solver:get_substeps(cloth)
+    end
+    assert(substeps {} == 8 and substeps { max_strain = 1e-6 } > 8)
+end
+
 function tests.errors_have_the_librarys_message()
     local scene = gp.Scene()
     assert(fails(gp.ERROR_INVALID_ARGUMENT, scene.add, scene, gp.Sphere({ 0, 0, 0 }, -1)):find 'radius')

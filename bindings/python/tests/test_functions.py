@@ -229,6 +229,18 @@ class Functions(unittest.TestCase):
         solver.wake(0)
         self.assertEqual(solver.get_sleeping().tolist(), [])
 
+    def test_substeps(self):
+        """As many as asked for, or as a target takes."""
+        plain, careful = gp.Solver(), gp.Solver(gp.SolverDesc(max_strain=1e-6))
+        for solver in (plain, careful):
+            cloth = solver.add_cloth((0, 0, 0), (1, 0, 0), (0, 0, 1), 3, 3)
+            solver.set_pinned(cloth, 0, 1, True)
+            self.assertEqual(solver.get_substeps(cloth), 0)
+            for _ in range(5):
+                solver.step(None, 0.01)
+        self.assertEqual(plain.get_substeps(cloth), 8)
+        self.assertGreater(careful.get_substeps(cloth), 8)
+
     def test_names(self):
         self.assertEqual(gp.status_name(gp.NO_HIT), "GPHYS_NO_HIT")
         self.assertRegex(gp.__version__, r"^\d+\.\d+\.\d+$")

@@ -278,6 +278,19 @@ class TestGamephys < Minitest::Test
     assert_equal [], solver.get_sleeping.to_a
   end
 
+  def test_substeps_are_as_many_as_asked_for_or_as_a_target_takes
+    substeps = lambda do |desc|
+      solver = Solver.new(**desc)
+      cloth = solver.add_cloth([0, 0, 0], [1, 0, 0], [0, 0, 1], 3, 3)
+      solver.set_pinned(cloth, 0, 1, true)
+      assert_equal 0, solver.get_substeps(cloth)
+      5.times { solver.step(nil, 0.01) }
+      solver.get_substeps(cloth)
+    end
+    assert_equal 8, substeps.call({})
+    assert_operator substeps.call({ max_strain: 1e-6 }), :>, 8
+  end
+
   def test_errors_have_the_librarys_message
     scene = Scene.new
     assert_match(/radius/, assert_raises(InvalidArgument) { scene.add(Sphere.new([0, 0, 0], -1)) }.message)

@@ -159,6 +159,20 @@ fn a_solver_goes_on_from_a_snapshot() {
 }
 
 #[test]
+fn substeps_are_as_many_as_asked_for_or_as_a_target_takes() {
+    let substeps = |max_strain| {
+        let mut solver = Solver::new(Some(&SolverDesc { max_strain, ..Default::default() })).unwrap();
+        let cloth = solver.add_cloth([0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 3, 3, None).unwrap();
+        solver.set_pinned(cloth, 0, 1, true).unwrap();
+        assert_eq!(solver.get_substeps(cloth).unwrap(), 0);
+        (0..5).for_each(|_| solver.step(None, 0.01).unwrap());
+        solver.get_substeps(cloth).unwrap()
+    };
+    assert_eq!(substeps(0.0), 8);
+    assert!(substeps(1e-6) > 8);
+}
+
+#[test]
 fn the_version_is_that_of_the_header() {
     assert_eq!(version().0, 1);
 }
