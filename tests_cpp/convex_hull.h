@@ -102,8 +102,17 @@ public:
         for (const auto& e : a_.edges) {
             for (const auto& f : b_.edges) try_axis(cross(direction(a_, e), direction(b_, f)));
         }
+        // All on parallel lines, perhaps on one, which leaves no depth across.
+        const bool parallel = best_.gap == -INFINITY;
+        if (parallel) {
+            for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+                try_axis(axis);
+                for (const auto& e : a_.edges) try_axis(cross(direction(a_, e), axis));
+                for (const auto& e : b_.edges) try_axis(cross(direction(b_, e), axis));
+            }
+        }
         // Round shapes touch corners and edges from any side. So do segments that are parallel.
-        if (a_.radius > 0 || b_.radius > 0 || a_.faces.empty() || b_.faces.empty()) {
+        if (a_.radius > 0 || b_.radius > 0 || a_.faces.empty() || b_.faces.empty() || parallel) {
             for (Vec3 p : a_.corners) {
                 for (Vec3 q : b_.corners) try_axis(q - p);
                 for (const auto& e : b_.edges) try_axis(to_foot(b_, e, p));
