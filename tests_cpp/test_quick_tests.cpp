@@ -2,6 +2,7 @@
 
 #include <cfenv>
 
+#include "meshes.h"
 #include "test.h"
 
 using namespace gphys;
@@ -132,6 +133,52 @@ TEST_CASE("quick tests of boxes never contradict the exact ones") {
     CHECK(coarse.open > 100);
 }
 
+TEST_CASE("of eight rays at once none that meets a box is refused, and nearly all others are, on any instruction set") {
+    Cases cases(74);
+    int met = 0, missed = 0, refused = 0;
+    for (int i = 0; i < 20000; ++i) {
+        cases.next();
+        // Numbers below the smallest normal float, too.
+        const float scale = i % 8 == 0 ? 0x1p-147f : 1;
+        const auto scaled = [&](gphys_vec3 v) { return narrow(widen(v) * scale); };
+        RayLanes lanes{};
+        Ray rays[8];
+        const uint32_t first = static_cast<uint32_t>(i) % RayLanes::most;
+        for (uint32_t k = 0; k < 8; ++k) {
+            const Ray ray = cases.ray();
+            rays[k] = {widen(scaled(narrow(ray.origin))), ray.direction, ray.t_max * scale};
+            QuickRay(rays[k]).put(lanes, first + k, rays[k].t_max);
+        }
+        gphys_transform world = cases.transform();
+        world.position = scaled(world.position);
+        const auto ask = [&](const auto& stored) {
+            const BoxLanes box(quick_shape(stored, world));
+            uint32_t truth = 0;
+            with_placed(stored, world, [&](const auto& placed) {
+                for (uint32_t k = 0; k < 8; ++k) {
+                    Hit hit;
+                    truth |= uint32_t{raycast(placed, rays[k], hit)} << k;
+                }
+            });
+            for (const Isa isa : test::isas()) {
+                const uint32_t may_meet = scene_kernels(isa).may_meet(lanes, first, box);
+                REQUIRE((truth & ~may_meet) == 0);
+                REQUIRE(may_meet == scene_kernels(Isa::scalar).may_meet(lanes, first, box));
+                refused += __builtin_popcount(~may_meet & 0xff);
+                missed += 8 - __builtin_popcount(truth);
+                met += __builtin_popcount(truth);
+            }
+        };
+        const gphys_aabb aabb = cases.aabb();
+        ask(gphys_aabb{scaled(aabb.min), scaled(aabb.max)});
+        const gphys_obb obb = cases.obb();
+        ask(gphys_obb{scaled(obb.center), scaled(obb.half_extents), obb.rotation});
+    }
+    CHECK(met > 30000);
+    // The tiny eighth is not.
+    CHECK(refused > missed * 0.87);
+}
+
 TEST_CASE("quick tests raise no floating-point exception, however far the ray and the point reach") {
     const gphys_transform world{{1e15f, -1e15f, 1}, {0, 0, 0.6f, 0.8f}, 1e15f};
     const gphys_aabb box{{-1e15f, -1, 0}, {1e15f, 1, 0}};
@@ -142,6 +189,9 @@ TEST_CASE("quick tests raise no floating-point exception, however far the ray an
         const QuickRay quick(ray);
         denied += quick(QuickPlacedBox<gphys_aabb>{box, world}, ray.t_max) == Verdict::no;
         denied += quick(quick_shape(gphys_sphere{{1e15f, 0, 0}, 1e15f}, world), ray.t_max) == Verdict::no;
+        RayLanes lanes{};
+        quick.put(lanes, 0, ray.t_max);
+        for (const Isa isa : test::isas()) scene_kernels(isa).may_meet(lanes, 0, BoxLanes(quick_shape(box, world)));
     }
     denied += QuickPoint({})(quick_shape(box, world), infinity) == Verdict::no;
     CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);

@@ -60,6 +60,19 @@ inline Float8 splat(float value) {
     for (FloatRegister& part : v.part) part = value - FloatRegister{};
     return v;
 }
+/// Eight doubles less one, then rounded.
+inline Float8 narrowed_differences(const double* from, double less) {
+#if GPHYS_ISA_IS(avx2)
+    const auto half = [&](int i) {
+        return _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd(from + 4 * i), _mm256_set1_pd(less)));
+    };
+    return {{_mm256_insertf128_ps(_mm256_castps128_ps256(half(0)), half(1), 1)}};
+#else
+    float narrowed[8];
+    for (int i = 0; i < 8; ++i) narrowed[i] = static_cast<float>(from[i] - less);
+    return load(narrowed);
+#endif
+}
 
 inline FloatRegister minimum(FloatRegister a, FloatRegister b) {
 #if GPHYS_ISA_IS(avx2)
@@ -139,6 +152,12 @@ inline Float8 max(Float8 a, Float8 b) {
     return a;
 }
 inline Float8 abs(Float8 a) { return max(a, splat(0) - a); }
+
+/// In lanes that are set a, else b.
+inline Float8 choose(Mask8 mask, Float8 a, Float8 b) {
+    for (int i = 0; i < register_count; ++i) a.part[i] = mask.part[i] ? a.part[i] : b.part[i];
+    return a;
+}
 
 inline Mask8 operator<=(Float8 a, Float8 b) {
     Mask8 mask;

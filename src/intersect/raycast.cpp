@@ -94,10 +94,11 @@ bool enters_exactly(const Aabb& box, const Ray& ray, Entry& result) {
     return entry_axis < 0 || at_or_before(entry, exit);
 }
 
-/// The same from rounded quotients, which decide if the latest entry is clearly before or after the
-/// first exit, and after the entry on any other axis: each is within two roundings.
+/// The same from rounded products with the reciprocal, which decide if the latest entry is clearly
+/// before or after the first exit, and after the entry on any other axis: each is within three
+/// roundings. Only t itself is divided for.
 bool enters(const Aabb& box, const Ray& ray, Entry& result) {
-    constexpr double more = 1 + 0x1p-50;
+    constexpr double more = 1 + 0x1p-49;
     double latest = -infinity, second = -infinity, exit = ray.t_max;
     int axis = -1;
     bool outside = false, behind = false;
@@ -106,7 +107,8 @@ bool enters(const Aabb& box, const Ray& ray, Entry& result) {
         if (direction == 0) return enters_exactly(box, ray, result);
         const double faces[2] = {box.min[k], box.max[k]};
         const int backward = direction < 0;
-        const double near = (faces[backward] - origin) / direction, far = (faces[1 - backward] - origin) / direction;
+        const double inverse = 1 / direction;
+        const double near = (faces[backward] - origin) * inverse, far = (faces[1 - backward] - origin) * inverse;
         const bool below = origin<faces[0], above = origin> faces[1];
         outside |= below | above;
         behind |= backward ? below : above;
@@ -119,7 +121,7 @@ bool enters(const Aabb& box, const Ray& ray, Entry& result) {
     if (!outside) return true;
     if (latest > exit * more) return false;
     if (latest * more >= exit || second * more >= latest) return enters_exactly(box, ray, result);
-    result = {latest, axis};
+    result = {((ray.direction[axis] < 0 ? box.max : box.min)[axis] - ray.origin[axis]) / ray.direction[axis], axis};
     return true;
 }
 
@@ -152,12 +154,10 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
 bool raycast(const Obb& box, const Ray& ray, Hit& hit) {
     const Ray local{transpose_times(box.axes, ray.origin - box.center), transpose_times(box.axes, ray.direction),
                     ray.t_max};
-    Hit local_hit;
-    if (!raycast(Aabb{-box.half, box.half}, local, local_hit)) return false;
-    if (local_hit.flags & GPHYS_HIT_INSIDE) return started_inside(ray, hit);
-    hit = local_hit;
-    hit.point = box.center + box.axes * local_hit.point;
-    hit.normal = box.axes * local_hit.normal;
+    if (!raycast(Aabb{-box.half, box.half}, local, hit)) return false;
+    if (hit.flags & GPHYS_HIT_INSIDE) return started_inside(ray, hit);
+    hit.point = box.center + box.axes * hit.point;
+    hit.normal = box.axes * hit.normal;
     return true;
 }
 

@@ -24,6 +24,9 @@ struct OctreeVisitor {
 /// The same for many rays at once.
 struct OctreeRayVisitor {
     float (*visit)(void* context, uint32_t ray, uint32_t item);
+    /// Of the eight rays from `first` on, which go together, those whose bits are set in `rays`; puts
+    /// their new limits.
+    void (*visit_some)(void* context, uint32_t first, uint32_t rays, uint32_t item, float* limits);
     void* context;
     ItemMemory items;
 };

@@ -66,10 +66,11 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
 }
 
 /// The same for up to RayBundling::most rays with the same signs of direction, nearest first by all
-/// of them.
-template <class ProbeOf, class Visit, class Fetch>
+/// of them. visit_some(first, rays, item, limits) visits those of eight rays from `first` on whose bits
+/// are set, and puts the new limits of these in the eight.
+template <class ProbeOf, class VisitSome, class Fetch>
 void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* first_limits,
-                   uint32_t count, const Visit& visit, const Fetch& fetch) {
+                   uint32_t count, const VisitSome& visit_some, const Fetch& fetch) {
     constexpr uint32_t lanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
     float limits[RayBundling::most];
     for (uint32_t i = 0; i < RayBundling::most; ++i) limits[i] = i < count ? first_limits[i] : -1;
@@ -97,10 +98,8 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
             for (int left = push_nearest_last(ordered, 0, lanes, found, false); left-- > 0;) {
                 const uint32_t lane = child_of(ordered[left]);
                 for (uint32_t group = 0; group < test.groups(); ++group) {
-                    for (uint32_t rays = test.rays(group, node.boxes, lane); rays != 0; rays &= rays - 1) {
-                        const uint32_t ray = 8 * group + static_cast<uint32_t>(__builtin_ctz(rays));
-                        limits[ray] = visit(ray, node.child[lane]);
-                    }
+                    const uint32_t rays = test.rays(group, node.boxes, lane);
+                    if (rays != 0) visit_some(8 * group, rays, node.child[lane], limits + 8 * group);
                 }
             }
             test.set_limits(limits);
@@ -113,14 +112,26 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     }
 }
 
-template <class ProbeOf, class Visit, class Fetch>
+template <class ProbeOf, class Visit, class VisitSome, class Fetch>
 void rays_at_once(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
-                  bool together, const Visit& visit, const Fetch& fetch) {
+                  bool together, const Visit& visit, const VisitSome& visit_some, const Fetch& fetch) {
     if (together) {
-        rays_together(nodes, root, probe_of, limits, count, visit, fetch);
+        rays_together(nodes, root, probe_of, limits, count, visit_some, fetch);
     } else {
         rays_in_turns(nodes, root, probe_of, limits, count, visit, fetch);
     }
+}
+/// Those that go together are visited one by one, too.
+template <class ProbeOf, class Visit, class Fetch>
+void rays_at_once(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
+                  bool together, const Visit& visit, const Fetch& fetch) {
+    const auto visit_some = [&](uint32_t first, uint32_t rays, uint32_t item, float* new_limits) {
+        for (; rays != 0; rays &= rays - 1) {
+            const auto lane = static_cast<uint32_t>(__builtin_ctz(rays));
+            new_limits[lane] = visit(first + lane, item);
+        }
+    };
+    rays_at_once(nodes, root, probe_of, limits, count, together, visit, visit_some, fetch);
 }
 
 }  // namespace gphys::GPHYS_ISA

@@ -35,38 +35,50 @@ void Octree::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
     walk_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
 }
 
-template <class RayOf, class Visit>
-void Octree::raycast_many(RayOf&& ray_of, uint32_t count, Visit&& visit, ItemMemory items) const {
+template <class RayOf, class Visit, class Select>
+void Octree::raycast_many(RayOf&& ray_of, uint32_t count, Visit&& visit, ItemMemory items, Select&& select) const {
     if (root_ == none) return;
     struct Walk {
-        explicit Walk(std::remove_reference_t<Visit>& v) : visit(v) {}
+        Walk(std::remove_reference_t<Visit>& v, std::remove_reference_t<Select>& s) : visit(v), select(s) {}
 
         RayProbe probes[rays_at_once];
         double bounds[rays_at_once];
         float limits[rays_at_once];
         uint32_t first;  // of the rays that the kernel has been given
         std::remove_reference_t<Visit>& visit;
+        std::remove_reference_t<Select>& select;
+
+        float take(uint32_t ray, uint32_t item) {
+            const double before = bounds[ray];
+            visit(ray, item, bounds[ray]);
+            if (bounds[ray] != before) limits[ray] = probes[ray].limit(bounds[ray]);
+            return limits[ray];
+        }
     };
-    Walk walk(visit);
+    Walk walk(visit, select);
     for (uint32_t i = 0; i < count; ++i) {
         const Ray& ray = ray_of(i);
-        walk.probes[i] = RayProbe(ray.origin, ray.direction, 0, bounds_);
+        // Where it stays: a copy would wait for the stores of its parts.
+        new (&walk.probes[i]) RayProbe(ray.origin, ray.direction, 0, bounds_);
         walk.bounds[i] = ray.t_max;
         walk.limits[i] = walk.probes[i].limit(ray.t_max);
     }
     const auto step = [](void* context, uint32_t ray, uint32_t item) {
         Walk& w = *static_cast<Walk*>(context);
-        const uint32_t i = w.first + ray;
-        const double before = w.bounds[i];
-        w.visit(i, item, w.bounds[i]);
-        if (w.bounds[i] != before) w.limits[i] = w.probes[i].limit(w.bounds[i]);
-        return w.limits[i];
+        return w.take(w.first + ray, item);
+    };
+    const auto some = [](void* context, uint32_t first, uint32_t rays, uint32_t item, float* limits) {
+        Walk& w = *static_cast<Walk*>(context);
+        for (rays = w.select(w.first + first, rays, item); rays != 0; rays &= rays - 1) {
+            const auto lane = static_cast<uint32_t>(__builtin_ctz(rays));
+            limits[lane] = w.take(w.first + first + lane, item);
+        }
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
     RayBundling(bounds_, size_).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         walk.first = first;
         kernels_.rays(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
-                      {step, &walk, items});
+                      {step, some, &walk, items});
     });
 }
 

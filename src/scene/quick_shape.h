@@ -25,6 +25,10 @@ constexpr double slack = 0x1p-43;
 /// than two of them and a dozen others, and this stands for 128.
 constexpr float float_slack = 0x1p-17f;
 
+/// What numbers below the smallest normal float may lose: some hundred times 2^-149, and still more
+/// where it is multiplied by the margin of a speed.
+constexpr double smallest_slack = 0x1p-120;
+
 constexpr double sum(Vec3 v) { return v.x + v.y + v.z; }
 
 /// q turns by |q|^2 times its rotation.

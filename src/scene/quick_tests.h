@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/quick_shape.h"
+#include "scene/scene_kernels.h"
 
 namespace gphys {
 
@@ -33,6 +34,19 @@ public:
         return verdict<false>(shape, t_max);
     }
 
+    /// As one of many.
+    void put(RayLanes& lanes, uint32_t lane, double t_max) const {
+        for (int k = 0; k < 3; ++k) {
+            lanes.origin[k][lane] = origin_[k];
+            lanes.direction[k][lane] = unit_direction_[k];
+        }
+        lanes.direction_slack[lane] = unit_direction_slack_[0];
+        lanes.origin_slack[lane] = static_cast<float>(slack * origin_magnitude_);
+        lanes.end[lane] = end(t_max);
+    }
+    /// How far it is to t_max, in units of the direction's largest component.
+    float end(double t_max) const { return static_cast<float>(std::min(t_max * direction_size_, 0x1p100)); }
+
 private:
     /// In Haines's terms (raycast.cpp), with the roots left undrawn: what happens at t_max is told by
     /// which side of the surface, and of the point closest to the centre, the ray is then.
@@ -63,7 +77,7 @@ private:
         const gphys_transform& world = placed.world;
         Float4 from = narrow4(origin_ - quick_point(box.center, world)), along = unit_direction_;
         Float4 half = narrow4(box.half * world.scale), unit = splat4(1);
-        const float rounding = static_cast<float>(slack * (origin_magnitude_ + box.magnitude(world)));
+        const float rounding = static_cast<float>(slack * (origin_magnitude_ + box.magnitude(world)) + smallest_slack);
         Float4 margin = float_slack * sum(abs(from) + half) + rounding, speed_margin = unit_direction_slack_;
         const auto turn_back = [&](const gphys_quat& rotation) {
             const ScaledTurn turn(load4(rotation));
@@ -80,7 +94,7 @@ private:
         speed_margin *= unit;
 
         const Float4 to_center = along < Float4{} ? from : -from, speed = abs(along);
-        const Float4 end = splat4(static_cast<float>(std::min(t_max * direction_size_, 0x1p100)));
+        const Float4 end = splat4(this->end(t_max));
         const Float4 slow = positive(speed - speed_margin), fast = speed + speed_margin;
         Float4 near = to_center - half - margin, far = to_center + half + margin;
         // No branches between: which of them decides is not to be foreseen.

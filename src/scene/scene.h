@@ -23,6 +23,7 @@
 #include "intersect/intersect.h"
 #include "octree/octree.h"
 #include "scene/quick_shape.h"
+#include "scene/scene_kernels.h"
 
 namespace gphys {
 
@@ -166,6 +167,7 @@ private:
     static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
     class FirstOfRay;
+    class BoxOfRays;
     class AnyOfRay;
 
     ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
@@ -221,6 +223,7 @@ private:
     const char* carry_relatives(const gphys_model_id* models, uint32_t count, uint32_t& moved);
     void put_back_relatives(const gphys_model_id* models, uint32_t count);
 
+    const SceneKernels& kernels_ = scene_kernels(chosen_isa());
     const Workers workers_;
     IdTable ids_{&memory};
     Vector<Model> models_{&memory};           // by slot

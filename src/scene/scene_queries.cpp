@@ -69,8 +69,9 @@ Box box_around(const Frustum& frustum) {
 /// The first hit of one ray, among candidates in any order.
 class Scene::FirstOfRay {
 public:
-    FirstOfRay(const Scene& scene, const Ray& ray, uint32_t layers)
-        : scene_(&scene), quick_ray_(ray), ray_(ray), rest_(ray), layers_(layers) {
+    /// `out` gets the first hit so far; without any it is left alone.
+    FirstOfRay(const Scene& scene, const Ray& ray, uint32_t layers, gphys_hit& out)
+        : scene_(&scene), quick_ray_(ray), rest_(ray), t_max_(ray.t_max), layers_(layers), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) ask(slot);
     }
 
@@ -78,52 +79,113 @@ public:
         Hit hit;
         const auto quick = [&](const auto& shape) { return quick_ray_.refuses(shape, rest_.t_max); };
         const auto exact = [&](const auto& shape) { return gphys::raycast(shape, rest_, hit); };
-        if (!(scene_->models_[slot].layers & layers_) || !scene_->decide(slot, quick, exact)) return;
-        if (!winner_.is_beaten_by(hit.t, slot, scene_->ids_)) return;
-        winner_ = {hit.t, slot};
-        hit_ = hit;
-        // Shapes tell exactly what lies beyond t_max, while t is rounded (to 2^-50 of it at worst).
-        // The slack keeps those in whose rounded t is the same, for the lower id to win.
-        rest_.t_max = std::min(ray_.t_max, hit.t * (1 + 0x1p-40));
+        if ((scene_->models_[slot].layers & layers_) && scene_->decide(slot, quick, exact)) take(slot, hit);
+    }
+    /// The same of a model in the layers that has been placed, and of which a quick test has been asked.
+    void ask(uint32_t slot, const Shape& placed) {
+        Hit hit;
+        if (gphys::raycast(placed, rest_, hit)) take(slot, hit);
     }
 
     /// How far other models can still come before the hit.
     const Ray& rest() const { return rest_; }
+    const QuickRay& quick() const { return quick_ray_; }
 
-    gphys_status result(gphys_hit& out) const {
-        if (!winner_.exists()) return GPHYS_NO_HIT;
-        out = to_hit(hit_, scene_->ids_.id(winner_.slot), scene_->tags_[winner_.slot]);
-        return GPHYS_OK;
-    }
+    gphys_status status() const { return winner_.exists() ? GPHYS_OK : GPHYS_NO_HIT; }
 
 private:
+    void take(uint32_t slot, const Hit& hit) {
+        if (!winner_.is_beaten_by(hit.t, slot, scene_->ids_)) return;
+        winner_ = {hit.t, slot};
+        *out_ = to_hit(hit, scene_->ids_.id(slot), scene_->tags_[slot]);
+        // Shapes tell exactly what lies beyond t_max, while t is rounded (to 2^-50 of it at worst).
+        // The slack keeps those in whose rounded t is the same, for the lower id to win.
+        rest_.t_max = std::min(t_max_, hit.t * (1 + 0x1p-40));
+    }
+
     const Scene* scene_;
     QuickRay quick_ray_;
-    Ray ray_, rest_;
+    Ray rest_;
+    double t_max_;  // of the ray as it was given
     uint32_t layers_;
     Winner winner_{infinity};
-    Hit hit_;
+    gphys_hit* out_;
 };
 
 gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
-    FirstOfRay first(*this, ray, layers);
+    FirstOfRay first(*this, ray, layers, out);
     const auto visit = [&](uint32_t slot, double& t_max) {
         first.ask(slot);
         t_max = first.rest().t_max;
     };
     octree_.raycast(first.rest(), visit, model_memory());
-    return first.result(out);
+    return first.status();
 }
+
+/// The box that rays which go together ask about, one after the other.
+class Scene::BoxOfRays {
+public:
+    explicit BoxOfRays(const Scene& scene) : scene_(scene) {}
+
+    /// Whether the model is a box; it is looked at once for all rays in a row that ask.
+    bool hold(uint32_t slot) {
+        if (slot == slot_) return quick_.has_value();
+        slot_ = slot;
+        placed_.reset();
+        scene_.with_stored(slot, [&](const auto& stored) {
+            if constexpr (is_box<std::decay_t<decltype(stored)>>) {
+                quick_.emplace(quick_shape(stored, scene_.models_[slot].world));
+            } else {
+                quick_.reset();
+            }
+        });
+        return quick_.has_value();
+    }
+    bool holds(uint32_t slot) const { return slot == slot_ && quick_; }
+    const BoxLanes& quick() const { return *quick_; }
+    const Shape& placed() {
+        if (!placed_) {
+            scene_.with_shape(slot_, [&](const auto& shape) {
+                if constexpr (std::is_constructible_v<Shape, decltype(shape)>) placed_.emplace(shape);
+            });
+        }
+        return *placed_;
+    }
+
+private:
+    const Scene& scene_;
+    uint32_t slot_ = none;
+    std::optional<BoxLanes> quick_;
+    std::optional<Shape> placed_;
+};
 
 void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
     std::optional<FirstOfRay> first[rays_at_once];
-    for (uint32_t i = 0; i < count; ++i) first[i].emplace(*this, rays[i], layers);
+    RayLanes lanes;
+    for (uint32_t i = 0; i < count; ++i) {
+        first[i].emplace(*this, rays[i], layers, *out[i]);
+        first[i]->quick().put(lanes, i, first[i]->rest().t_max);
+    }
+    const QuickRay nothing({{}, {}, 0});
+    for (uint32_t i = count; i < count + 8; ++i) nothing.put(lanes, i, 0);
+    BoxOfRays box(*this);
     const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
-        first[ray]->ask(slot);
-        t_max = first[ray]->rest().t_max;
+        FirstOfRay& of = *first[ray];
+        if (box.holds(slot)) {
+            of.ask(slot, box.placed());
+        } else {
+            of.ask(slot);
+        }
+        if (t_max == of.rest().t_max) return;
+        t_max = of.rest().t_max;
+        lanes.end[ray] = of.quick().end(t_max);
     };
-    octree_.raycast_many([&](uint32_t i) -> const Ray& { return first[i]->rest(); }, count, visit, model_memory());
-    for (uint32_t i = 0; i < count; ++i) first[i]->result(*out[i]);
+    const auto select = [&](uint32_t from, uint32_t of, uint32_t slot) {
+        if (!(models_[slot].layers & layers)) return 0u;
+        return box.hold(slot) ? kernels_.may_meet(lanes, from, box.quick()) & of : of;
+    };
+    octree_.raycast_many([&](uint32_t i) -> const Ray& { return first[i]->rest(); }, count, visit, model_memory(),
+                         select);
 }
 
 /// Whether one ray meets any of the candidates.
