@@ -9,6 +9,8 @@
 //   rope_direct.cpp     ropes: Newton on the whole chain
 //   rope_limits.cpp     ropes with links that only pull
 //   damping.h           damped links as undamped ones with other numbers
+//   rope_lanes.cpp      ropes that nothing disturbs, several side by side
+//   rope_kernels.cpp    their inner loops
 //   cloth.cpp           cloth and graphs: families of chains
 //   cloth_kernels.cpp   their inner loops
 //   reach_limits.cpp    how far cloth can be from its pins
@@ -27,6 +29,7 @@
 #include "foundation/workers.h"
 #include "scene/scene.h"
 #include "solver/collision.h"
+#include "solver/rope_lanes.h"
 
 namespace gphys {
 
@@ -153,12 +156,28 @@ public:
     gphys_status restore(const uint32_t* words, uint32_t count);
 
 private:
-    /// The largest first: no worker begins a large body when the others are done.
+    /// A body of the step under way.
     struct Moving {
-        uint32_t size, slot;
-        uint32_t models_near;
+        uint32_t size, slot, substeps;
+        bool undisturbed = false;  // a rope that meets nothing while it stays in the box
+        bool starts = false;       // again: of undisturbed ropes
+        Box nearby{};              // where it may come near to models,
+        uint32_t models_near = 0;  // and how many are there
 
-        bool operator<(const Moving& other) const { return size != other.size ? size > other.size : slot < other.slot; }
+        /// Of undisturbed ropes: whether they can be moved together.
+        bool alike(const Moving& other) const { return starts == other.starts && substeps == other.substeps; }
+        /// Undisturbed ropes last, those alike beside each other. The largest first: no worker begins a large
+        /// body when the others are done.
+        bool operator<(const Moving& other) const {
+            if (undisturbed != other.undisturbed) return other.undisturbed;
+            if (undisturbed && starts != other.starts) return starts;
+            if (undisturbed && substeps != other.substeps) return substeps > other.substeps;
+            return size != other.size ? size > other.size : slot < other.slot;
+        }
+    };
+    /// Of moving_: what a worker takes at a time, one body or undisturbed ropes.
+    struct Task {
+        uint32_t first, count;
     };
 
     /// What one body gave one model.
@@ -174,19 +193,22 @@ private:
 
     gphys_status insert(Body&& body, gphys_body_id& out);
     void prepare(const Scene* scene, double dt);
-    void move_through(Body& body, const Scene* scene, double dt) const;
+    void divide_work();
+    void move_through(const Moving& moving, const Scene* scene, double dt);
+    void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
     bool sleeps_on(Body& body, const Scene* scene);
     void look_around(const Scene& scene, double dt);
+    void find_disturbed(const Scene& scene);
     void add_impulses();
 
-    const Workers workers_;  // each moves a body at a time
+    const Workers workers_;
     SolverState state_{&memory};
     /// Models near the bodies as they stand, and those of state_.seen that moved since.
     Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};
-    /// The bodies of the step under way, and where each may come near to models.
     Vector<Moving> moving_{&memory};
-    Vector<Box> nearby_{&memory};
+    Vector<Task> tasks_{&memory};
+    Vector<RopeRoom> rooms_{&memory};  // by worker
     /// Of the last step: by model and body, and by model.
     Vector<Giver> givers_{&memory};
     Vector<ModelImpulse> impulses_{&memory};

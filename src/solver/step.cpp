@@ -201,10 +201,11 @@ void Solver::prepare(const Scene* scene, double dt) {
         if (!state_.ids.live(slot)) continue;
         Body& body = state_.bodies[slot];
         if (sleeps_on(body, scene)) continue;
-        moving_.push_back({body.size(), slot, 0});
         aim_attachments(body, scene);
         update_plan(body);
         reserve_history(body);
+        moving_.push_back(
+            {body.size(), slot, substeps_of(body, state_.settings, dt), is_plain_rope(body), starts_again(body)});
         if (scene && body.settings.layers != 0) {
             body.touches.resize(size_t{body.size()} * touches_per_particle);
             body.held.resize(body.size());
@@ -212,8 +213,9 @@ void Solver::prepare(const Scene* scene, double dt) {
             if (body.plan.method == GPHYS_SOLVE_GRAPH) reserve_cloth_contacts(body);
         }
     }
-    std::sort(moving_.begin(), moving_.end());
     if (scene) look_around(*scene, dt);
+    std::sort(moving_.begin(), moving_.end());
+    divide_work();
     state_.seen.reserve(next_seen_.capacity());  // they change places
     size_t given = 0;
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) given += state_.bodies[slot].impulses.capacity();
@@ -223,21 +225,21 @@ void Solver::prepare(const Scene* scene, double dt) {
 
 /// Note where the models near the bodies stand, and which of them have moved since the last step.
 void Solver::look_around(const Scene& scene, double dt) {
-    nearby_.resize(moving_.size());
     workers_.run(static_cast<uint32_t>(moving_.size()), [&](uint32_t i) {
         const Body& body = state_.bodies[moving_[i].slot];
         double fastest = 0;
         for (const Vec3& velocity : body.velocity) fastest = std::max(fastest, length_squared(velocity));
         // Twice as far as a particle may come in this step, and a model in the next: what it can meet then.
         const double margin = 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity)) + dt * fastest_model;
-        nearby_[i] = swept_box(body, body.position, body.position, margin);
+        moving_[i].nearby = swept_box(body, body.position, body.position, margin);
     });
-    for (size_t i = 0; i < moving_.size(); ++i) {
-        moving_[i].models_near = static_cast<uint32_t>(next_seen_.size());
-        scene.for_each_in_box(nearby_[i], state_.bodies[moving_[i].slot].settings.layers, [&](gphys_model_id model) {
+    for (Moving& moving : moving_) {
+        const size_t before = next_seen_.size();
+        scene.for_each_in_box(moving.nearby, state_.bodies[moving.slot].settings.layers, [&](gphys_model_id model) {
             next_seen_.push_back({model, scene.world(model)});
         });
-        moving_[i].models_near = static_cast<uint32_t>(next_seen_.size()) - moving_[i].models_near;
+        moving.models_near = static_cast<uint32_t>(next_seen_.size() - before);
+        if (moving.models_near > 0) moving.undisturbed = false;
     }
     std::sort(next_seen_.begin(), next_seen_.end());
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
@@ -250,13 +252,56 @@ void Solver::look_around(const Scene& scene, double dt) {
     for (const Moving& moving : moving_) {
         reserve_impulses(state_.bodies[moving.slot], moving.models_near + moved_.size());
     }
+    find_disturbed(scene);
+}
+
+/// A model that has moved disturbs what it came by, wherever it is now.
+void Solver::find_disturbed(const Scene& scene) {
+    for (const PlacedModel& before : moved_) {
+        Box now;
+        const bool bounded = scene.bounds(before.model, now);
+        const gphys_transform& after = scene.world(before.model);
+        // Where it stood: no part of it is further from its place than now, but by its scale.
+        double reach = 0;
+        const Vec3 at = widen(after.position), was = widen(before.world.position);
+        for (int k = 0; bounded && k < 3; ++k) reach += std::max(now.max[k] - at[k], at[k] - now.min[k]);
+        reach *= std::max(1.0, static_cast<double>(before.world.scale) / after.scale);
+        const Vec3 room{reach, reach, reach};
+        const Aabb way{min(at, was) - room, max(at, was) + room};
+        for (Moving& moving : moving_) {
+            const uint32_t layers = scene.layers(before.model) & state_.bodies[moving.slot].settings.layers;
+            if (layers != 0 && (!bounded || touch(bounds(way), moving.nearby))) moving.undisturbed = false;
+        }
+    }
+}
+
+/// Undisturbed ropes by eight, everything else body by body.
+void Solver::divide_work() {
+    tasks_.clear();
+    while (rooms_.size() < workers_.count()) rooms_.emplace_back(&memory);
+    size_t alone = 0, together = 0;  // nodes of the longest ropes
+    for (uint32_t i = 0, next; i < moving_.size(); i = next) {
+        const Moving& first = moving_[i];
+        next = i + 1;
+        if (first.undisturbed && first.size <= longest_rope_together) {
+            while (next < moving_.size() && next - i < ropes_together && first.alike(moving_[next])) ++next;
+        }
+        tasks_.push_back({i, next - i});
+        if (first.undisturbed)
+            (next - i > 1 ? together : alone) = std::max<size_t>(next - i > 1 ? together : alone, first.size);
+    }
+    for (RopeRoom& room : rooms_) {
+        if (room.one.size() < alone) room.one.resize(alone);
+        if (room.eight.size() < together) room.eight.resize(together);
+    }
 }
 
 /// All substeps of one body. Touches nothing of other bodies, allocates nothing.
-void Solver::move_through(Body& body, const Scene* scene, double dt) const {
+void Solver::move_through(const Moving& moving, const Scene* scene, double dt) {
+    Body& body = state_.bodies[moving.slot];
+    const uint32_t substeps = moving.substeps;
     std::fill(body.touches.begin(), body.touches.end(), Touch{});
     body.impulses.clear();
-    const uint32_t substeps = substeps_of(body, state_.settings, dt);
     const double h = dt / substeps;
     const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     give_attached(body, beginning, 1, {}, 0);
@@ -272,10 +317,42 @@ void Solver::move_through(Body& body, const Scene* scene, double dt) const {
     rest(body, scene, state_.settings, dt);
 }
 
+void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt) {
+    UndisturbedRope ropes[ropes_together];
+    const Moving* const first = &moving_[task.first];
+    for (uint32_t i = 0; i < task.count; ++i) {
+        Body& body = state_.bodies[first[i].slot];
+        ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].nearby : nullptr, false};
+    }
+    move_ropes(ropes, task.count, room, state_.settings.gravity, dt, first->substeps);
+    for (uint32_t i = 0; i < task.count; ++i) {
+        if (!ropes[i].stayed) {
+            move_through(first[i], scene, dt);
+            continue;
+        }
+        Body& body = *ropes[i].body;
+        std::fill(body.touches.begin(), body.touches.end(), Touch{});
+        std::fill(body.stuck.begin(), body.stuck.end(), 0u);
+        body.impulses.clear();
+        meet_targets(body, state_.settings, dt, first->substeps);
+        rest(body, scene, state_.settings, dt);
+    }
+}
+
 void Solver::step(const Scene* scene, double dt) {
     prepare(scene, dt);
-    workers_.run(static_cast<uint32_t>(moving_.size()),
-                 [&](uint32_t i) { move_through(state_.bodies[moving_[i].slot], scene, dt); });
+    // A worker keeps its room while it takes one task after the other.
+    std::atomic<size_t> next{0};
+    workers_.run(workers_.count(), [&](uint32_t worker) {
+        for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < tasks_.size();) {
+            const Task& task = tasks_[i];
+            if (moving_[task.first].undisturbed) {
+                move_undisturbed(task, rooms_[worker], scene, dt);
+            } else {
+                move_through(moving_[task.first], scene, dt);
+            }
+        }
+    });
     state_.seen.swap(next_seen_);
     add_impulses();
 }

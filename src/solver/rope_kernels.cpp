@@ -1,0 +1,248 @@
+// Newton on all positions and tensions of a rope, as rope_direct.cpp has it, by elimination of one node
+// after the other. The geometric stiffness k (1 - n n^T) of a link acts as k in all directions if its
+// tension t is counted as t' = t - k n.u, where u is how its ends move apart: its row
+// n.u - r t = -error becomes (1 - r k) n.u - r t' = -error. A link then couples two nodes by numbers
+// and vectors instead of matrices, and what a node passes on is the inverse of a symmetric 3 x 3 matrix.
+#include "solver/rope_kernels.h"
+
+#include "foundation/simd_double.h"
+
+namespace gphys::GPHYS_ISA {
+
+namespace {
+
+// Newton's error squares itself in each iteration; two do for a swinging rope, four for a whip.
+constexpr int most_iterations = 4;
+// Coincident particles part along x. Beside any other difference of coordinates it is lost, and its
+// square is still a double.
+constexpr double aside = 1e-150;
+// GPHYS_MAX_COORDINATE.
+constexpr double farthest = 1e15;
+
+template <class Value>
+struct Vector3 {
+    Value x, y, z;
+};
+template <class Value>
+Vector3<Value> operator+(const Vector3<Value>& a, const Vector3<Value>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Value>
+Vector3<Value> operator-(const Vector3<Value>& a, const Vector3<Value>& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Value>
+Vector3<Value> operator*(const Vector3<Value>& a, const Value& s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+template <class Value>
+Value dot(const Vector3<Value>& a, const Vector3<Value>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Value, class Mask>
+Vector3<Value> select3(const Mask& mask, const Vector3<Value>& a, const Vector3<Value>& b) {
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+template <int lanes>
+Vector3<Doubles<lanes>> load3(const double (&from)[3][lanes]) {
+    return {load(from[0]), load(from[1]), load(from[2])};
+}
+template <int lanes, class Value>
+void store3(double (&to)[3][lanes], const Vector3<Value>& v) {
+    store(to[0], v.x), store(to[1], v.y), store(to[2], v.z);
+}
+
+template <class Value>
+struct Symmetric3 {
+    Value xx, xy, xz, yy, yz, zz;
+
+    Vector3<Value> operator*(const Vector3<Value>& v) const {
+        return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
+    }
+    /// one / this, by L D L^T: of a pinned node, whose one is 0, the inverse is 0.
+    Symmetric3 inverse(const Value& one) const {
+        const Value ix = one / xx, lyx = xy * ix, lzx = xz * ix;
+        const Value iy = one / (yy - lyx * xy), below = yz - lyx * xz, lzy = below * iy;
+        const Value iz = one / (zz - lzx * xz - lzy * below), mzx = lyx * lzy - lzx;
+        const Value ixz = mzx * iz, jyz = lzy * iz, jxy = lyx * iy;
+        return {ix + lyx * jxy + mzx * ixz, -(jxy + lzy * ixz), ixz, iy + lzy * jyz, -jyz, iz};
+    }
+};
+
+template <int lanes>
+void predict(RopeNode<lanes>& node, const RopeStep<lanes>& step) {
+    using Value = Doubles<lanes>;
+    const Value h = load(step.h), now = load(step.now), earlier = load(step.earlier), curve = load(step.curve);
+    const Vector3<Value> at = load3(node.position), velocity = load3(node.velocity);
+    const Vector3<Value> at_before = load3(node.start), velocity_before = load3(node.start_velocity);
+    const Vector3<Value> history = at * now - at_before * earlier;
+    const Vector3<Value> falling =
+        (velocity * now - velocity_before * earlier + load3(node.acceleration) * h) * load(step.drag);
+    const Vector3<Value> predicted = (history + falling * h) * load(step.inverse_next);
+    // Constraints included, motion goes on as it went: that is where Newton begins.
+    const Vector3<Value> onward = at + velocity * h + (velocity - velocity_before) * curve;
+    const auto is_free = all_of<lanes>(0) < load(node.free);
+    const auto knows = all_of<lanes>(0) < curve;
+    store3(node.start, at);
+    store3(node.start_velocity, velocity);
+    store3(node.history, history);
+    store3(node.predicted, select3(is_free, predicted, at));
+    store3(node.position, select3(is_free, select3(knows, onward, predicted), at));
+}
+
+template <class Value>
+Value in_range(const Value& x, const Value& limit) {
+    return largest(least(x, limit), -limit);
+}
+
+template <int lanes>
+void finish(RopeNode<lanes>& node, const RopeStep<lanes>& step, RopeBounds<lanes>& bounds) {
+    using Value = Doubles<lanes>;
+    const Value limit = all_of<lanes>(farthest), none = all_of<lanes>(0);
+    const auto is_free = none < load(node.free);
+    Vector3<Value> at = load3(node.position);
+    at = {in_range(at.x, limit), in_range(at.y, limit), in_range(at.z, limit)};
+    store3(node.position, at);
+    const Vector3<Value> velocity = (at * load(step.next) - load3(node.history)) * load(step.rate);
+    store3(node.velocity, select3(is_free, velocity, load3(node.velocity)));
+    const Vector3<Value> low = load3(bounds.low), high = load3(bounds.high);
+    store3(bounds.low, Vector3<Value>{least(low.x, at.x), least(low.y, at.y), least(low.z, at.z)});
+    store3(bounds.high, Vector3<Value>{largest(high.x, at.x), largest(high.y, at.y), largest(high.z, at.z)});
+}
+
+template <class Value>
+struct Link {
+    Vector3<Value> direction;
+    Value stiffness;  // k
+    Value error;      // metres too long
+    Value softness;   // r: of compliance and regularisation
+    Value rigid;      // 1 - r k
+};
+
+/// Elimination from the first node to the last. Returns how long the rope is, as placed and at rest together.
+template <int lanes>
+Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step) {
+    using Value = Doubles<lanes>;
+    const Value none = all_of<lanes>(0), one = all_of<lanes>(1), hair = all_of<lanes>(aside);
+    const Value hair_squared = hair * hair;
+    const Value step_squared = load(step.step_squared), inverse_step_squared = load(step.inverse_step_squared);
+    const Vector3<Value> nowhere{none, none, none};
+    const Link<Value> absent{nowhere, none, none, one, one};
+    Value reach = none;
+    Symmetric3<Value> before{none, none, none, none, none, none};
+    Vector3<Value> own_before = nowhere, at = load3(nodes[0].position);
+    Link<Value> arriving = absent;
+    for (uint32_t i = 0; i < count; ++i) {
+        RopeNode<lanes>& node = nodes[i];
+        Link<Value> leaving = absent;
+        Vector3<Value> next = at;
+        if (i + 1 < count) {
+            next = load3(nodes[i + 1].position);
+            const Vector3<Value> along = next - at;
+            const Value length = square_root(dot(along, along) + hair_squared);
+            const Value present = load(node.present), target = load(node.target), inverse = one / length;
+            leaving.direction = Vector3<Value>{along.x + hair, along.y, along.z} * (inverse * present);
+            // A link that is short at the moment must not become infinitely stiff sideways.
+            leaving.stiffness =
+                largest(load(node.tension), none) * step_squared * least(inverse, load(node.inverse_target));
+            leaving.error = (length - target) * present;
+            leaving.softness = load(node.compliance) * inverse_step_squared + load(node.regularisation);
+            leaving.rigid = largest(one - leaving.softness * leaving.stiffness, none);
+            reach = reach + (length + target) * present;
+            store3(node.direction, leaving.direction);
+            store(node.stiffness, leaving.stiffness);
+        }
+        // What the nodes before make of the coupling by the link that arrives.
+        const Value k = arriving.stiffness, k_squared = k * k, mass = load(node.mass);
+        const Vector3<Value> n = arriving.direction, v = before * n, q = n - v * k;
+        const Value softness = arriving.softness + arriving.rigid * dot(n, v);
+        const Value diagonal = mass + k + leaving.stiffness;
+        const Symmetric3<Value> inner =
+            Symmetric3<Value>{diagonal - k_squared * before.xx, -(k_squared * before.xy),
+                              -(k_squared * before.xz),         diagonal - k_squared * before.yy,
+                              -(k_squared * before.yz),         diagonal - k_squared * before.zz}
+                .inverse(load(node.free));
+        const Vector3<Value> w = inner * q;
+        const Value inverse_pivot = one / (softness + arriving.rigid * dot(q, w));
+        const Vector3<Value> pull = w * (arriving.rigid * inverse_pivot);
+        const Vector3<Value> force = (load3(node.predicted) - at) * mass + own_before * k;
+        const Vector3<Value> alone = inner * force;
+        const Value tension = (arriving.rigid * (dot(q, alone) - dot(n, own_before)) + arriving.error) * inverse_pivot;
+        own_before = alone - w * tension;
+        before = {inner.xx - w.x * pull.x, inner.xy - w.x * pull.y, inner.xz - w.x * pull.z,
+                  inner.yy - w.y * pull.y, inner.yz - w.y * pull.z, inner.zz - w.z * pull.z};
+        store(node.inverse[0], before.xx), store(node.inverse[1], before.xy), store(node.inverse[2], before.xz);
+        store(node.inverse[3], before.yy), store(node.inverse[4], before.yz), store(node.inverse[5], before.zz);
+        store3(node.own, own_before);
+        store3(node.pull, pull);
+        store(node.own_tension, tension);
+        arriving = leaving;
+        at = next;
+    }
+    return reach;
+}
+
+/// Substitution from the last node to the first, which moves lanes that are not settled. Returns those
+/// that are not after it: in which a link has moved across itself, which linearisation does not see.
+template <int lanes, class Mask>
+Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, const Doubles<lanes>& reach,
+                const Mask& active) {
+    using Value = Doubles<lanes>;
+    const Value none = all_of<lanes>(0), inverse_step_squared = load(step.inverse_step_squared);
+    const Vector3<Value> nowhere{none, none, none};
+    Vector3<Value> moved_next = nowhere;
+    Value tension = none, longest = none;
+    Mask moving = none < none;
+    for (uint32_t i = count; i-- > 0;) {
+        RopeNode<lanes>& node = nodes[i];
+        Vector3<Value> given = nowhere;
+        const Vector3<Value> n = i + 1 < count ? load3(node.direction) : nowhere;
+        const Value k = i + 1 < count ? load(node.stiffness) : none;
+        given = moved_next * k + n * tension;
+        const Symmetric3<Value> inverse{load(node.inverse[0]), load(node.inverse[1]), load(node.inverse[2]),
+                                        load(node.inverse[3]), load(node.inverse[4]), load(node.inverse[5])};
+        const Vector3<Value> moved = load3(node.own) + inverse * given;
+        store3(node.own, moved);
+        store3(node.position, select3(active, load3(node.position) + moved, load3(node.position)));
+        longest = largest(longest, dot(moved, moved));
+        if (i + 1 < count) {
+            const Vector3<Value> apart = moved_next - moved;
+            const Value along = dot(n, apart);
+            const Value newtons = (tension + k * along) * inverse_step_squared;
+            store(node.tension, select(active, newtons, load(node.tension)));
+            moving = moving | (load(node.sideways) < dot(apart, apart) - along * along);
+        }
+        tension = load(node.own_tension) + dot(load3(node.pull), given);
+        moved_next = moved;
+    }
+    // No iteration moves a particle further than the rope is long, as placed and at rest together: no
+    // valid correction does, and what remains of an infeasible system after regularisation might.
+    longest = square_root(longest);
+    const Mask too_far = active & (reach < longest);
+    if (any(too_far)) {
+        const Value back = select(too_far, reach / largest(longest, reach) - all_of<lanes>(1), none);
+        for (uint32_t i = 0; i < count; ++i) {
+            store3(nodes[i].position, load3(nodes[i].position) + load3(nodes[i].own) * back);
+        }
+    }
+    return (active & moving) | too_far;
+}
+
+// Left to itself, gcc calls the operators on eight doubles, which are in memory then.
+template <int lanes>
+__attribute__((flatten)) void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
+                                   RopeBounds<lanes>& bounds) {
+    for (uint32_t i = 0; i < count; ++i) predict(nodes[i], step);
+    auto active = all_of<lanes>(0) < all_of<lanes>(1);
+    for (int iteration = 0; iteration < most_iterations && any(active); ++iteration) {
+        const Doubles<lanes> reach = eliminate(nodes, count, step);
+        active = substitute(nodes, count, step, reach, active);
+    }
+    for (uint32_t i = 0; i < count; ++i) finish(nodes[i], step, bounds);
+}
+
+}  // namespace
+
+const RopeKernels rope_kernels = {move<1>, move<8>};
+
+}  // namespace gphys::GPHYS_ISA

@@ -1,0 +1,177 @@
+// Ropes that nothing disturbs are moved side by side: with the same bits as alone, whatever the
+// instruction set, and not past what they could meet after all.
+#include <cstring>
+
+#include "foundation/isa.h"
+#include "solver/rope_kernels.h"
+#include "solver_world.h"
+
+using namespace gphys;
+using test::World;
+
+namespace {
+
+/// Ropes of all kinds: `which` decides on length, masses, pins, compliance and damping.
+gphys_body_id add_rope(World& world, uint32_t which) {
+    test::Random random(which);
+    gphys_body_desc desc = World::body_desc();
+    desc.mass = static_cast<float>(random.uniform(0.1, 10));
+    desc.damping = which % 3 == 0 ? 0.5f : 0;
+    desc.compliance = which % 4 == 1 ? 1e-3f : 0;
+    const uint32_t count = 2 + random.index(40);
+    std::vector<gphys_vec3> points;
+    for (uint32_t i = 0; i < count; ++i) {
+        const float way = 0.1f * static_cast<float>(i);
+        points.push_back({static_cast<float>(which) + way, 0, which % 2 ? way : 0});
+    }
+    const gphys_body_id rope = world.rope(points, which % 5 == 2 ? 0.08f : 0, desc);
+    if (which % 7 != 3) world.pin(rope, 0);
+    if (which % 5 == 2) world.pin(rope, count - 1);  // further apart than the rope is long
+    if (which % 6 == 4) world.pin(rope, count / 2);
+    const float weight = 100;
+    if (which % 3 == 1) REQUIRE(gphys_solver_set_masses(world.solver, rope, count - 1, 1, &weight, 4) == GPHYS_OK);
+    return rope;
+}
+
+bool same_bits(const std::vector<gphys_vec3>& a, const std::vector<gphys_vec3>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), 12 * a.size()) == 0;
+}
+
+template <int lanes>
+struct Problem {
+    static constexpr uint32_t count = 9;
+    RopeNode<lanes> nodes[count];
+    RopeStep<lanes> step;
+    RopeBounds<lanes> bounds;
+};
+
+/// Eight ropes of different lengths, some of them pinned or moving fast.
+void fill(Problem<8>& problem) {
+    test::Random random(11);
+    std::memset(&problem, 0, sizeof problem);
+    for (uint32_t lane = 0; lane < 8; ++lane) {
+        const uint32_t size = lane == 7 ? 0 : Problem<8>::count - lane;
+        for (uint32_t i = 0; i < Problem<8>::count; ++i) {
+            RopeNode<8>& node = problem.nodes[i];
+            node.mass[lane] = random.uniform(0.5, 2);
+            node.free[lane] = i < size && (i > 0 || lane == 2) ? 1 : 0;
+            node.position[0][lane] = 0.1 * i, node.position[1][lane] = random.uniform(0, 0.02);
+            node.start[0][lane] = node.position[0][lane] - 0.001 * lane, node.start[1][lane] = node.position[1][lane];
+            for (int k = 0; k < 3; ++k) {
+                node.velocity[k][lane] = random.uniform(-1, 1) * lane;
+                node.start_velocity[k][lane] = node.velocity[k][lane] + random.uniform(-0.1, 0.1);
+            }
+            node.acceleration[1][lane] = -9.81;
+            const bool present = i + 1 < size;
+            node.present[lane] = present ? 1 : 0;
+            node.target[lane] = present ? 0.1 : 0, node.inverse_target[lane] = present ? 10 : 1;
+            node.compliance[lane] = lane == 3 ? 1e-4 : 0;
+            node.regularisation[lane] = present ? 1e-10 : 1;
+            node.sideways[lane] = present ? 2e-9 : 1e30;
+            node.tension[lane] = present ? random.uniform(0, 20) : 0;
+        }
+        const double h = 1.0 / 240, drag = 1 / 1.5;
+        problem.step.h[lane] = h, problem.step.rate[lane] = 1 / h;
+        problem.step.next[lane] = 1.5, problem.step.inverse_next[lane] = 1 / 1.5;
+        problem.step.now[lane] = 2, problem.step.earlier[lane] = 0.5, problem.step.drag[lane] = drag;
+        problem.step.step_squared[lane] = h * h / 2.25, problem.step.inverse_step_squared[lane] = 2.25 / (h * h);
+        problem.step.curve[lane] = h / 2;
+    }
+}
+
+/// What it is in one lane: all of these structs are arrays of eight.
+template <class One, class Eight>
+void take_lane(One& one, const Eight& eight, uint32_t lane) {
+    static_assert(8 * sizeof one == sizeof eight);
+    for (size_t i = 0; i < sizeof one / 8; ++i) {
+        std::memcpy(reinterpret_cast<char*>(&one) + 8 * i, reinterpret_cast<const char*>(&eight) + 8 * (8 * i + lane),
+                    8);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a rope moves with the same bits alone and among others") {
+    constexpr uint32_t ropes = 43;
+    World together;
+    std::vector<gphys_body_id> bodies;
+    for (uint32_t which = 0; which < ropes; ++which) bodies.push_back(add_rope(together, which));
+    for (int i = 0; i < 30; ++i) {
+        // The caller interrupts one now and then.
+        if (i % 4 == 2) together.set_velocity(bodies[5], 1, {0, 1, 0});
+        together.step(1.0f / 60);
+    }
+    for (uint32_t which = 0; which < ropes; ++which) {
+        CAPTURE(which);
+        World alone;
+        const gphys_body_id rope = add_rope(alone, which);
+        for (int i = 0; i < 30; ++i) {
+            if (which == 5 && i % 4 == 2) alone.set_velocity(rope, 1, {0, 1, 0});
+            alone.step(1.0f / 60);
+        }
+        REQUIRE(test::all_finite(alone.positions(rope)));
+        CHECK(same_bits(alone.positions(rope), together.positions(bodies[which])));
+        CHECK(same_bits(alone.velocities(rope), together.velocities(bodies[which])));
+    }
+}
+
+TEST_CASE("the kernels of ropes give the same bits on each instruction set, for one rope and for eight") {
+    static Problem<8> start, wanted, got;
+    fill(start);
+    wanted = start;
+    rope_kernels(Isa::scalar).move_eight(wanted.nodes, Problem<8>::count, wanted.step, wanted.bounds);
+    CHECK(std::memcmp(&start.nodes, &wanted.nodes, sizeof start.nodes) != 0);
+    for (const Isa isa : {
+#define GPHYS_TEST_ISA(set, ...) Isa::set,
+             GPHYS_FOR_EACH_ISA(GPHYS_TEST_ISA, )
+#undef GPHYS_TEST_ISA
+         }) {
+        if (!has(isa)) continue;
+        CAPTURE(name_of(isa));
+        got = start;
+        rope_kernels(isa).move_eight(got.nodes, Problem<8>::count, got.step, got.bounds);
+        CHECK(std::memcmp(&got, &wanted, sizeof got) == 0);
+        for (uint32_t lane = 0; lane < 8; ++lane) {
+            CAPTURE(lane);
+            static Problem<1> one, one_wanted;
+            take_lane(one, start, lane);
+            take_lane(one_wanted, wanted, lane);
+            rope_kernels(isa).move_one(one.nodes, Problem<1>::count, one.step, one.bounds);
+            for (uint32_t i = 0; i < Problem<1>::count; ++i) {
+                REQUIRE(std::memcmp(one.nodes[i].position, one_wanted.nodes[i].position, 24) == 0);
+                REQUIRE(std::memcmp(one.nodes[i].velocity, one_wanted.nodes[i].velocity, 24) == 0);
+                REQUIRE(one.nodes[i].tension[0] == one_wanted.nodes[i].tension[0]);
+            }
+        }
+    }
+}
+
+TEST_CASE("ropes do not pass what was not near when the step began") {
+    World world;
+    const gphys_aabb wall{{10, -50, -50}, {10.01f, 50, 50}};
+    world.model(GPHYS_SHAPE_AABB, &wall);
+    // 3e5 m/s^2 brings the first rope 40 m further in a step, which its speed did not tell.
+    const gphys_body_id pulled = world.rope({{0, 0, 0}, {0, 0.1f, 0}, {0, 0.2f, 0}}, 0.1f);
+    const gphys_body_id beside = world.rope({{0, 0, 1}, {0, 0.1f, 1}, {0, 0.2f, 1}}, 0.1f);
+    const gphys_vec3 force{1e5f, 0, 0};
+    REQUIRE(gphys_solver_set_forces(world.solver, pulled, 0, 3, &force, 0) == GPHYS_OK);
+    world.step(1.0f / 60);
+    for (const gphys_vec3& p : world.positions(pulled)) {
+        CHECK(p.x > 1);
+        CHECK(p.x < 10);
+    }
+    for (const gphys_vec3& p : world.positions(beside)) CHECK(p.x == 0);
+}
+
+TEST_CASE("ropes are taken along by a model that is gone by the end of the step") {
+    World world;
+    const gphys_aabb wall{{-0.05f, -5, -5}, {0.05f, 5, 5}};
+    gphys_transform at{{-0.7f, 0, 0}, {0, 0, 0, 1}, 1};
+    const gphys_model_id model = world.model(GPHYS_SHAPE_AABB, &wall, &at);
+    const gphys_body_id rope = world.rope({{0, 0, 0}, {0, 0.1f, 0}, {0, 0.2f, 0}}, 0.1f);
+    world.step(1.0f / 60);
+    at.position.x = 20;
+    REQUIRE(gphys_scene_set_transform(world.scene, model, &at) == GPHYS_OK);
+    world.step(1.0f / 60);
+    for (const gphys_vec3& p : world.positions(rope)) CHECK(p.x > 20);
+}
