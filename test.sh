@@ -3,8 +3,10 @@
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
 # under the address and undefined-behaviour sanitizers. --long adds a build with clang, tests of
 # minutes, such as a million queries of each kind against a linear scan, an hour of tests against
-# exact arithmetic, and the workers under the thread sanitizer. --bindings instead tests the packages in bindings/, --platforms runs the C tests
-# on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and WebAssembly (Node); both install what they need.
+# exact arithmetic, their short form with each compiler, unoptimised and for Haswell, on each
+# instruction set, and the workers under the thread sanitizer. --bindings instead tests the packages
+# in bindings/, --platforms runs the C tests on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and
+# WebAssembly (Node); both install what they need.
 # The last line is "N passed, N failed"; a build that fails counts as one failed test.
 set -uo pipefail
 cd "$(dirname "$0")"
@@ -17,7 +19,7 @@ configuration=()
 case ${1:-} in
     '') ;;
     --long)
-        presets=(release clang asan-ubsan tsan)
+        presets=(release clang exact-gcc-O0 exact-gcc-haswell exact-clang-O0 exact-clang-haswell asan-ubsan tsan)
         configuration=(-C Long)
         ;;
     --bindings)

@@ -144,8 +144,9 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
         contact_at_start(moving, on_face ? -up : displacement, nearest, hit);
     } else {
         Hit first;
-        const Ray foot_path{moving.center - up * moving.radius, displacement, 1};
-        if (std::fabs(height) > moving.radius && raycast(triangle, foot_path, first)) {
+        // From the centre, for far from the origin the foot would be rounded by more than the band.
+        const Triangle around{a - moving.center, b - moving.center, c - moving.center};
+        if (std::fabs(height) > moving.radius && raycast(around, {up * -moving.radius, displacement, 1}, first)) {
             first.normal = up;
         } else {
             for (const Capsule& edge :
@@ -179,13 +180,10 @@ bool passes_outside(const Frustum& frustum, const Sphere& moving, Vec3 displacem
     return false;
 }
 
-}  // namespace
-
 /// The distance to a convex set is a convex function of time whose slope is the speed along the
 /// normal, so Newton's method from the start never overshoots the first contact (compare van den
 /// Bergen 2004, who bounds the distance in the same way).
-bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit) {
-    if (moving.radius == 0) return raycast(frustum, path(moving, displacement), hit);
+bool approach_frustum(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (passes_outside(frustum, moving, displacement)) return false;
     Vec3 nearest;
     if (!closest_point(frustum, moving.center, nearest)) return false;
@@ -210,6 +208,18 @@ bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit&
         t += gap / approach;
     }
     return contact(t, nearest, normal, 0, hit);
+}
+
+}  // namespace
+
+/// Relative to the sphere, so that nothing is lost far from the origin.
+bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    if (moving.radius == 0) return raycast(frustum, path(moving, displacement), hit);
+    Frustum around = frustum;
+    around.origin = frustum.origin - moving.center;
+    if (!approach_frustum(around, {{}, moving.radius}, displacement, hit)) return false;
+    hit.point = hit.point + moving.center;
+    return true;
 }
 
 bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {

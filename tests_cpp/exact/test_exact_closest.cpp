@@ -14,8 +14,7 @@ Point foot_on_segment(const Point& a, const Point& b, const Point& p) {
     return t <= 0 ? a : t >= 1 ? b : a + along * t;
 }
 
-Point foot(const gphys_triangle& t, const Point& p) {
-    const Point a = exact(t.a), b = exact(t.b), c = exact(t.c);
+Point foot_on_triangle(const Point& a, const Point& b, const Point& c, const Point& p) {
     const Vector normal = CGAL::cross_product(b - a, c - a);
     if (normal != CGAL::NULL_VECTOR && normal * CGAL::cross_product(b - a, p - a) >= 0 &&
         normal * CGAL::cross_product(c - b, p - b) >= 0 && normal * CGAL::cross_product(a - c, p - c) >= 0) {
@@ -27,6 +26,7 @@ Point foot(const gphys_triangle& t, const Point& p) {
     }
     return best;
 }
+Point foot(const gphys_triangle& t, const Point& p) { return foot_on_triangle(exact(t.a), exact(t.b), exact(t.c), p); }
 Point foot(const gphys_aabb& b, const Point& p) {
     const Point low = exact(b.min), high = exact(b.max);
     const auto clamp = [&](int k) { return std::min(Number(std::max(Number(p[k]), Number(low[k]))), Number(high[k])); };
@@ -132,4 +132,92 @@ TEST_CASE("closest points are within an ulp, and distances", "[closest]") {
           longer<gphys_triangle>);
     prove(count, examine<gphys_plane>("closest point plane", 36), library<gphys_plane>, moved<gphys_plane>,
           longer<gphys_plane>);
+}
+
+namespace {
+
+using Nearby = gphys_nearest (*)(const gphys_scene*, const gphys_vec3&);
+
+gphys_nearest of_scene(const gphys_scene* scene, const gphys_vec3& point) {
+    gphys_nearest nearest;
+    REQUIRE(gphys_scene_nearest(scene, &point, INFINITY, GPHYS_ALL_LAYERS, &nearest) == GPHYS_OK);
+    return nearest;
+}
+gphys_nearest of_scene_further(const gphys_scene* scene, const gphys_vec3& point) {
+    gphys_nearest nearest = of_scene(scene, point);
+    nearest.distance = after(after(nearest.distance));
+    return nearest;
+}
+/// As if its coordinates had gone through floats.
+gphys_nearest of_scene_in_floats(const gphys_scene* scene, const gphys_vec3& point) {
+    gphys_nearest nearest = of_scene(scene, point);
+    nearest.distance = static_cast<float>(distance(widen(nearest.point), widen(point)));
+    return nearest;
+}
+
+/// Of a mesh of one triangle or the triangle itself as a model, placed by any transform.
+auto examine_placed(const char* name, uint64_t seed, bool as_mesh) {
+    return [=](Nearby nearest, long count) {
+        Cases c(seed);
+        Score score(name, 1, "of the bound");
+        for (long i = 0; i < count; ++i, c.next()) {
+            gphys_triangle t;
+            c.make(t);
+            if (c.is_subnormal()) continue;
+            const double reach = 1e7 * std::pow(10.0, c.random.uniform(-7, 0));
+            const gphys_transform placed{narrow(c.random.direction() * reach), c.rotation(),
+                                         static_cast<float>(std::pow(10.0, c.random.uniform(-2, 2)))};
+            gphys_scene* scene = nullptr;
+            REQUIRE(gphys_scene_create(nullptr, &scene) == GPHYS_OK);
+            gphys_model_id model;
+            if (as_mesh) {
+                const uint32_t indices[3] = {0, 1, 2};
+                gphys_mesh* mesh = nullptr;
+                REQUIRE(gphys_mesh_create(nullptr, &t.a.x, sizeof(gphys_vec3), 3, indices, 3, &mesh) == GPHYS_OK);
+                REQUIRE(gphys_scene_add(scene, GPHYS_SHAPE_MESH, mesh, &placed, nullptr, &model) == GPHYS_OK);
+                gphys_mesh_destroy(mesh);
+            } else {
+                REQUIRE(gphys_scene_add(scene, GPHYS_SHAPE_TRIANGLE, &t, &placed, nullptr, &model) == GPHYS_OK);
+            }
+            const Rotation rotation(placed.rotation);
+            const auto world = [&](const gphys_vec3& v) {
+                return exact(placed.position) + rotation.out(exact_vector(v)) * Number(placed.scale);
+            };
+            const Point a = world(t.a), b = world(t.b), d = world(t.c);
+            const Vec3 corner{rounded(a.x()), rounded(a.y()), rounded(a.z())};
+            const gphys_vec3 point =
+                narrow(corner + c.random.direction() * (placed.scale * c.scale() * c.random.uniform(0, 2)));
+            const gphys_nearest given = nearest(scene, point);
+            gphys_scene_destroy(scene);
+            const Point p = exact(point), on = foot_on_triangle(a, b, d, p);
+            const BigVec offset = big(CGAL::ORIGIN + (on - p));
+            const Big away = sqrt(dot(offset, offset));
+            score.answer(away > 0, away > 0, t, placed, point);
+            const double w = largest(corner) + largest(widen(point)) + largest(widen(placed.position)) +
+                             placed.scale * (largest(widen(t.a)) + largest(widen(t.b)) + largest(widen(t.c)));
+            const double bound = ulp_of(rounded(away)) + 0x1p-52 * w;
+            score.error(error_of(given.distance, away) / bound, t, placed, point);
+            const BigVec there = big(on);
+            for (const double error : {error_of(given.point.x, there.x), error_of(given.point.y, there.y),
+                                       error_of(given.point.z, there.z)}) {
+                score.error(error / ulp_of(w), t, placed, point);
+            }
+        }
+        return score;
+    };
+}
+
+}  // namespace
+
+TEST_CASE("distances in a scene are within an ulp and 2^-52 of the largest coordinate", "[closest]") {
+    const long count = cases(3000, 1000000);
+    for (const bool as_mesh : {false, true}) {
+        const auto examine = examine_placed(as_mesh ? "nearest of a placed mesh" : "nearest of a placed triangle",
+                                            as_mesh ? 37 : 38, as_mesh);
+        const Score score = examine(of_scene, count);
+        score.print();
+        CHECK(score.kept());
+        CHECK_FALSE(examine(of_scene_further, spoiled_cases).kept());
+        CHECK_FALSE(examine(of_scene_in_floats, spoiled_cases).kept());
+    }
 }

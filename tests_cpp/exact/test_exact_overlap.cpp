@@ -266,6 +266,32 @@ void make(test::Random& random, gphys_triangle& t) {
     t = {narrow(grid_point(random)), narrow(grid_point(random)), narrow(grid_point(random))};
 }
 
+// A rotated box, of which the contract leaves open what 2^-40 of the pair's size decides.
+
+/// Its sides lie further out by `more`. The columns of the rotation, times the square of the quaternion,
+/// are polynomials.
+template <class T>
+HalfSpaces<T> common(const gphys_frustum& f, const gphys_obb& b, double more) {
+    HalfSpaces<T> spaces;
+    add(spaces, f);
+    const T x(b.rotation.x), y(b.rotation.y), z(b.rotation.z), w(b.rotation.w), two(2);
+    const T unit = x * x + y * y + z * z + w * w;
+    const VectorOf<T> axes[3] = {{unit - two * (y * y + z * z), two * (x * y + w * z), two * (x * z - w * y)},
+                                 {two * (x * y - w * z), unit - two * (x * x + z * z), two * (y * z + w * x)},
+                                 {two * (x * z + w * y), two * (y * z - w * x), unit - two * (x * x + y * y)}};
+    const float half[3] = {b.half_extents.x, b.half_extents.y, b.half_extents.z};
+    for (int k = 0; k < 3; ++k) {
+        const T middle = dot(axes[k], VectorOf<T>(b.center)), reach = (T(half[k]) + T(more)) * unit;
+        spaces.push_back({axes[k], middle - reach});
+        spaces.push_back({-axes[k], -middle - reach});
+    }
+    return spaces;
+}
+bool truth(const gphys_frustum& f, const gphys_obb& b, double more) {
+    const auto proven = test::is_feasible([&](auto number) { return common<decltype(number)>(f, b, more); });
+    return proven ? *proven : solve(common<Binary>(f, b, more));
+}
+
 template <class Other>
 using Overlaps = bool (*)(const gphys_frustum&, const Other&);
 
@@ -337,6 +363,32 @@ TEST_CASE("frusta of any form overlap exactly when a linear program has a soluti
     prove_overlap<gphys_aabb>("overlap frustum-AABB", 92, by_planes);
     prove_overlap<gphys_plane>("overlap frustum-plane", 93);
     prove_overlap<gphys_triangle>("overlap frustum-triangle", 94);
+}
+
+TEST_CASE("frusta and rotated boxes overlap when a linear program has a solution, but for 2^-40 of their size",
+          "[frustum]") {
+    const auto examine_boxes = [](Overlaps<gphys_obb> overlaps, long count) {
+        test::Cases c(97);
+        test::Random& random = c.random;
+        test::Score score("overlap frustum-OBB");
+        for (long i = 0; i < count; ++i) {
+            const gphys_frustum f = any_frustum(random);
+            const auto half = [&] { return static_cast<float>(random.index(3)); };
+            gphys_obb box{narrow(grid_point(random)), {half(), half(), half()}, c.rotation()};
+            if (c.one_in(2)) c.nudge(box.half_extents);
+            box.half_extents = narrow(abs(widen(box.half_extents)));
+            const double size =
+                test::largest(widen(box.center) - widen(f.origin)) + test::largest(widen(box.half_extents));
+            const double band = 0x1p-40 * size;
+            score.answer(overlaps(f, box), truth(f, box, band), !truth(f, box, -band), f, box);
+        }
+        return score;
+    };
+    const auto of_a_larger_box = [](const gphys_frustum& f, const gphys_obb& box) {
+        return library(f, test::grown(box));
+    };
+    test::prove(test::cases(3000, 10000000), examine_boxes, library<gphys_obb>, of_a_grown_frustum<gphys_obb>,
+                of_a_larger_box);
 }
 
 TEST_CASE("a point is in a frustum, and has a nearest one there, exactly when a linear program has a solution",
