@@ -189,3 +189,32 @@ func TestSubstepsAreAsManyAsAskedForOrAsATargetTakes(t *testing.T) {
 	same(t, substeps(0), uint32(8))
 	same(t, substeps(1e-6) > 8, true)
 }
+
+func TestAStringHoldsAWeightAndATetrahedronKeepsItsVolume(t *testing.T) {
+	scene, solver := must(NewScene(nil)), must(NewSolver(nil))
+	model, body := DefaultModelDesc(), DefaultBodyDesc()
+	model.Tag, body.Mass, body.Layers = 5, 2, 0
+	hook := must(scene.Add(Sphere{Radius: 0.1}, nil, &model))
+	weights := must(solver.AddParticles([]Vec3{{}, Vec(0, -1, 0)}, &body))
+	try(t, solver.Attach(scene, weights, 0, hook, &Vec3{}))
+	line := must(solver.AddMaxDistance(weights, 0, 1, 2, 1e-6))
+	try(t, solver.SetConstraintDamping(weights, line, 50))
+	for i := 0; i < 300; i++ {
+		try(t, solver.Step(scene, 0.01))
+	}
+	end := make([]Vec3, 1)
+	try(t, solver.Positions(weights, 1, end))
+	same(t, close(end[0].Y, -2, 1e-3), true)
+	impulses := must(solver.Impulses())
+	same(t, len(impulses), 1)
+	same(t, []uint32{uint32(impulses[0].Model), impulses[0].Tag}, []uint32{uint32(hook), 5})
+	same(t, close(impulses[0].Linear.Y, -2*9.81*0.01, 5e-3), true)
+	ball := must(solver.AddClothMesh(tetrahedron(), nil, nil))
+	try(t, solver.SetVolume(ball, -1, 0))
+	volume, pressure, err := solver.Volume(ball)
+	try(t, err)
+	same(t, close(volume, 1.0/6, 1e-6) && pressure == 0, true)
+	try(t, solver.SetVolume(ball, 1, infinity))
+	_, _, err = solver.Volume(ball)
+	refused(t, ErrUnsupported, err)
+}

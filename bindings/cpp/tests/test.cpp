@@ -375,6 +375,36 @@ TEST_CASE("a body takes the substeps that are asked for, or that a target takes"
     CHECK(substeps(1e-6f) > 8);
 }
 
+TEST_CASE("a string holds a weight, its hook feels both, a pyramid keeps its volume") {
+    Scene scene;
+    Solver solver;
+    auto tagged = model_desc();
+    tagged.tag = 5;
+    const auto hook = scene.add(Sphere{zero, 0.1f}, nullptr, &tagged);
+    auto desc = body_desc();
+    desc.mass = 2;
+    desc.layers = 0;
+    const auto weights = solver.add_particles(std::vector<Vec3>{zero, {0, -1, 0}}, &desc);
+    solver.attach(scene, weights, 0, hook, &zero);
+    const auto string = solver.add_max_distance(weights, 0, 1, 2, 1e-6f);
+    solver.set_constraint_damping(weights, string, 50);
+    for (int i = 0; i < 300; ++i) solver.step(&scene, 0.01f);
+    std::vector<Vec3> end(1);
+    solver.get_positions(weights, 1, 1, end);
+    CHECK(end[0].y == Approx(-2).margin(1e-3));
+    const auto impulses = solver.get_impulses();
+    REQUIRE(impulses.size() == 1);
+    CHECK((impulses[0].model == hook && impulses[0].tag == 5));
+    CHECK(impulses[0].linear.y == Approx(-2 * 9.81 * 0.01).margin(0.005));
+
+    const auto ball = solver.add_cloth_mesh(pyramid(), &identity);
+    solver.set_volume(ball, -1, 0);
+    const auto [volume, pressure] = solver.get_volume(ball);
+    CHECK((volume == Approx(8.0 / 3) && pressure == 0));
+    solver.set_volume(ball, 1, INFINITY);
+    failure(GPHYS_ERROR_UNSUPPORTED, [&] { solver.get_volume(ball); });
+}
+
 TEST_CASE("errors have the library's message") {
     Scene scene;
     CHECK(failure(GPHYS_ERROR_INVALID_ARGUMENT, [&] {

@@ -193,4 +193,33 @@ public class MotionTests {
         Assert.AreEqual(8, substeps[0]);
         Assert.Greater(substeps[1], 8);
     }
+
+    [Test]
+    public void AStringHoldsAWeightAndATetrahedronKeepsItsVolume() {
+        var scene = new Scene();
+        var solver = new Solver();
+        var model = ModelDesc.Default;
+        model.Tag = 5;
+        var hook = scene.Add(new Sphere((0, 0, 0), 0.1f), null, model);
+        var body = BodyDesc.Default;
+        (body.Mass, body.Layers) = (2, 0);
+        var weights = solver.AddParticles(new Vec3[] { (0, 0, 0), (0, -1, 0) }, body);
+        solver.Attach(scene, weights, 0, hook, (0, 0, 0));
+        var line = solver.AddMaxDistance(weights, 0, 1, 2, 1e-6f);
+        solver.SetConstraintDamping(weights, line, 50);
+        for (var i = 0; i < 300; ++i) solver.Step(0.01f, scene);
+        var end = new Vec3[1];
+        solver.GetPositions(weights, 1, end);
+        Assert.AreEqual(-2, end[0].Y, 1e-3);
+        var impulse = solver.GetImpulses().Single();
+        Assert.AreEqual((hook, 5u), (impulse.Model, impulse.Tag));
+        Assert.AreEqual(-2 * 9.81 * 0.01, impulse.Linear.Y, 5e-3);
+        var ball = solver.AddClothMesh(Tetrahedron());
+        solver.SetVolume(ball, -1);
+        var (volume, pressure) = solver.GetVolume(ball);
+        Assert.AreEqual(1.0 / 6, volume, 1e-6);
+        Assert.AreEqual(0, pressure);
+        solver.SetVolume(ball, 1, float.PositiveInfinity);
+        Refused(Status.ErrorUnsupported, () => solver.GetVolume(ball));
+    }
 }

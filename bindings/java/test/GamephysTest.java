@@ -358,6 +358,30 @@ public class GamephysTest {
     }
 
     @Test
+    public void aStringHoldsAWeightAndAPyramidKeepsItsVolume() {
+        Scene scene = new Scene();
+        Solver solver = new Solver();
+        int hook = scene.add(new Sphere(ZERO, 0.1f), null, new ModelDesc().tag(5));
+        int weights = solver.addParticles(points(ZERO, v(0, -1, 0)), new BodyDesc().mass(2).layers(0));
+        solver.attach(scene, weights, 0, hook, ZERO);
+        int string = solver.addMaxDistance(weights, 0, 1, 2, 1e-6f);
+        solver.setConstraintDamping(weights, string, 50);
+        for (int step = 0; step < 300; ++step) solver.step(scene, 0.01f);
+        assertEquals(-2, solver.getPositions(weights, 1, 1).get(0).y(), 1e-3);
+        Batch<Impulse> impulses = solver.getImpulses();
+        assertEquals(1, impulses.size());
+        assertEquals(hook, impulses.get(0).model());
+        assertEquals(5, impulses.get(0).tag());
+        assertEquals(-2 * 9.81 * 0.01, impulses.get(0).linear().y(), 5e-3);
+        int ball = solver.addClothMesh(pyramid(), IDENTITY);
+        solver.setVolume(ball, -1, 0);
+        assertEquals(8.0 / 3, solver.getVolume(ball).volume(), 1e-5);
+        assertEquals(0, solver.getVolume(ball).pressure(), 0);
+        solver.setVolume(ball, 1, Float.POSITIVE_INFINITY);
+        assertFails(ERROR_UNSUPPORTED, () -> solver.getVolume(ball));
+    }
+
+    @Test
     public void errorsHaveTheLibrarysMessage() {
         Scene scene = new Scene();
         assertTrue(assertFails(ERROR_INVALID_ARGUMENT, () -> scene.add(new Sphere(ZERO, -1))).contains("radius"));

@@ -205,6 +205,25 @@ test('substeps, as many as asked for or as a target takes', () => {
     assert(careful > 8);
 });
 
+test('a string holds a weight, a tetrahedron keeps its volume', () => {
+    const scene = new gp.Scene(), solver = new gp.Solver();
+    const hook = scene.add(gp.sphere([0, 0, 0], 0.1), null, { tag: 5 });
+    const weights = solver.addParticles(floats(0, 0, 0, 0, -1, 0), { mass: 2, layers: 0 });
+    solver.attach(scene, weights, 0, hook, [0, 0, 0]);
+    const string = solver.addMaxDistance(weights, 0, 1, 2, 1e-6);
+    solver.setConstraintDamping(weights, string, 50);
+    for (let i = 0; i < 300; ++i) solver.step(scene, 0.01);
+    near(solver.getPositions(weights, 1, 1).get(0), [0, -2, 0], 1e-3);
+    const [impulse, ...others] = solver.getImpulses();
+    same([impulse.model, impulse.tag, others], [hook, 5, []]);
+    near(impulse.linear, [0, -2 * 9.81 * 0.01, 0], 5e-3);
+    const ball = solver.addClothMesh(someMesh(), at(0, 0, 0));
+    solver.setVolume(ball, -1, 0);
+    near(solver.getVolume(ball), [1 / 6, 0]);
+    solver.setVolume(ball, 1, Infinity);
+    assert.throws(() => solver.getVolume(ball), { status: gp.ERROR_UNSUPPORTED });
+});
+
 test('bodies and models', () => {
     const scene = new gp.Scene(), solver = new gp.Solver();
     const floor = scene.add(gp.plane([0, 1, 0], 0), null, { tag: 3 });

@@ -276,6 +276,26 @@ function tests.substeps_are_as_many_as_asked_for_or_as_a_target_takes()
     assert(substeps {} == 8 and substeps { max_strain = 1e-6 } > 8)
 end
 
+function tests.a_string_holds_a_weight_and_a_pyramid_keeps_its_volume()
+    local scene, solver = gp.Scene(), gp.Solver()
+    local hook = scene:add(gp.Sphere({ 0, 0, 0 }, 0.1), nil, { tag = 5 })
+    local weights = solver:add_particles(gp.array('vec3', { { 0, 0, 0 }, { 0, -1, 0 } }), { mass = 2, layers = 0 })
+    solver:attach(scene, weights, 0, hook, { 0, 0, 0 })
+    local string = solver:add_max_distance(weights, 0, 1, 2, 1e-6)
+    solver:set_constraint_damping(weights, string, 50)
+    for _ = 1, 300 do solver:step(scene, 0.01) end
+    assert(near(solver:get_positions(weights, 1, 1)[0].y, -2, 1e-3))
+    local impulses, count = solver:get_impulses()
+    assert(count == 1 and impulses[0].model == hook and impulses[0].tag == 5)
+    assert(near(impulses[0].linear.y, -2 * 9.81 * 0.01, 5e-3))
+    local ball = solver:add_cloth_mesh(pyramid(), IDENTITY)
+    solver:set_volume(ball, -1, 0)
+    local volume, pressure = solver:get_volume(ball)
+    assert(near(volume, 8 / 3) and pressure == 0)
+    solver:set_volume(ball, 1, math.huge)
+    fails(gp.ERROR_UNSUPPORTED, solver.get_volume, solver, ball)
+end
+
 function tests.errors_have_the_librarys_message()
     local scene = gp.Scene()
     assert(fails(gp.ERROR_INVALID_ARGUMENT, scene.add, scene, gp.Sphere({ 0, 0, 0 }, -1)):find 'radius')

@@ -241,6 +241,30 @@ class Functions(unittest.TestCase):
         self.assertEqual(plain.get_substeps(cloth), 8)
         self.assertGreater(careful.get_substeps(cloth), 8)
 
+    def test_strings_volumes_impulses(self):
+        """A weight of 1 kg and its end of the string hang from a hook; a pyramid keeps its volume."""
+        scene, solver = gp.Scene(), gp.Solver()
+        hook = scene.add(gp.Sphere((0, 0, 0), 0.1), None, gp.ModelDesc(tag=5))
+        weights = solver.add_particles([(0, 0, 0), (0, -1, 0)], gp.BodyDesc(mass=2, layers=0))
+        solver.attach(scene, weights, 0, hook, (0, 0, 0))
+        string = solver.add_max_distance(weights, 0, 1, 2, 1e-6)
+        solver.set_constraint_damping(weights, string, 50)
+        for _ in range(300):
+            solver.step(scene, 0.01)
+        self.assertAlmostEqual(solver.get_positions(weights, 1, 1)[0][1], -2, 3)
+        impulse, = solver.get_impulses()
+        self.assertEqual([impulse["model"], impulse["tag"]], [hook, 5])
+        self.assertAlmostEqual(impulse["linear"][1], -2 * 9.81 * 0.01, 2)
+        ball = solver.add_cloth_mesh(pyramid())
+        solver.set_volume(ball, -1)
+        volume, pressure = solver.get_volume(ball)
+        self.assertAlmostEqual(volume, 8 / 3, 5)
+        self.assertEqual(pressure, 0)
+        solver.set_volume(ball, 1, float("inf"))
+        with self.assertRaises(gp.Error) as caught:
+            solver.get_volume(ball)
+        self.assertEqual(caught.exception.status, gp.ERROR_UNSUPPORTED)
+
     def test_names(self):
         self.assertEqual(gp.status_name(gp.NO_HIT), "GPHYS_NO_HIT")
         self.assertRegex(gp.__version__, r"^\d+\.\d+\.\d+$")

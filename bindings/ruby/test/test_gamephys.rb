@@ -291,6 +291,28 @@ class TestGamephys < Minitest::Test
     assert_operator substeps.call({ max_strain: 1e-6 }), :>, 8
   end
 
+  def test_a_string_holds_a_weight_and_a_pyramid_keeps_its_volume
+    scene = Scene.new
+    solver = Solver.new
+    hook = scene.add(Sphere.new([0, 0, 0], 0.1), nil, tag: 5)
+    weights = solver.add_particles([[0, 0, 0], [0, -1, 0]], mass: 2, layers: 0)
+    solver.attach(scene, weights, 0, hook, [0, 0, 0])
+    string = solver.add_max_distance(weights, 0, 1, 2, compliance: 1e-6)
+    solver.set_constraint_damping(weights, string, 50)
+    300.times { solver.step(scene, 0.01) }
+    assert_in_delta(-2, solver.get_positions(weights, 1, 1)[0][1], 1e-3)
+    impulses = solver.get_impulses.to_a
+    assert_equal [[hook, 5]], (impulses.map { |impulse| [impulse.model, impulse.tag] })
+    assert_in_delta(-2 * 9.81 * 0.01, impulses[0].linear[1], 5e-3)
+    ball = solver.add_cloth_mesh(pyramid, IDENTITY)
+    solver.set_volume(ball, -1)
+    volume, pressure = solver.get_volume(ball)
+    assert_in_delta 8.0 / 3, volume, 1e-5
+    assert_equal 0, pressure
+    solver.set_volume(ball, 1, compliance: Float::INFINITY)
+    assert_fails(ERROR_UNSUPPORTED) { solver.get_volume(ball) }
+  end
+
   def test_errors_have_the_librarys_message
     scene = Scene.new
     assert_match(/radius/, assert_raises(InvalidArgument) { scene.add(Sphere.new([0, 0, 0], -1)) }.message)

@@ -173,6 +173,31 @@ fn substeps_are_as_many_as_asked_for_or_as_a_target_takes() {
 }
 
 #[test]
+fn a_string_holds_a_weight_and_a_tetrahedron_keeps_its_volume() {
+    let (mut scene, mut solver) = (Scene::new(None).unwrap(), Solver::new(None).unwrap());
+    let tagged = ModelDesc { tag: 5, ..Default::default() };
+    let hook = scene.add(&Sphere::new([0.0; 3], 0.1), None, Some(&tagged)).unwrap();
+    let desc = BodyDesc { mass: 2.0, layers: 0, ..Default::default() };
+    let weights = solver.add_particles(&[[0.0; 3], [0.0, -1.0, 0.0]], Some(&desc)).unwrap();
+    solver.attach(&scene, weights, 0, hook, Some(&[0.0; 3].into())).unwrap();
+    let string = solver.add_max_distance(weights, 0, 1, 2.0, 1e-6).unwrap();
+    solver.set_constraint_damping(weights, string, 50.0).unwrap();
+    (0..300).for_each(|_| solver.step(Some(&scene), 0.01).unwrap());
+    let mut end = [Vec3::default()];
+    solver.get_positions(weights, 1, &mut end).unwrap();
+    assert!((end[0].y + 2.0).abs() < 1e-3);
+    let impulses = solver.get_impulses().unwrap();
+    assert_eq!(impulses.iter().map(|i| (i.model, i.tag)).collect::<Vec<_>>(), [(hook, 5)]);
+    assert!((impulses[0].linear.y + 2.0 * 9.81 * 0.01).abs() < 5e-3);
+    let ball = solver.add_cloth_mesh(&tetrahedron(), None, None).unwrap();
+    solver.set_volume(ball, -1.0, 0.0).unwrap();
+    let (volume, pressure) = solver.get_volume(ball).unwrap();
+    assert!((volume - 1.0 / 6.0).abs() < 1e-6 && pressure == 0.0);
+    solver.set_volume(ball, 1.0, f32::INFINITY).unwrap();
+    assert_eq!(solver.get_volume(ball).unwrap_err().status, Status::ERROR_UNSUPPORTED);
+}
+
+#[test]
 fn the_version_is_that_of_the_header() {
     assert_eq!(version().0, 1);
 }
