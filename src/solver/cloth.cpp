@@ -80,11 +80,23 @@ void damp_links(Body& body, const TimeScheme& scheme) {
 }
 
 /// Limits that have become taut: their ends no longer part, and what has done so is an interruption.
-bool capture(const ClothBatches& batches, ClothState& cloth) {
+bool capture_limits(Body& body, const Surroundings& around, const TimeScheme& scheme) {
+    ClothState& cloth = body.cloth;
+    // Models were given the forces of this substep as if they went on; an impact has no such history.
+    const double step = scheme.step(body.settings.damping);
+    const double counted = scheme.h / (step * step) - scheme.next / scheme.h;
+    const auto give_to_model = [&](uint32_t p, Vec3 impulse) {
+        const Attachment* attachment = around.scene ? find_attachment(body, p) : nullptr;
+        if (!attachment) return;
+        float* pull = &body.cloth_contacts.pulls[4 * size_t{p}];
+        const Vec3 given = (impulse - get(pull) * counted) * cloth.average_mass;
+        give(body, around, attachment->model, cloth.origin + get(&cloth.at[4 * size_t{p}]), given);
+        put(pull, {}, 0);
+    };
     // In parts of the length: ten times the rounding of places within a metre or so.
     constexpr double slack = 1e-6;
     bool any = false;
-    for (const LimitInCloth& limit : batches.limits) {
+    for (const LimitInCloth& limit : body.plan.batches.limits) {
         const size_t a = 4 * size_t{limit.a}, b = 4 * size_t{limit.b};
         const double shortest = limit.rest * (1 - slack), mobility = double{cloth.at[a + 3]} + cloth.at[b + 3];
         if (distance(get(&cloth.start[a]), get(&cloth.start[b])) >= shortest || mobility == 0) continue;
@@ -96,6 +108,8 @@ bool capture(const ClothBatches& batches, ClothState& cloth) {
             along * (dot(get(&cloth.velocity[b]) - get(&cloth.velocity[a]), along) / (length * length * mobility));
         put(&cloth.velocity[a], get(&cloth.velocity[a]) + apart * cloth.at[a + 3], fastest);
         put(&cloth.velocity[b], get(&cloth.velocity[b]) - apart * cloth.at[b + 3], fastest);
+        give_to_model(limit.a, apart);
+        give_to_model(limit.b, -apart);
     }
     return any;
 }
@@ -259,7 +273,7 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     double gain = kernels.finish(motion_of(cloth), step);
     cloth.velocity.swap(cloth.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
-    const bool captured = capture(body.plan.batches, cloth);
+    const bool captured = capture_limits(body, around, scheme);
     if (closed) {
         gain += stored_energy(kernels, body) - stored;
         if (gain > 0) take_back(cloth, gain);

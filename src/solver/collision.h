@@ -154,7 +154,7 @@ void end_cloth(Body& body, const Surroundings& around);
 
 /// rope_limits.cpp: after the prediction, and after the new velocities. Whether a link has become taut.
 void predict_flying(Body& body, Vec3 gravity, double h);
-bool capture(Body& body, const Surroundings& around, double h);
+bool capture(Body& body, const Surroundings& around, const TimeScheme& scheme);
 
 /// free_flight.cpp: a body without constraints, moved and collided.
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h);

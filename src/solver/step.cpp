@@ -111,7 +111,7 @@ void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h)
     const double step = scheme.step(body.settings.damping);
     solve_directly(body, step);
     finish(body, scheme);
-    const bool captured = body.plan.limited && capture(body, around, h);
+    const bool captured = body.plan.limited && capture(body, around, scheme);
     const double quiet = quiet_speed(gravity, h);
     collide(body, around, quiet);
     if (body.touched) collide_again(body, around, quiet, {solve_beside_contacts, step, scheme.next / h});
