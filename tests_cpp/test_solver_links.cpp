@@ -63,9 +63,10 @@ TEST_CASE("A pendulum on a string swings as one on a rod while it is taut") {
             apart = std::max(apart, distance(world.position(rod, 1), world.position(string, 1)));
         }
         figure(spokes == 1 ? "string and rod apart after 10 s, direct" : "the same as a graph", apart, "m");
-        // Direct: the same equation, so the same bits. In a graph a rod is as long as it is to float32, and the
-        // velocities of 4800 substeps gather that rounding.
-        CHECK(apart <= (spokes == 1 ? 0 : 1e-4));
+        // Direct: the same equation, but ropes of rods may be moved side by side, with other roundings of
+        // positions that are then given as float32. In a graph a rod is as long as it is to float32, and
+        // the velocities of 4800 substeps gather that rounding.
+        CHECK(apart <= (spokes == 1 ? 1e-6 : 1e-4));
         CHECK(world.stats(string).strain_max < 1e-6);
     }
 }
