@@ -258,14 +258,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _low as low
-from ._runtime import (Object, array_of, check, common_length, found, handle_of, list_of, numbers_of, ragged_of,
-                       result_array, shape_of, shapes_of, value_of)
+from ._runtime import (Models, Object, array_of, check, common_length, found, handle_of, list_of, numbers_of,
+                       ragged_of, result_array, shape_of, shapes_of, value_of)
 ''']
     made = creations(api)
     methods = list(calls(api))
     for handle in api["handles"]:
         creation = made[handle]
-        out.append(f"\n\nclass {camel(handle)}(Object):")
+        out.append(f"\n\nclass {camel(handle)}({'Models' if handle == 'gphys_scene' else 'Object'}):")
         doc = docstring(creation.function["doc"], "    ").rstrip("\n")
         out.append(doc) if doc else None
         out.append(f"    _destroy = low.{handle}_destroy\n")

@@ -7,6 +7,7 @@ of float32 do for rays, points and vertices. A query that finds nothing returns 
 the interpreter's lock: queries may run in several threads at once, changes need the caller's lock.
 """
 import ctypes as _ctypes
+from typing import Any as _Any
 
 from . import _low
 from ._low import *  # noqa: F401,F403
@@ -31,22 +32,11 @@ def default_orbit() -> _low.Orbit:
     return orbit
 
 
-def transform(shape, by):
+def transform(shape: _Any, by: _Any) -> _Any:
     """The shape moved by a Transform; an Aabb becomes an Obb."""
     kind, memory = _shape_of(shape)
-    moved = (_low.Obb if isinstance(shape, _low.Aabb) else type(shape))() if kind != _low.SHAPE_MESH else _low.Aabb()
+    result: _Any = _low.Obb if kind in (_low.SHAPE_AABB, _low.SHAPE_MESH) else type(shape)
+    moved = result()
     _check(_low.gphys_shape_transform(kind, memory.address, _value_of(by, _low.Transform).address,
                                       _ctypes.addressof(moved)))
     return moved
-
-
-def _get_shape(self, model: int):
-    """The shape of a model in its own coordinates. Those of meshes are not known: Error."""
-    kinds = {number: kind for kind, number in _low.shape_types.items()}
-    shape = kinds.get(self.get_info(model).type, _low.Frustum)()
-    _check(_low.gphys_scene_get_shape(self._handle, model, _ctypes.addressof(shape), _ctypes.sizeof(shape)))
-    return shape
-
-
-Scene.get_shape = _get_shape
-Scene.__contains__ = Scene.has

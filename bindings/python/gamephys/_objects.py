@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _low as low
-from ._runtime import (Object, array_of, check, common_length, found, handle_of, list_of, numbers_of, ragged_of,
-                       result_array, shape_of, shapes_of, value_of)
+from ._runtime import (Models, Object, array_of, check, common_length, found, handle_of, list_of, numbers_of,
+                       ragged_of, result_array, shape_of, shapes_of, value_of)
 
 
 
@@ -75,7 +75,7 @@ class Mesh(Object):
 
 
 
-class Scene(Object):
+class Scene(Models):
     """With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
     adding and moving many models, share their work among n threads; the results have the same bits
     for every n. Without a task_runner n - 1 threads are started here and joined by

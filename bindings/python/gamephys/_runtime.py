@@ -7,6 +7,7 @@ import os
 import sys
 import weakref
 from pathlib import Path
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -76,13 +77,16 @@ def found(status):
 class Value:
     """A plain struct: built from numbers and tuples, compared and printed by its fields."""
 
+    dtype: ClassVar[np.dtype]
+    _fields_: ClassVar[Any]
+
     def __iter__(self):
         return (getattr(self, name) for name, *_ in self._fields_)
 
     def __eq__(self, other):
         return type(self) is type(other) and bytes(self) == bytes(other)
 
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self):
         fields = ", ".join(f"{name}={getattr(self, name)!r}" for name, *_ in self._fields_)
@@ -91,6 +95,8 @@ class Value:
 
 class Desc(Value):
     """Settings: the library's defaults, changed by the keywords given."""
+
+    _init: ClassVar[Any]
 
     def __init__(self, **fields):
         check(type(self)._init(ctypes.addressof(self), ctypes.sizeof(self)))
@@ -103,8 +109,8 @@ class Desc(Value):
 class Object:
     """Owns one object of the library. Freed by close(), by `with`, or when nothing refers to it."""
 
-    _destroy = None
-    _finalizer = None
+    _destroy: ClassVar[Any] = None
+    _finalizer: weakref.finalize | None = None
 
     def _own(self, handle):
         self._open_handle = handle
@@ -126,6 +132,24 @@ class Object:
 
     def __exit__(self, *_):
         self.close()
+
+
+class Models(Object):
+    """What a scene can do besides calling one function of the library."""
+
+    def get_shape(self, model: int) -> Any:
+        """The shape of a model in its own coordinates. Those of meshes are not known: Error."""
+        from . import _low
+
+        kinds = {number: kind for kind, number in _low.shape_types.items()}
+        info = _low.ModelInfo()
+        check(_low.gphys_scene_get_info(self._handle, model, ctypes.addressof(info)))
+        shape = kinds.get(info.type, _low.Frustum)()
+        check(_low.gphys_scene_get_shape(self._handle, model, ctypes.addressof(shape), ctypes.sizeof(shape)))
+        return shape
+
+    def __contains__(self, model: int) -> bool:
+        return self.has(model)  # type: ignore[attr-defined]
 
 
 def handle_of(thing):
