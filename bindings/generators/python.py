@@ -1,5 +1,5 @@
 """Python: ctypes structs, numpy dtypes, prototypes, and a method for each function."""
-from ._names import ANSWERS, SHAPES, base_type, calls, camel, counted_array, creations, element, plain
+from ._names import ANSWERS, BUILT, SHAPES, base_type, calls, camel, counted_array, creations, element, plain
 
 NUMBERS = {"float": "c_float", "int32_t": "c_int32", "uint32_t": "c_uint32", "size_t": "c_size_t"}
 DTYPES = {"float": "<f4", "double": "<f8", "int32_t": "<i4", "uint32_t": "<u4"}
@@ -45,7 +45,7 @@ def dtype_entry(api, f):
 def low_level(api):
     out = [HEADER, "from __future__ import annotations\n",
            "from ctypes import Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_void_p\n",
-           "from numpy import dtype\n", "from ._runtime import Desc, Value, function\n"]
+           "from numpy import dtype\n", "from ._runtime import Built, Desc, Value, function\n"]
     for enum in api["enums"]:
         for value in enum["values"]:
             out.append(f"{plain(value['name'])} = {value['value']}" + (f"  # {' '.join(value['doc'].split())}"
@@ -58,7 +58,7 @@ def low_level(api):
         if name in ("gphys_allocator", "gphys_task_runner"):
             continue
         desc = name.endswith("_desc")
-        out.append(f"\n\nclass {camel(name)}({'Desc' if desc else 'Value'}, Structure):")
+        out.append(f"\n\nclass {camel(name)}({'Desc' if desc else 'Built' if name in BUILT else 'Value'}, Structure):")
         out.append(docstring(struct["doc"], "    ").rstrip("\n")) if struct["doc"] else None
         for f in struct["fields"]:
             kind = hint(api, f["type"]) if f["count"] == 1 else "object"
@@ -150,7 +150,7 @@ def body(api, call, self_handle):
     for i, p in enumerate(parameters):
         name, role = p["name"], p["role"]
         if role == "handle":
-            arguments.append("self._handle" if i == 0 and call.owner else f"handle_of({name})")
+            arguments.append("self._handle" if i == 0 and call.owner else f"handle_of({name}, {camel(element(p))})")
         elif role == "shape_type":
             arguments.append(f"{name}_")
         elif role == "shape":

@@ -6,7 +6,7 @@ from ctypes import Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_
 
 from numpy import dtype
 
-from ._runtime import Desc, Value, function
+from ._runtime import Built, Desc, Value, function
 
 OK = 0
 NO_HIT = 1  # the query found nothing; outputs untouched
@@ -76,7 +76,7 @@ NO_TRIANGLE = 0xffffffff
 ALL_LAYERS = 0xffffffff
 
 
-class Vec3(Value, Structure):
+class Vec3(Built, Structure):
     x: float
     y: float
     z: float
@@ -87,7 +87,7 @@ vec3_dtype = dtype(("<f4", (3,)))
 Vec3.dtype = vec3_dtype
 
 
-class Quat(Value, Structure):
+class Quat(Built, Structure):
     x: float  # rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
     y: float  # rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
     z: float  # rotation of angle a about unit axis n: (n sin(a/2), cos(a/2))
@@ -108,7 +108,7 @@ mat4_dtype = dtype(("<f4", (16,)))
 Mat4.dtype = mat4_dtype
 
 
-class Transform(Value, Structure):
+class Transform(Built, Structure):
     """x -> position + rotation * (scale * x); scale > 0."""
     position: Vec3
     rotation: Quat
@@ -120,7 +120,7 @@ transform_dtype = dtype([("position", "<f4", (3,)), ("rotation", "<f4", (4,)), (
 Transform.dtype = transform_dtype
 
 
-class Ray(Value, Structure):
+class Ray(Built, Structure):
     origin: Vec3
     direction: Vec3  # any non-zero length
     t_max: float  # >= 0, in multiples of direction; INFINITY allowed
@@ -131,7 +131,7 @@ ray_dtype = dtype([("origin", "<f4", (3,)), ("direction", "<f4", (3,)), ("t_max"
 Ray.dtype = ray_dtype
 
 
-class Segment(Value, Structure):
+class Segment(Built, Structure):
     a: Vec3  # may coincide: a point
     b: Vec3  # may coincide: a point
     _fields_ = [("a", Vec3), ("b", Vec3)]
@@ -141,7 +141,7 @@ segment_dtype = dtype([("a", "<f4", (3,)), ("b", "<f4", (3,))])
 Segment.dtype = segment_dtype
 
 
-class Sphere(Value, Structure):
+class Sphere(Built, Structure):
     center: Vec3
     radius: float  # >= 0
     _fields_ = [("center", Vec3), ("radius", c_float)]
@@ -151,7 +151,7 @@ sphere_dtype = dtype([("center", "<f4", (3,)), ("radius", "<f4")])
 Sphere.dtype = sphere_dtype
 
 
-class Capsule(Value, Structure):
+class Capsule(Built, Structure):
     """All points within radius of the segment a b."""
     a: Vec3  # may coincide: a sphere
     b: Vec3  # may coincide: a sphere
@@ -163,7 +163,7 @@ capsule_dtype = dtype([("a", "<f4", (3,)), ("b", "<f4", (3,)), ("radius", "<f4")
 Capsule.dtype = capsule_dtype
 
 
-class Aabb(Value, Structure):
+class Aabb(Built, Structure):
     min: Vec3  # min <= max on each axis; equality gives a flat box
     max: Vec3  # min <= max on each axis; equality gives a flat box
     _fields_ = [("min", Vec3), ("max", Vec3)]
@@ -173,7 +173,7 @@ aabb_dtype = dtype([("min", "<f4", (3,)), ("max", "<f4", (3,))])
 Aabb.dtype = aabb_dtype
 
 
-class Obb(Value, Structure):
+class Obb(Built, Structure):
     center: Vec3
     half_extents: Vec3  # >= 0, along the axes of rotation
     rotation: Quat
@@ -184,7 +184,7 @@ obb_dtype = dtype([("center", "<f4", (3,)), ("half_extents", "<f4", (3,)), ("rot
 Obb.dtype = obb_dtype
 
 
-class Plane(Value, Structure):
+class Plane(Built, Structure):
     """The points x with dot(normal, x) = distance. The normal points to the front; it need not be
     exactly unit: signed distances are divided by its length (for a unit normal, distance is the
     plane's distance from the origin). distance divided by that length is within the range of
@@ -198,7 +198,7 @@ plane_dtype = dtype([("normal", "<f4", (3,)), ("distance", "<f4")])
 Plane.dtype = plane_dtype
 
 
-class Triangle(Value, Structure):
+class Triangle(Built, Structure):
     """May be degenerate: then it is the segment or point that its corners span. The normal is that
     of cross(b - a, c - a)."""
     a: Vec3

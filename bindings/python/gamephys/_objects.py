@@ -565,25 +565,25 @@ class Camera(Object):
         float32; t is in metres.
         @return GPHYS_OK or GPHYS_NO_HIT"""
         out_hit = low.Hit()
-        return out_hit if found(low.gphys_camera_pick(self._handle, handle_of(scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))) else None
+        return out_hit if found(low.gphys_camera_pick(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))) else None
 
     def pick_batch(self, scene: Scene | None, pixels: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
         """The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches."""
         pixels_ = array_of(pixels, "<f4", 2)
         count = common_length(pixels_)
         out_ = result_array(out, count, low.hit_dtype)
-        check(low.gphys_camera_pick_batch(self._handle, handle_of(scene), pixels_.address, pixels_.stride, count, layers, out_.address, out_.stride))
+        check(low.gphys_camera_pick_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
     def pick_rectangle(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, layers: int = low.ALL_LAYERS) -> np.ndarray:
         """Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
         rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
         @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area"""
-        return list_of(low.gphys_camera_pick_rectangle, (self._handle, handle_of(scene), x0, y0, x1, y1, layers,), "<u4")
+        return list_of(low.gphys_camera_pick_rectangle, (self._handle, handle_of(scene, Scene), x0, y0, x1, y1, layers,), "<u4")
 
     def cull(self, scene: Scene | None, layers: int = low.ALL_LAYERS) -> np.ndarray:
         """gphys_scene_cull with the camera's frustum."""
-        return list_of(low.gphys_camera_cull, (self._handle, handle_of(scene), layers,), "<u4")
+        return list_of(low.gphys_camera_cull, (self._handle, handle_of(scene, Scene), layers,), "<u4")
 
 
 
@@ -664,7 +664,7 @@ class Solver(Object):
         desc_ = value_of(desc, low.BodyDesc)
         transform_ = value_of(transform, low.Transform)
         out_body = ctypes.c_uint32()
-        check(low.gphys_solver_add_cloth_mesh(self._handle, desc_.address, handle_of(mesh), transform_.address, ctypes.byref(out_body)))
+        check(low.gphys_solver_add_cloth_mesh(self._handle, desc_.address, handle_of(mesh, Mesh), transform_.address, ctypes.byref(out_body)))
         return out_body.value
 
     def remove_body(self, body: int) -> None:
@@ -760,7 +760,7 @@ class Solver(Object):
         the model is gone. Steps must then be given this scene.
         @param local_point  in the model's coordinates; NULL: where the particle is now"""
         local_point_ = value_of(local_point, low.Vec3)
-        check(low.gphys_solver_attach(self._handle, handle_of(scene), body, particle, model, local_point_.address))
+        check(low.gphys_solver_attach(self._handle, handle_of(scene, Scene), body, particle, model, local_point_.address))
 
     def detach(self, body: int, particle: int) -> None:
         """Release an attached particle.
@@ -837,7 +837,7 @@ class Solver(Object):
         Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
         through particles. Cost: O(particles + constraints)
         substeps, and a scene query for particles near models."""
-        check(low.gphys_solver_step(self._handle, handle_of(scene), dt))
+        check(low.gphys_solver_step(self._handle, handle_of(scene, Scene), dt))
 
     def advance(self, scene: Scene | None, frame_time: float) -> tuple[int, float]:
         """Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
@@ -847,7 +847,7 @@ class Solver(Object):
         @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL"""
         out_steps = ctypes.c_uint32()
         out_leftover = ctypes.c_float()
-        check(low.gphys_solver_advance(self._handle, handle_of(scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
+        check(low.gphys_solver_advance(self._handle, handle_of(scene, Scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
         return out_steps.value, out_leftover.value
 
     def get_substeps(self, body: int) -> int:

@@ -93,6 +93,20 @@ class Value:
         return f"{type(self).__name__}({fields})"
 
 
+class Built(Value):
+    """A struct that callers build: from all its fields, by name from some, or of zeros."""
+
+    def __init__(self, *fields, **named):
+        if fields:
+            lengths = [len(getattr(kind, "_fields_", ())) for _, kind, *_ in self._fields_]
+            if len(fields) != len(lengths):
+                raise ValueError(f"{type(self).__name__} has {len(lengths)} fields, got {len(fields)}")
+            for (name, *_), length, field in zip(self._fields_, lengths, fields):
+                if isinstance(field, tuple) and len(field) != length:
+                    raise ValueError(f"{type(self).__name__}.{name} has {length} numbers, got {len(field)}")
+        super().__init__(*fields, **named)
+
+
 class Desc(Value):
     """Settings: the library's defaults, changed by the keywords given."""
 
@@ -152,8 +166,12 @@ class Models(Object):
         return self.has(model)  # type: ignore[attr-defined]
 
 
-def handle_of(thing):
-    return None if thing is None else thing._handle
+def handle_of(thing, kind):
+    if thing is None:
+        return None
+    if not isinstance(thing, kind):
+        raise TypeError(f"expected {kind.__name__}, got {type(thing).__name__}")
+    return thing._handle
 
 
 # --- arguments ------------------------------------------------------------------------------
@@ -178,6 +196,8 @@ def value_of(thing, kind):
     if not isinstance(thing, kind):
         if isinstance(thing, (np.ndarray, np.void)):
             thing = kind.from_buffer_copy(np.ascontiguousarray(thing, kind.dtype if thing.dtype.names else "<f4"))
+        elif isinstance(thing, Value) or issubclass(kind, Desc):
+            raise TypeError(f"expected {kind.__name__}, got {type(thing).__name__}")
         elif kind.__name__ == "Mat4":
             thing = kind(tuple(thing))
         else:
@@ -192,13 +212,15 @@ def array_of(things, dtype, width=1):
         return _NONE
     dtype = np.dtype(dtype)
     base, inner = dtype.subdtype or (dtype, ())
-    array = things if isinstance(things, np.ndarray) else np.asarray(things, base)
+    if isinstance(things, (list, tuple)) and things and base.names and isinstance(things[0], (tuple, Value, np.void)):
+        array = np.asarray(things, base)
+    else:
+        array = np.asarray(things)
     size = base.itemsize * width * int(np.prod(inner, dtype=int))
     if array.dtype.names is None:
         # Plain numbers: rows of them.
         number = base if base.names is None else np.dtype("<f4")
-        if array.dtype != number:
-            array = array.astype(number)
+        array = numbers_as(number, array)
         row = size // 4
         if row > 1 and (array.ndim < 2 or array.shape[-1] != row):
             raise ValueError(f"expected rows of {row} numbers, got the shape {array.shape}")
@@ -216,6 +238,18 @@ def array_of(things, dtype, width=1):
         array = np.ascontiguousarray(array)
         stride = array.strides[0]
     return Argument(array.__array_interface__["data"][0], stride, length, array.size, array)
+
+
+def numbers_as(number, array):
+    """Floats of the library's width; whole numbers only from such, and in range."""
+    if array.dtype == number or array.size == 0:
+        return array.astype(number, copy=False)
+    whole = number.kind in "iu"
+    if array.dtype.kind not in ("iu" if whole else "iuf"):
+        raise TypeError(f"expected {'whole numbers' if whole else 'numbers'}, got {array.dtype}")
+    if whole and not np.iinfo(number).min <= array.min() <= array.max() <= np.iinfo(number).max:
+        raise ValueError(f"a number is out of the range of {number}")
+    return array.astype(number)
 
 
 def numbers_of(things, dtype, count):
@@ -272,6 +306,8 @@ def result_array(out, length, dtype):
     dtype = np.dtype(dtype)
     if out is None:
         out = np.empty(length, dtype)
+    elif not isinstance(out, np.ndarray):
+        raise TypeError(f"out must be a numpy array, not {type(out).__name__}")
     elif out.shape[:1] != (length,) or (out.dtype != (dtype.base if dtype.subdtype else dtype)):
         raise ValueError(f"out must be {length} elements of {dtype}")
     elif not out.flags.writeable:

@@ -123,6 +123,27 @@ class Errors(unittest.TestCase):
         with self.assertRaises(TypeError):
             scene.add("ball")
 
+    def test_what_is_not_meant_is_refused(self):
+        scene, solver = gp.Scene(), gp.Solver()
+        scene.add(gp.Sphere((0, 0, 5), 1))
+        self.assertEqual(scene.raycast_batch([[0, 0, 0, 0, 0, 1, 9]])["t"].tolist(), [4])
+        for error, call in (
+            (TypeError, lambda: solver.step(gp.Camera(), 0.1)),
+            (TypeError, lambda: gp.Scene(gp.SolverDesc())),
+            (TypeError, lambda: scene.raycast(gp.Segment((0, 0, 0), (0, 0, 9)))),
+            (TypeError, lambda: scene.raycast_batch(np.ones((2, 7), complex))),
+            (TypeError, lambda: scene.raycast_batch(np.ones((1, 7), "f4"), out=[None])),
+            (TypeError, lambda: scene.get_transforms([1.5])),
+            (ValueError, lambda: scene.get_transforms([-1])),
+            (ValueError, lambda: scene.get_transforms(np.array([2**32 + 1]))),
+            (ValueError, lambda: scene.raycast(((0, 0, 0), (0, 0, 1)))),
+            (ValueError, lambda: scene.raycast(((0, 0), (0, 0, 1), 9))),
+            (ValueError, lambda: gp.Sphere((0, 0), 1)),
+            (ValueError, lambda: scene.raycast_batch(np.full((2, 7), np.nan, "f4"))),
+        ):
+            with self.assertRaises(error):
+                call()
+
     def test_use_after_close_is_an_exception(self):
         scene = gp.Scene()
         scene.close()
