@@ -8,7 +8,7 @@ NUMBERS = {"float": "Float32", "double": "Float64", "int32_t": "Int32", "uint32_
 FORMATS = {"float": "f", "double": "d", "int32_t": "l", "uint32_t": "L"}
 ARRAYS = ("gphys_vec3", "gphys_quat", "gphys_mat4")  # values that are arrays of numbers
 TEMPLATES = {
-    "self": "opened", "handle": "{n}.opened", "handle?": "{n}&.opened", "shape_type": "{shape}.class::KIND",
+    "self": "opened", "handle": "Low.opened({n}, {type})", "handle?": "{n} && Low.opened({n}, {type})", "shape_type": "{shape}.class::KIND",
     "shape": "Low.shape({n})", "in": "{type}.pack({n})", "in?": "{n} && {type}.pack({n})",
     "in_fixed": "{type}.pack_all({n}, {count})", "array": "{n}.pointer", "shape_array": "{n}.pointer",
     "stride": "{array}.stride", "batch_count": "count", "own_count": "{array}.count", "plain_count": "count",

@@ -126,6 +126,8 @@ export class Shapes {
 function viewOf(value, name) {
     const view = value instanceof Records ? value.views.f32 : value;
     if (!ArrayBuffer.isView(view)) throw new TypeError(`${name} must be a typed array or Records`);
+    const bytes = view.BYTES_PER_ELEMENT ?? 1;
+    if (bytes !== 4 && bytes !== 1) throw new TypeError(`${name} must hold numbers of four bytes, or bytes: not ${view.constructor.name}`);
     return view;
 }
 

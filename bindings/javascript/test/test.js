@@ -65,6 +65,7 @@ test('errors carry the message of the library', () => {
     assert.throws(() => scene.add('ball'), TypeError);
     assert.throws(() => new gp.Camera({ width: 3 }), TypeError);
     assert.throws(() => scene.raycastBatch(new Float32Array(8)), RangeError);
+    assert.throws(() => scene.raycastBatch(new Float64Array(7)), TypeError);
 });
 
 test('use after close is an error, and closing again is not', () => {

@@ -343,6 +343,9 @@ class TestGamephys < Minitest::Test
     assert scene.raycast(Ray.new([0.1, 5, 0.1], [0, -1, 0], 10)) # the model holds it
     scene.close
     assert_raises(Closed) { scene.get_models }
+    assert_raises(TypeError) { Scene.new.dup }
+    assert_raises(TypeError) { Solver.new.step(Camera.new, 0.1) }
+    assert_raises(TypeError) { Camera.new.cull(12_345) }
     assert_raises(Closed) { Camera.new.pick(scene, 0, 0) }
     assert_raises(Closed) { Scene.open { |each| each }.get_models }
   end

@@ -622,7 +622,7 @@ module Gamephys
     # @return GPHYS_OK or GPHYS_NO_HIT
     def pick(scene, pixel_x, pixel_y, layers: ALL_LAYERS)
       out_hit = Hit.room
-      Hit.unpack(out_hit) if Low.found(Low.gphys_camera_pick(opened, scene.opened, pixel_x, pixel_y, layers, out_hit))
+      Hit.unpack(out_hit) if Low.found(Low.gphys_camera_pick(opened, Low.opened(scene, Scene), pixel_x, pixel_y, layers, out_hit))
     end
 
     # The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.
@@ -630,7 +630,7 @@ module Gamephys
       pixels = Low.array(Float32, pixels, 2)
       count = Low.common(pixels)
       out = Low.results(Hit, out, count)
-      Low.check(Low.gphys_camera_pick_batch(opened, scene.opened, pixels.pointer, pixels.stride, count, layers, out.pointer, Hit::BYTES))
+      Low.check(Low.gphys_camera_pick_batch(opened, Low.opened(scene, Scene), pixels.pointer, pixels.stride, count, layers, out.pointer, Hit::BYTES))
       out
     end
 
@@ -638,12 +638,12 @@ module Gamephys
     # rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
     # @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
     def pick_rectangle(scene, x0, y0, x1, y1, layers: ALL_LAYERS)
-      Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_pick_rectangle(opened, scene.opened, x0, y0, x1, y1, layers, out, capacity, total) }
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_pick_rectangle(opened, Low.opened(scene, Scene), x0, y0, x1, y1, layers, out, capacity, total) }
     end
 
     # gphys_scene_cull with the camera's frustum.
     def cull(scene, layers: ALL_LAYERS)
-      Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_cull(opened, scene.opened, layers, out, capacity, total) }
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_cull(opened, Low.opened(scene, Scene), layers, out, capacity, total) }
     end
   end
 
@@ -724,7 +724,7 @@ module Gamephys
     # @param transform  places the mesh; may be NULL
     def add_cloth_mesh(mesh, transform = nil, **desc)
       out_body = UInt32.room
-      Low.check(Low.gphys_solver_add_cloth_mesh(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), mesh.opened, transform && Transform.pack(transform), out_body))
+      Low.check(Low.gphys_solver_add_cloth_mesh(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Low.opened(mesh, Mesh), transform && Transform.pack(transform), out_body))
       UInt32.unpack(out_body)
     end
 
@@ -843,7 +843,7 @@ module Gamephys
     # the model is gone. Steps must then be given this scene.
     # @param local_point  in the model's coordinates; NULL: where the particle is now
     def attach(scene, body, particle, model, local_point = nil)
-      Low.check(Low.gphys_solver_attach(opened, scene.opened, body, particle, model, local_point && Vec3.pack(local_point)))
+      Low.check(Low.gphys_solver_attach(opened, Low.opened(scene, Scene), body, particle, model, local_point && Vec3.pack(local_point)))
       nil
     end
 
@@ -934,7 +934,7 @@ module Gamephys
     # through particles. Cost: O(particles + constraints)
     # substeps, and a scene query for particles near models.
     def step(scene, dt)
-      Low.check(Low.gphys_solver_step(opened, scene&.opened, dt))
+      Low.check(Low.gphys_solver_step(opened, scene && Low.opened(scene, Scene), dt))
       nil
     end
 
@@ -946,7 +946,7 @@ module Gamephys
     def advance(scene, frame_time)
       out_steps = UInt32.room
       out_leftover = Float32.room
-      Low.check(Low.gphys_solver_advance(opened, scene&.opened, frame_time, out_steps, out_leftover))
+      Low.check(Low.gphys_solver_advance(opened, scene && Low.opened(scene, Scene), frame_time, out_steps, out_leftover))
       [UInt32.unpack(out_steps), Float32.unpack(out_leftover)]
     end
 

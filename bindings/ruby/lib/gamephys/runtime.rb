@@ -106,6 +106,9 @@ module Gamephys
     # The C object.
     def opened = @pointer || raise(Closed, "#{self.class.name} is closed")
 
+    # A copy would own the same C object.
+    def initialize_copy(_other) = raise(TypeError, "#{self.class.name} cannot be copied")
+
     private
 
     def own(kind)
@@ -157,6 +160,11 @@ module Gamephys
 
     def kind(shape)
       shape.class.const_defined?(:KIND) ? shape.class::KIND : raise(TypeError, "#{shape.class} is not a shape")
+    end
+
+    # The C object of a given one.
+    def opened(object, kind)
+      object.is_a?(kind) ? object.opened : raise(TypeError, "#{object.class.name} is no #{kind.name}")
     end
 
     def shape(shape) = shape.is_a?(Mesh) ? shape.opened : shape.class.pack(shape)
