@@ -55,7 +55,7 @@ Scene and mesh queries compute their distances in double precision from absolute
 
 ## Scores
 
-Of parts of a long run of the exact suite, as many as the table says, added up by `bench/scores.py`. `./test.sh --long` asks all: 10 million cases of each function that says yes or no, a million of closest points, sweeps and cameras, and 120 million rays out of closed meshes, which takes some hours of a processor; its scores are in `build/*/exact_scores.csv`.
+Of runs of the exact suite, added up by `bench/scores.py`. `./test.sh --long` asks all: 10 million cases of each function that says yes or no, a million of closest points, sweeps and cameras, and 120 million rays out of closed meshes, which takes about an hour of a processor; and a short form with gcc and clang, unoptimised and for Haswell, on each instruction set. Its scores are in `build/*/exact_scores.csv`.
 
 {scores}
 The worst errors came from these inputs (`%a`):
