@@ -7,6 +7,7 @@
 
 #include "foundation/ids.h"
 #include "foundation/math.h"
+#include "foundation/team.h"
 #include "shapes/shapes.h"
 #include "solver/cloth_contacts.h"
 #include "solver/impulses.h"
@@ -71,7 +72,7 @@ struct Sleep {
 };
 
 /// The state of cloth during a step, as cloth_kernels.h takes it: four floats for each particle, and
-/// for two more that do not move.
+/// for a few more that do not move.
 struct ClothState {
     explicit ClothState(std::pmr::memory_resource* memory)
         : at(memory),
@@ -80,13 +81,17 @@ struct ClothState {
           velocity(memory),
           velocity_before(memory),
           acceleration(memory),
-          mass(memory) {}
+          mass(memory),
+          gains(memory) {}
 
     Vec3 origin;              // of the positions
     double average_mass = 1;  // of the particles
     double link_length = 0;   // metres, the average
+    uint32_t particles = 0;   // that are the body's
+    Team* team = nullptr;     // who shares the work of the step under way; null: nobody
     bool pulled = false;      // the caller may have done work on it since the last step
     Vector<float> at, start, moved, velocity, velocity_before, acceleration, mass;
+    Vector<double> gains;  // of kinetic energy, by block of particles
 };
 
 struct Body {

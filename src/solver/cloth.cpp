@@ -40,6 +40,46 @@ ClothMotion motion_of(ClothState& cloth) {
             cloth.mass.data()};
 }
 
+// What the members of a team take at a time, in floats: 1000 particles, a few microseconds. A block is
+// what the kernel adds up in floats; sums of blocks are the same whoever has made them.
+constexpr uint32_t share_floats = 4096, share_limits = 1024, block_floats = 256;
+
+/// part(motion of some of the particles, number of their first float).
+template <class Part>
+void share_motion(ClothState& cloth, uint32_t most_floats, Part&& part) {
+    const ClothMotion all = motion_of(cloth);
+    share(cloth.team, (all.floats + most_floats - 1) / most_floats, [&](uint32_t i, uint32_t) {
+        const uint32_t first = i * most_floats;
+        part(
+            ClothMotion{std::min(most_floats, all.floats - first), all.at + first, all.start + first, all.moved + first,
+                        all.velocity + first, all.velocity_before + first, all.acceleration + first, all.mass + first},
+            first);
+    });
+}
+
+void predict(const ClothKernels& kernels, ClothState& cloth, const ClothStep& step) {
+    share_motion(cloth, share_floats, [&](const ClothMotion& motion, uint32_t) { kernels.predict(motion, step); });
+}
+
+double finish(const ClothKernels& kernels, ClothState& cloth, const ClothStep& step) {
+    share_motion(cloth, share_floats, [&](const ClothMotion& motion, uint32_t first) {
+        for (uint32_t i = 0; i < motion.floats; i += block_floats) {
+            const ClothMotion block{std::min(block_floats, motion.floats - i),
+                                    motion.at + i,
+                                    motion.start + i,
+                                    motion.moved + i,
+                                    motion.velocity + i,
+                                    motion.velocity_before + i,
+                                    motion.acceleration + i,
+                                    motion.mass + i};
+            cloth.gains[(first + i) / block_floats] = kernels.finish(block, step);
+        }
+    });
+    double gain = 0;
+    for (const double of_block : cloth.gains) gain += of_block;
+    return gain;
+}
+
 ClothChains chains_of(const ClothBatches& batches) {
     return {batches.particles.data(), batches.rest.data(), batches.softness.data(), batches.stiffness.data()};
 }
@@ -129,23 +169,36 @@ void solve_cloth(const ClothKernels& kernels, Body& body) {
     // Before the chains, which need it for their shape, and after them, which leave an error in it.
     body.volume.given = 0;
     if (body.volume.held) solve_volume(body, batches.scale);
-    for (const ChainBatch& batch : batches.chains) {
+    const auto solve = [&](const ChainBatch& batch, float* rows) {
         if (contacts.touching) {
             kernels.solve_touching(body.cloth.at.data(), {contacts.normals.data(), contacts.pulls.data()},
-                                   damped_chains_of(batches), batch, batches.rows.data());
+                                   damped_chains_of(batches), batch, rows);
         } else if (batch.attached) {
-            kernels.solve_pulling(body.cloth.at.data(), contacts.pulls.data(), damped_chains_of(batches), batch,
-                                  batches.rows.data());
+            kernels.solve_pulling(body.cloth.at.data(), contacts.pulls.data(), damped_chains_of(batches), batch, rows);
         } else {
-            kernels.solve(body.cloth.at.data(), damped_chains_of(batches), batch, batches.rows.data());
+            kernels.solve(body.cloth.at.data(), damped_chains_of(batches), batch, rows);
         }
+    };
+    for (size_t family = 0; family + 1 < batches.families.size(); ++family) {
+        const uint32_t first = batches.families[family], end = batches.families[family + 1];
+        share(body.cloth.team, end - first, [&](uint32_t i, uint32_t member) {
+            solve(batches.chains[first + i], &batches.rows[size_t{cloth_row_floats} * batches.longest * member]);
+        });
     }
     if (body.volume.held) solve_volume(body, batches.scale);
     if (contacts.touching) note_places(body);
     const ClothLimits limits{batches.limited.data(), batches.anchors.data(), batches.distances.data()};
     const uint32_t limit_count = static_cast<uint32_t>(batches.limited.size());
     if (body.attachments.empty()) {
-        kernels.limit(body.cloth.at.data(), limits, limit_count);
+        for (size_t rank = 0; rank + 1 < batches.ranks.size(); ++rank) {
+            const uint32_t first = batches.ranks[rank], count = batches.ranks[rank + 1] - first;
+            share(body.cloth.team, (count + share_limits - 1) / share_limits, [&](uint32_t i, uint32_t) {
+                const uint32_t from = first + i * share_limits;
+                kernels.limit(body.cloth.at.data(),
+                              {limits.particles + from, limits.anchors + from, limits.distances + from},
+                              std::min(share_limits, first + count - from));
+            });
+        }
     } else {
         kernels.limit_pulling(body.cloth.at.data(), limits, limit_count, body.cloth.mass.data(), contacts.pulls.data());
     }
@@ -177,7 +230,7 @@ void take_back(ClothState& cloth, double gain) {
     double mass = 0, inner = 0;
     Vec3 momentum;
     bool held = false;
-    const size_t end = 4 * (cloth.at.size() / 4 - 2);
+    const size_t end = 4 * size_t{cloth.particles};
     for (size_t i = 0; i < end; i += 4) {
         mass += cloth.mass[i];
         momentum += get(&cloth.velocity[i]) * cloth.mass[i];
@@ -191,23 +244,35 @@ void take_back(ClothState& cloth, double gain) {
     }
 }
 
+/// each(particle), in any order.
+template <class Each>
+void share_particles(Body& body, Each&& each) {
+    constexpr uint32_t together = share_floats / 4;
+    share(body.cloth.team, (body.size() + together - 1) / together, [&](uint32_t i, uint32_t) {
+        const uint32_t end = std::min(body.size(), (i + 1) * together);
+        for (uint32_t p = i * together; p < end; ++p) each(p);
+    });
+}
+
 void publish(Body& body) {
     const ClothState& cloth = body.cloth;
-    for (uint32_t p = 0; p < body.size(); ++p) {
+    share_particles(body, [&](uint32_t p) {
         body.position[p] = cloth.origin + get(&cloth.at[4 * size_t{p}]);
         body.velocity[p] = get(&cloth.velocity[4 * size_t{p}]);
-    }
+        keep_in_range(body.position[p], body.velocity[p]);
+    });
 }
 
 }  // namespace
 
 void reserve_cloth(Body& body) {
     ClothState& cloth = body.cloth;
-    const size_t floats = (4 * (size_t{body.size()} + 2) + 7) / 8 * 8;
+    const size_t floats = (4 * (size_t{body.size()} + body.plan.batches.spare) + 7) / 8 * 8;
     for (Vector<float>* values : {&cloth.at, &cloth.start, &cloth.moved, &cloth.velocity, &cloth.velocity_before,
                                   &cloth.acceleration, &cloth.mass}) {
         values->resize(floats);
     }
+    cloth.gains.resize((floats + block_floats - 1) / block_floats);
     if (!body.attachments.empty()) body.cloth_contacts.pulls.resize(floats);
     if (body.volume.held) body.volume.gradient.resize(body.size());
 }
@@ -223,7 +288,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     cloth.origin = (box.min + box.max) / 2;
     cloth.average_mass = mass / body.size();
     cloth.pulled = body.earlier_step == 0 && !body.touched;
-    for (uint32_t p = 0; p < body.size(); ++p) {
+    share_particles(body, [&](uint32_t p) {
         const size_t i = 4 * size_t{p};
         put(&cloth.at[i], body.position[p] - cloth.origin, farthest);
         put(&cloth.velocity[i], body.velocity[p], fastest);
@@ -233,12 +298,13 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
         put(&cloth.acceleration[i], free ? gravity + body.force[p] * body.inverse_mass[p] : Vec3{}, hardest);
         const float weight = free ? static_cast<float>(relative) : 0;
         std::fill_n(&cloth.mass[i], 3, weight);
-    }
-    // The two that do not move are a metre apart again: limits on the first of them shift it by a hair.
+    });
+    // Those that do not move are in pairs a metre apart again: limits on the first of them shift it by a hair.
     for (Vector<float>* values : {&cloth.at, &cloth.moved, &cloth.velocity, &cloth.velocity_before}) {
         std::fill(values->begin() + 4 * static_cast<std::ptrdiff_t>(body.size()), values->end(), 0.0f);
     }
-    cloth.at[4 * size_t{body.size()} + 4] = 1;
+    for (uint32_t p = 1; p < body.plan.batches.spare; p += 2) cloth.at[4 * (size_t{body.size()} + p)] = 1;
+    cloth.particles = body.size();
     double length = 0;
     for (const double rest : body.plan.rest) length += rest;
     cloth.link_length = length / static_cast<double>(std::max<size_t>(1, body.plan.rest.size()));
@@ -262,7 +328,7 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     soften(body.plan.batches, cloth.average_mass, scheme.step(damping));
     const bool closed = body.attachments.empty() && !cloth.pulled;  // moving models do work
     const double stored = closed ? stored_energy(kernels, body) : 0;
-    kernels.predict(motion_of(cloth), step);
+    predict(kernels, cloth, step);
     damp_links(body, scheme);
     follow_models(body, around.end);
     const bool collides = gphys::collides(body, around);
@@ -270,7 +336,7 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     solve_cloth(kernels, body);
     if (!body.attachments.empty()) give_pulls(body, around, scheme.step(damping), h);
     if (collides) leave_walls(body);
-    double gain = kernels.finish(motion_of(cloth), step);
+    double gain = finish(kernels, cloth, step);
     cloth.velocity.swap(cloth.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
@@ -290,7 +356,6 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
 void end_cloth(Body& body, const Surroundings& around) {
     if (collides(body, around)) record_touches(body, around);
     publish(body);
-    for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
 }
 
 }  // namespace gphys

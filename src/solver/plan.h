@@ -44,6 +44,7 @@ struct LimitInCloth {
 struct ClothBatches {
     explicit ClothBatches(std::pmr::memory_resource* memory)
         : chains(memory),
+          families(memory),
           particles(memory),
           rest(memory),
           compliance(memory),
@@ -54,10 +55,13 @@ struct ClothBatches {
           limits(memory),
           limited(memory),
           anchors(memory),
+          ranks(memory),
           distances(memory),
           rows(memory) {}
 
     Vector<ChainBatch> chains;  // family after family
+    Vector<uint32_t> families;  // the first batch of each, and the end: those of a family share no particle
+    uint32_t spare = 2;         // particles beyond the last one that a family's lanes need
     Vector<uint32_t> particles;
     Vector<float> rest;
     Vector<double> compliance;  // by link and chain; infinity for those that are not there
@@ -69,8 +73,10 @@ struct ClothBatches {
     Vector<float> target;  // rest, in which those that are damped change; empty if none is
     Vector<LimitInCloth> limits;
     Vector<uint32_t> limited, anchors;
+    Vector<uint32_t> ranks;  // in them: the first of each rank, and the end; a rank has no particle twice
     Vector<float> distances;
-    Vector<float> rows;  // room for the longest chain
+    uint32_t longest = 0;  // links
+    Vector<float> rows;    // room for the longest chain, of each who works on the body
 };
 
 struct Plan {

@@ -18,15 +18,18 @@ void pack_kind(const Plan& plan, uint32_t place, uint32_t link, ClothBatches& ba
     }
 }
 
-/// Chains first .. last - 1, of one family, the longest first.
-void pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhere, ClothBatches& batches) {
+/// Chains first .. last - 1, of one family, the longest first. Lanes without a link get the two particles
+/// from `nowhere` on; whether there are any.
+bool pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhere, ClothBatches& batches) {
     const uint32_t link_count = plan.chains[first].link_count;
+    bool full = true;
     batches.chains.push_back({static_cast<uint32_t>(batches.particles.size()) / lanes,
                               static_cast<uint32_t>(batches.rest.size()) / lanes, link_count,
                               plan.limit[plan.chains[first].first_link]});
     for (uint32_t j = 0; j <= link_count; ++j) {
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             const bool there = first + lane < last && j <= plan.chains[first + lane].link_count;
+            full = full && there;
             batches.particles.push_back(there ? plan.particles[plan.chains[first + lane].first_particle + j]
                                               : nowhere + j % 2);
         }
@@ -40,6 +43,7 @@ void pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhe
             batches.compliance.push_back(there ? plan.compliance[link] : infinity);
         }
     }
+    return !full;
 }
 
 /// Limits on one particle act one after the other, those on different ones side by side: first
@@ -62,14 +66,19 @@ void pack_limits(const Body& body, uint32_t nowhere, ClothBatches& batches) {
             batches.distances.push_back(0);
         }
     };
+    batches.ranks.assign(1, 0);
     for (uint32_t i = 0; i < limits.size(); ++i) {
-        if (i > 0 && rank[order[i]] != rank[order[i - 1]]) fill_up();
+        if (i > 0 && rank[order[i]] != rank[order[i - 1]]) {
+            fill_up();
+            batches.ranks.push_back(static_cast<uint32_t>(batches.limited.size()));
+        }
         const ReachLimit& limit = limits[order[i]];
         batches.limited.push_back(limit.particle);
         batches.anchors.push_back(limit.anchor);
         batches.distances.push_back(static_cast<float>(limit.distance));
     }
     fill_up();
+    batches.ranks.push_back(static_cast<uint32_t>(batches.limited.size()));
 }
 
 /// Which chains move what is attached to models.
@@ -87,6 +96,7 @@ void pack_cloth(Body& body) {
     const Plan& plan = body.plan;
     ClothBatches& batches = body.plan.batches;
     batches.chains.clear();
+    batches.families.clear();
     batches.particles.clear();
     batches.rest.clear();
     batches.compliance.clear();
@@ -96,21 +106,27 @@ void pack_cloth(Body& body) {
     batches.anchors.clear();
     batches.distances.clear();
     const uint32_t nowhere = body.size();
-    uint32_t longest = 0;
+    batches.longest = 0;
+    batches.spare = 2;
     for (size_t family = 0; family + 1 < plan.families.size(); ++family) {
         const uint32_t end = plan.families[family + 1];
+        batches.families.push_back(static_cast<uint32_t>(batches.chains.size()));
+        // Each batch has its own ones that do not move, as several may be solved at the same time.
+        uint32_t spare = 0;
         for (uint32_t first = plan.families[family]; first < end; first += lanes) {
-            pack_chains(plan, first, std::min(first + lanes, end), nowhere, batches);
-            longest = std::max(longest, batches.chains.back().link_count);
+            if (pack_chains(plan, first, std::min(first + lanes, end), nowhere + spare, batches)) spare += 2;
+            batches.longest = std::max(batches.longest, batches.chains.back().link_count);
         }
+        batches.spare = std::max(batches.spare, spare);
     }
+    batches.families.push_back(static_cast<uint32_t>(batches.chains.size()));
     if (!body.attachments.empty()) mark_attached(body, batches);
     batches.target.clear();
     if (!batches.damped.empty()) batches.target = batches.rest;
     batches.softness.resize(batches.rest.size());
     batches.stiffness.resize(batches.rest.size());
     batches.scale = 0;
-    batches.rows.resize(size_t{cloth_row_floats} * longest);
+    batches.rows.resize(size_t{cloth_row_floats} * batches.longest);
     pack_limits(body, nowhere, batches);
 }
 

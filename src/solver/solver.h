@@ -178,6 +178,7 @@ private:
     /// Of moving_: what a worker takes at a time, one body or undisturbed ropes.
     struct Task {
         uint32_t first, count;
+        bool shared;  // one cloth, for all workers at once
     };
 
     /// What one body gave one model.
@@ -194,6 +195,8 @@ private:
     gphys_status insert(Body&& body, gphys_body_id& out);
     void prepare(const Scene* scene, double dt);
     void divide_work();
+    bool is_worth_sharing(const Moving& moving, size_t particles) const;
+    void move_shared(const Moving& moving, const Scene* scene, double dt);
     void move_through(const Moving& moving, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
