@@ -88,6 +88,16 @@ gphys_nearest longer(const S& shape, const gphys_vec3& point) {
     return nearest;
 }
 
+template <class S>
+double largest_coordinate(const S& shape) {
+    const Rounded<double> rounded = rounded_of<double>(shape, {});
+    double size = 0;
+    for (const auto& corner : rounded.corners) size = std::max(size, largest(corner) + rounded.radius);
+    return size;
+}
+/// A plane is as far out as its point nearest to the origin.
+double largest_coordinate(const gphys_plane& plane) { return std::fabs(plane.distance) / length(widen(plane.normal)); }
+
 /// Each coordinate within 1 ulp of the largest coordinate of the input, the distance within 1 ulp of
 /// itself and 2^-40 of the size. Says yes where the point is not in the shape.
 template <class S>
@@ -104,7 +114,7 @@ auto examine(const char* name, uint64_t seed) {
             const Nearest expected = truth(shape, point);
             const bool away = expected.distance > 0;
             score.answer(away, away, point);
-            const double w = std::max(largest(widen(point)), largest(widen(target_on(c, shape))));
+            const double w = std::max(largest(widen(point)), largest_coordinate(shape));
             const double unit = std::max(ulp_of(w), ulp_of(largest(widen(given.point))));
             const double distance = rounded(expected.distance);
             score.error(error_of(given.point.x, expected.point.x) / unit, shape, point);
