@@ -102,6 +102,11 @@ static void test_body_desc(void** state) {
     desc.cloth_flags = 4;
     assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
     desc.cloth_flags = 0;
+    assert_true(desc.self_collision == 0 && desc.body_layers == 0);
+    desc.self_collision = 2;
+    assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), BAD);
+    desc.self_collision = 1;
+    desc.body_layers = 0xffffffff;
     assert_int_equal(body, 7);
     assert_int_equal(gphys_solver_add_particles(f->solver, &desc, points, 12, 4, &body), GPHYS_OK);
 }
@@ -457,6 +462,55 @@ static void test_impulses(void** state) {
     assert_int_equal(total, 0);
 }
 
+static void test_joints(void** state) {
+    fixture* f = *state;
+    gphys_body_id other;
+    gphys_joint_id joint = 0, second = 0;
+    gphys_joint_info infos[2];
+    uint32_t total = 0;
+    size_t i;
+    assert_int_equal(gphys_solver_add_rope(f->solver, NULL, points, 12, 4, 0, &other), GPHYS_OK);
+    assert_int_equal(gphys_solver_join(NULL, f->rope, 3, other, 0, 0, 0, &joint), BAD);
+    assert_int_equal(gphys_solver_join(f->solver, f->removed, 0, other, 0, 0, 0, &joint), STALE);
+    assert_int_equal(gphys_solver_join(f->solver, f->rope, 3, f->removed, 0, 0, 0, &joint), STALE);
+    assert_int_equal(gphys_solver_join(f->solver, f->rope, 4, other, 0, 0, 0, &joint), BAD);
+    assert_int_equal(gphys_solver_join(f->solver, f->rope, 3, other, 4, 0, 0, &joint), BAD);
+    assert_int_equal(gphys_solver_join(f->solver, f->rope, 3, f->rope, 0, 0, 0, &joint), BAD);
+    assert_int_equal(gphys_solver_join(f->solver, f->rope, 3, other, 0, 0, -1, &joint), BAD);
+    assert_int_equal(gphys_solver_join(f->solver, f->rope, 3, other, 0, 0, 0, NULL), BAD);
+    for (i = 0; i < BAD_COUNT; ++i) {
+        assert_int_equal(gphys_solver_join(f->solver, f->rope, 3, other, 0, bad_values[i], 0, &joint), BAD);
+        assert_int_equal(gphys_solver_join(f->solver, f->rope, 3, other, 0, 0, bad_values[i], &joint), BAD);
+    }
+    assert_int_equal(joint, 0);
+    assert_int_equal(gphys_solver_get_joints(f->solver, 0, NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    assert_int_equal(gphys_solver_join(f->solver, f->rope, 3, other, 1, -1, 0.5f, &joint), GPHYS_OK);
+    assert_int_equal(gphys_solver_join(f->solver, other, 3, f->rope, 3, 0, 0, &second), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_joints(f->solver, f->rope, infos, 1, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 2);
+    assert_int_equal(infos[0].id, joint);
+    assert_int_equal(infos[0].body_a, f->rope);
+    assert_int_equal(infos[0].particle_a, 3);
+    assert_int_equal(infos[0].body_b, other);
+    assert_int_equal(infos[0].particle_b, 1);
+    assert_true(infos[0].rest_length == 2);
+    assert_true(infos[0].compliance == 0.5f);
+    assert_true(infos[0].force == 0);
+    assert_int_equal(gphys_solver_get_joints(NULL, 0, infos, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_joints(f->solver, f->removed, infos, 2, &total), STALE);
+    assert_int_equal(gphys_solver_get_joints(f->solver, 0, NULL, 2, &total), BAD);
+    assert_int_equal(gphys_solver_get_joints(f->solver, 0, infos, 2, NULL), BAD);
+    assert_int_equal(gphys_solver_unjoin(NULL, joint), BAD);
+    assert_int_equal(gphys_solver_unjoin(f->solver, joint), GPHYS_OK);
+    assert_int_equal(gphys_solver_unjoin(f->solver, joint), STALE);
+    assert_int_equal(gphys_solver_unjoin(f->solver, 0), STALE);
+    assert_int_equal(gphys_solver_remove_body(f->solver, other), GPHYS_OK);
+    assert_int_equal(gphys_solver_unjoin(f->solver, second), STALE);
+    assert_int_equal(gphys_solver_get_joints(f->solver, 0, infos, 2, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+}
+
 static void test_step_and_settings(void** state) {
     fixture* f = *state;
     const gphys_vec3 up = {0, 1, 0};
@@ -633,6 +687,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_max_distances_and_damping, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_volumes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_impulses, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_joints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_step_and_settings, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_substeps, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_snapshots, set_up, tear_down),

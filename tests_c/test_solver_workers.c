@@ -21,7 +21,8 @@ static world make_world(uint32_t worker_count, const gphys_task_runner* runner) 
     gphys_body_desc bouncing;
     gphys_vec3 points[LINKS + 1];
     gphys_model_id model;
-    gphys_body_id body;
+    gphys_body_id body, previous = 0;
+    gphys_joint_id joint;
     world w;
     int i, k;
     memset(&w, 0, sizeof w);
@@ -45,13 +46,19 @@ static world make_world(uint32_t worker_count, const gphys_task_runner* runner) 
         }
         assert_int_equal(gphys_solver_add_rope(w.solver, NULL, points, 12, 2 + (uint32_t)i % LINKS, 0, &body),
                          GPHYS_OK);
-    }
-    for (i = 0; i < SHEETS; ++i) {
-        const gphys_vec3 corner = {0.1f, 0.6f + 0.1f * (float)i, 0.1f};
-        assert_int_equal(gphys_solver_add_cloth(w.solver, NULL, &corner, &u, &v, 8, 6, &body), GPHYS_OK);
+        /* Some of them in pairs. */
+        if (i % 8 == 7) assert_int_equal(gphys_solver_join(w.solver, body, 0, previous, 1, -1, 0, &joint), GPHYS_OK);
+        previous = body;
     }
     gphys_body_desc_init(&bouncing, sizeof bouncing);
+    bouncing.body_layers = 1; /* with each other, and with the sparks */
+    for (i = 0; i < SHEETS; ++i) {
+        const gphys_vec3 corner = {0.1f, 0.6f + 0.1f * (float)i, 0.1f};
+        assert_int_equal(gphys_solver_add_cloth(w.solver, &bouncing, &corner, &u, &v, 8, 6, &body), GPHYS_OK);
+        if (i == 1) assert_int_equal(gphys_solver_join(w.solver, body, 3, previous, 0, -1, 0, &joint), GPHYS_OK);
+    }
     bouncing.restitution = 0.8f;
+    bouncing.self_collision = 1;
     assert_int_equal(gphys_solver_add_particles(w.solver, &bouncing, points, 12, LINKS, &body), GPHYS_OK);
     return w;
 }

@@ -41,6 +41,7 @@ struct Busy : World {
         move_models();
         gphys_body_desc bouncing = body_desc();
         bouncing.restitution = 0.7f;
+        bouncing.self_collision = 1;
         const gphys_body_id gone = particles({{9, 9, 9}});
         particles({{0, 1, 0}, {0.5f, 2, 0.5f}, {0.2f, 1.5f, 0.1f}}, bouncing);
         REQUIRE(gphys_solver_remove_body(solver, gone) == GPHYS_OK);
@@ -50,8 +51,18 @@ struct Busy : World {
         REQUIRE(gphys_solver_attach(solver, scene, rope, 0, carrier, nullptr) == GPHYS_OK);
         REQUIRE(gphys_solver_add_distance(solver, rope, 3, 4, -1, 1e-4f, &rope_link) == GPHYS_OK);
         for (gphys_vec3& point : points) point.y += 3;
-        pin(World::rope(points, 0.06f), 0);  // a whip in the air, solved directly
-        pin(World::cloth({3, 3, 3}, {1, 0, 0}, {0, 0, 1}, 5, 5), 4);
+        const gphys_body_id whip = World::rope(points, 0.06f);  // in the air, solved directly
+        pin(whip, 0);
+        const gphys_body_id sheet = World::cloth({3, 3, 3}, {1, 0, 0}, {0, 0, 1}, 5, 5);
+        pin(sheet, 4);
+        // Something hangs from both.
+        for (gphys_vec3& point : points) point.x += 0.95f;
+        const gphys_body_id tail = World::rope(points, 0);
+        gphys_joint_id joint = 0, removed = 0;
+        REQUIRE(gphys_solver_join(solver, whip, 19, tail, 0, 0, 0, &removed) == GPHYS_OK);
+        REQUIRE(gphys_solver_join(solver, whip, 19, tail, 0, 0, 0, &joint) == GPHYS_OK);
+        REQUIRE(gphys_solver_unjoin(solver, removed) == GPHYS_OK);
+        REQUIRE(gphys_solver_join(solver, particles({{3, 2.5f, 3}}), 0, sheet, 0, -1, 1e-5f, &joint) == GPHYS_OK);
         cloth = World::cloth({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 9, 7);
         pin(cloth, 0);
         gphys_constraint_info first{};

@@ -1987,6 +1987,70 @@ func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 	return
 }
 
+// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+// equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+// system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+// particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+// one thread and fall asleep and wake together. A joint goes with either body.
+// @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+//                     as far apart are drawn there within a step, and get the speed of that.
+// @param compliance   metres per newton, >= 0; 0 is rigid
+// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+//         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+// of a rope that is not joined.
+func (o *Solver) Join(bodyA BodyID, particleA uint32, bodyB BodyID, particleB uint32, restLength float32, compliance float32) (joint JointID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_join(self, C.gphys_body_id(bodyA), C.uint32_t(particleA), C.gphys_body_id(bodyB), C.uint32_t(particleB), C.float(restLength), C.float(compliance))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	joint = *(*JointID)(unsafe.Pointer(&r.out_joint))
+	return
+}
+
+// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+// equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+// system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+// particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+// one thread and fall asleep and wake together. A joint goes with either body.
+// @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+//                     as far apart are drawn there within a step, and get the speed of that.
+// @param compliance   metres per newton, >= 0; 0 is rigid
+// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+//         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+// of a rope that is not joined.
+func (o *Solver) Unjoin(joint JointID) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_unjoin(self, C.gphys_joint_id(joint))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Joints of a body, by id. Kept when too many: the lowest.
+// @param body  0: of all bodies
+func (o *Solver) Joints(body BodyID) (result []JointInfo, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[JointInfo](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_solver_get_joints(self, C.gphys_body_id(body), (*C.gphys_joint_info)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
 // Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
 // takes more where they would be longer than 25 ms.
 // @param scene  to collide with and to follow attachments; NULL: none. Not modified.
@@ -2039,7 +2103,7 @@ func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftove
 // With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
 // their length follows from what the last step measured, the largest strain of its rigid constraints
 // and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+// most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
 // target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
 // jump, by contacts, the error is that of the jump.
 func (o *Solver) Substeps(body BodyID) (substeps uint32, err error) {

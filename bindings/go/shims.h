@@ -1645,6 +1645,41 @@ static inline go_gphys_solver_get_constraints_result go_gphys_solver_get_constra
     return r;
 }
 
+typedef struct go_gphys_solver_join_result {
+    gphys_status status;
+    char* message;
+    gphys_joint_id out_joint;
+} go_gphys_solver_join_result;
+static inline go_gphys_solver_join_result go_gphys_solver_join(void* solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance) {
+    go_gphys_solver_join_result r = {0};
+    r.status = gphys_solver_join(solver, body_a, particle_a, body_b, particle_b, rest_length, compliance, &r.out_joint);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_unjoin_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_unjoin_result;
+static inline go_gphys_solver_unjoin_result go_gphys_solver_unjoin(void* solver, gphys_joint_id joint) {
+    go_gphys_solver_unjoin_result r = {0};
+    r.status = gphys_solver_unjoin(solver, joint);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_joints_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_solver_get_joints_result;
+static inline go_gphys_solver_get_joints_result go_gphys_solver_get_joints(void* solver, gphys_body_id body, gphys_joint_info * out_joints, uint32_t capacity) {
+    go_gphys_solver_get_joints_result r = {0};
+    r.status = gphys_solver_get_joints(solver, body, out_joints, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_step_result {
     gphys_status status;
     char* message;

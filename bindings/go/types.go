@@ -19,7 +19,7 @@ const (
 	StatusUnbounded Status = 3
 	// null, NaN, infinite, out of range, wrong stride, ...
 	ErrInvalidArgument Status = -1
-	// no such model, body or constraint, or no longer
+	// no such model, body, constraint or joint, or no longer
 	ErrInvalidID Status = -2
 	// a desc not initialised, or newer than this library
 	ErrStructSize Status = -3
@@ -158,6 +158,8 @@ type ModelID = uint32
 type BodyID = uint32
 
 type ConstraintID = uint32
+
+type JointID = uint32
 
 type Vec3 struct {
 	X float32
@@ -481,6 +483,10 @@ type BodyDesc struct {
 	// of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
 	// as friction; default 0
 	StaticFriction float32
+	// 1: its particles collide with one another, see below; default 0
+	SelfCollision uint32
+	// two bodies collide with each other if their masks share a bit; 0: with none; default 0
+	BodyLayers uint32
 }
 
 // Frozen.
@@ -502,6 +508,22 @@ type ConstraintInfo struct {
 	RestLength float32
 	// metres per newton
 	Compliance float32
+}
+
+// One joint. Frozen.
+type JointInfo struct {
+	ID JointID
+	BodyA BodyID
+	ParticleA uint32
+	BodyB BodyID
+	ParticleB uint32
+	// metres
+	RestLength float32
+	// metres per newton
+	Compliance float32
+	// newtons, in the last substep: > 0 pulls them together, < 0 keeps them apart; its
+	// magnitude for a rest length of 0
+	Force float32
 }
 
 // Frozen.
@@ -695,6 +717,8 @@ var (
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.cloth_flags)]byte = [unsafe.Offsetof(BodyDesc{}.ClothFlags)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.layers)]byte = [unsafe.Offsetof(BodyDesc{}.Layers)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.static_friction)]byte = [unsafe.Offsetof(BodyDesc{}.StaticFriction)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_desc{}.self_collision)]byte = [unsafe.Offsetof(BodyDesc{}.SelfCollision)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_desc{}.body_layers)]byte = [unsafe.Offsetof(BodyDesc{}.BodyLayers)]byte{}
 	_ [C.sizeof_gphys_body_info]byte = [unsafe.Sizeof(BodyInfo{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.kind)]byte = [unsafe.Offsetof(BodyInfo{}.Kind)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.method)]byte = [unsafe.Offsetof(BodyInfo{}.Method)]byte{}
@@ -707,6 +731,15 @@ var (
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.particle_b)]byte = [unsafe.Offsetof(ConstraintInfo{}.ParticleB)]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.rest_length)]byte = [unsafe.Offsetof(ConstraintInfo{}.RestLength)]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.compliance)]byte = [unsafe.Offsetof(ConstraintInfo{}.Compliance)]byte{}
+	_ [C.sizeof_gphys_joint_info]byte = [unsafe.Sizeof(JointInfo{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_joint_info{}.id)]byte = [unsafe.Offsetof(JointInfo{}.ID)]byte{}
+	_ [unsafe.Offsetof(C.gphys_joint_info{}.body_a)]byte = [unsafe.Offsetof(JointInfo{}.BodyA)]byte{}
+	_ [unsafe.Offsetof(C.gphys_joint_info{}.particle_a)]byte = [unsafe.Offsetof(JointInfo{}.ParticleA)]byte{}
+	_ [unsafe.Offsetof(C.gphys_joint_info{}.body_b)]byte = [unsafe.Offsetof(JointInfo{}.BodyB)]byte{}
+	_ [unsafe.Offsetof(C.gphys_joint_info{}.particle_b)]byte = [unsafe.Offsetof(JointInfo{}.ParticleB)]byte{}
+	_ [unsafe.Offsetof(C.gphys_joint_info{}.rest_length)]byte = [unsafe.Offsetof(JointInfo{}.RestLength)]byte{}
+	_ [unsafe.Offsetof(C.gphys_joint_info{}.compliance)]byte = [unsafe.Offsetof(JointInfo{}.Compliance)]byte{}
+	_ [unsafe.Offsetof(C.gphys_joint_info{}.force)]byte = [unsafe.Offsetof(JointInfo{}.Force)]byte{}
 	_ [C.sizeof_gphys_solver_stats]byte = [unsafe.Sizeof(SolverStats{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_stats{}.particle_count)]byte = [unsafe.Offsetof(SolverStats{}.ParticleCount)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_stats{}.pinned_count)]byte = [unsafe.Offsetof(SolverStats{}.PinnedCount)]byte{}

@@ -334,6 +334,10 @@ export interface BodyDesc {
     /** of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
      * as friction; default 0 */
     static_friction: number;
+    /** 1: its particles collide with one another, see below; default 0 */
+    self_collision: number;
+    /** two bodies collide with each other if their masks share a bit; 0: with none; default 0 */
+    body_layers: number;
 }
 /** Frozen. */
 export interface BodyInfo {
@@ -353,6 +357,21 @@ export interface ConstraintInfo {
     rest_length: number;
     /** metres per newton */
     compliance: number;
+}
+/** One joint. Frozen. */
+export interface JointInfo {
+    id: number;
+    body_a: number;
+    particle_a: number;
+    body_b: number;
+    particle_b: number;
+    /** metres */
+    rest_length: number;
+    /** metres per newton */
+    compliance: number;
+    /** newtons, in the last substep: > 0 pulls them together, < 0 keeps them apart; its
+     * magnitude for a rest length of 0 */
+    force: number;
 }
 /** Frozen. */
 export interface SolverStats {
@@ -421,6 +440,7 @@ export interface Kinds {
     orbit: Orbit;
     body_info: BodyInfo;
     constraint_info: ConstraintInfo;
+    joint_info: JointInfo;
     solver_stats: SolverStats;
     contact: Contact;
     impulse: Impulse;
@@ -828,6 +848,35 @@ export class Solver {
     removeConstraint(body: number, constraint: number): void;
     /** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest. */
     getConstraints(body: number): Records<ConstraintInfo>;
+    /** Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+     * equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+     * system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+     * particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+     * one thread and fall asleep and wake together. A joint goes with either body.
+     * @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+     *                     as far apart are drawn there within a step, and get the speed of that.
+     * @param compliance   metres per newton, >= 0; 0 is rigid
+     * @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+     *         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+     * of a rope that is not joined. */
+    join(body_a: number, particle_a: number, body_b: number, particle_b: number, rest_length: number, compliance: number): number;
+    /** Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+     * equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+     * system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+     * particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+     * one thread and fall asleep and wake together. A joint goes with either body.
+     * @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+     *                     as far apart are drawn there within a step, and get the speed of that.
+     * @param compliance   metres per newton, >= 0; 0 is rigid
+     * @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+     *         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+     * of a rope that is not joined. */
+    unjoin(joint: number): void;
+    /** Joints of a body, by id. Kept when too many: the lowest.
+     * @param body  0: of all bodies */
+    getJoints(body: number): Records<JointInfo>;
     /** Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
      * takes more where they would be longer than 25 ms.
      * @param scene  to collide with and to follow attachments; NULL: none. Not modified.
@@ -846,7 +895,7 @@ export class Solver {
      * With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
      * their length follows from what the last step measured, the largest strain of its rigid constraints
      * and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-     * most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+     * most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
      * target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
      * jump, by contacts, the error is that of the jump. */
     getSubsteps(body: number): number;

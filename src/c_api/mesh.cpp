@@ -1,11 +1,11 @@
 // gphys_mesh_*
 #include "mesh/mesh.h"
 
-#include "foundation/results.h"
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
 #include "c_api/shape_input.h"
+#include "foundation/results.h"
 
 using namespace gphys;
 

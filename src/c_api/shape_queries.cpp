@@ -1,6 +1,6 @@
 // Questions about a point and a shape, and about two shapes.
-#include "mesh/mesh.h"
 #include "c_api/shape_input.h"
+#include "mesh/mesh.h"
 
 namespace gphys {
 namespace {

@@ -1,9 +1,9 @@
 // Single shapes: validity, bounds, placement, corners.
-#include "camera/clip_space.h"
-#include "shapes/halfspaces.h"
-#include "mesh/mesh.h"
 #include "c_api/handles.h"
 #include "c_api/shape_input.h"
+#include "camera/clip_space.h"
+#include "mesh/mesh.h"
+#include "shapes/halfspaces.h"
 
 namespace gphys {
 namespace {

@@ -20,8 +20,19 @@ constexpr uint32_t most_particles = (1u << 24) - 1;  // as many as constraints
 
 constexpr gphys_solver_desc default_solver_desc{
     sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8, nullptr, 0, 0, 0.01f, 0.5f, 0, 0, 64};
-constexpr gphys_body_desc default_body_desc{
-    sizeof(gphys_body_desc), 1, 0.01f, 0, 0.5f, 0, 0, 0.001f, GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND, 0xffffffff, 0};
+constexpr gphys_body_desc default_body_desc{sizeof(gphys_body_desc),
+                                            1,
+                                            0.01f,
+                                            0,
+                                            0.5f,
+                                            0,
+                                            0,
+                                            0.001f,
+                                            GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND,
+                                            0xffffffff,
+                                            0,
+                                            0,
+                                            0};
 
 bool is_substeps(uint32_t substeps) { return substeps >= 1 && substeps <= most_substeps; }
 bool is_step(float seconds) { return seconds >= shortest_step && seconds <= longest_step; }
@@ -34,12 +45,13 @@ gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) 
     GPHYS_REQUIRE(is_amount(desc.radius), "desc.radius: must be at least 0 and in range");
     GPHYS_REQUIRE(is_amount(desc.damping), "desc.damping: must be at least 0 and in range");
     GPHYS_REQUIRE(is_amount(desc.friction), "desc.friction: must be at least 0 and in range");
-    GPHYS_REQUIRE(desc.static_friction == 0 ||
-                      (is_amount(desc.static_friction) && desc.static_friction >= desc.friction),
-                  "desc.static_friction: must be 0, or at least friction and in range");
+    GPHYS_REQUIRE(
+        desc.static_friction == 0 || (is_amount(desc.static_friction) && desc.static_friction >= desc.friction),
+        "desc.static_friction: must be 0, or at least friction and in range");
     GPHYS_REQUIRE(desc.restitution >= 0 && desc.restitution <= 1, "desc.restitution: must be 0 to 1");
     GPHYS_REQUIRE(is_amount(desc.compliance), "desc.compliance: must be at least 0 and in range");
     GPHYS_REQUIRE(is_amount(desc.bend_compliance), "desc.bend_compliance: must be at least 0 and in range");
+    GPHYS_REQUIRE(desc.self_collision <= 1, "desc.self_collision: must be 0 or 1");
     GPHYS_REQUIRE((desc.cloth_flags & ~uint32_t{GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND}) == 0,
                   "desc.cloth_flags: an unknown flag is set");
     return GPHYS_OK;

@@ -234,3 +234,31 @@ gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body
     list_constraints(unwrap(solver)->body(body), constraints);
     return listed(constraints.finish(), capacity, out_total);
 }
+
+gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b,
+                               uint32_t particle_b, float rest_length, float compliance, gphys_joint_id* out_joint) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_particle(solver, body_a, particle_a));
+        GPHYS_TRY(check_particle(solver, body_b, particle_b));
+        GPHYS_REQUIRE(body_a != body_b, "body_a and body_b: must be different");
+        GPHYS_REQUIRE(std::fabs(rest_length) <= GPHYS_MAX_COORDINATE, "rest_length: not finite or out of range");
+        GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
+        GPHYS_REQUIRE(out_joint, "out_joint is null");
+        return unwrap(solver)->join(body_a, particle_a, body_b, particle_b, rest_length, compliance, *out_joint);
+    });
+}
+
+gphys_status gphys_solver_unjoin(gphys_solver* solver, gphys_joint_id joint) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    return unwrap(solver)->unjoin(joint);
+}
+
+gphys_status gphys_solver_get_joints(const gphys_solver* solver, gphys_body_id body, gphys_joint_info* out_joints,
+                                     uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE(solver, "solver is null");
+    if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
+    GPHYS_TRY(check_list(out_joints, capacity, out_total));
+    Smallest<gphys_joint_info, JointOrder> joints(out_joints, capacity);
+    unwrap(solver)->list_joints(body, joints);
+    return listed(joints.finish(), capacity, out_total);
+}

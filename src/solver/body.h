@@ -57,7 +57,9 @@ inline void keep_in_range(Vec3& position, Vec3& velocity) {
 
 struct BodySettings {
     double damping = 0, friction = 0, static_friction = 0, restitution = 0;
-    uint32_t layers = 0;  // of the models it collides with
+    uint32_t layers = 0;          // of the models it collides with
+    uint32_t body_layers = 0;     // of the bodies it collides with
+    uint32_t self_collision = 0;  // 1: with itself
 
     /// Whether what is at rest on a model is held by more than slows what slides.
     bool sticks() const { return static_friction > friction; }
@@ -71,6 +73,12 @@ struct Sleep {
     uint64_t neighbourhood = 0;  // and this is a hash of that
 };
 
+/// Of a substep of cloth.
+struct ClothBalance {
+    bool closed = false;  // no energy comes from outside
+    double stored = 0;    // by elastic links, before it
+};
+
 /// The state of cloth during a step, as cloth_kernels.h takes it: four floats for each particle, and
 /// for a few more that do not move.
 struct ClothState {
@@ -82,7 +90,9 @@ struct ClothState {
           velocity_before(memory),
           acceleration(memory),
           mass(memory),
-          gains(memory) {}
+          gains(memory),
+          tether_diagonal(memory),
+          tether_off(memory) {}
 
     Vec3 origin;              // of the positions
     double average_mass = 1;  // of the particles
@@ -92,6 +102,8 @@ struct ClothState {
     bool pulled = false;      // the caller may have done work on it since the last step
     Vector<float> at, start, moved, velocity, velocity_before, acceleration, mass;
     Vector<double> gains;  // of kinetic energy, by block of particles
+    ClothBalance balance;
+    Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth
 };
 
 struct Body {
@@ -109,6 +121,9 @@ struct Body {
           volume(memory),
           rest_position(memory),
           triangles(memory),
+          placed(memory),
+          linked_begin(memory),
+          linked(memory),
           predicted(memory),
           start(memory),
           start_velocity(memory),
@@ -145,6 +160,11 @@ struct Body {
     Vector<Vec3> rest_position;
     Vector<uint32_t> triangles;  // of cloth, for drawing
 
+    // Of a body that collides with itself: where its particles were placed, and to which each is linked:
+    // linked[linked_begin[p] .. linked_begin[p + 1]], ascending.
+    Vector<Vec3> placed;
+    Vector<uint32_t> linked_begin, linked;
+
     // The history that the time scheme needs: the state at the beginning of the substep under way,
     // and the one a substep before it. Of cloth it is in `cloth`.
     Vector<Vec3> predicted;  // where the particles would go without constraints
@@ -161,6 +181,9 @@ struct Body {
     Vector<uint8_t> held;
     Vector<uint32_t> stuck;  // by particle, if it sticks: whether friction has held it to a model, or it rests
     bool touched = false;    // whether any did, unless the caller has interrupted the motion since
+
+    bool joined = false;  // to other bodies; set at the beginning of a step
+    bool near = false;    // particles of it may touch others in this substep
 
     Sleep sleep;
     uint32_t substeps = 0;      // of the last step

@@ -12,6 +12,8 @@ Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, uint32_t count
     body.kind = kind;
     body.settings = {desc.damping, desc.friction, std::max(desc.friction, desc.static_friction), desc.restitution,
                      desc.layers};
+    body.settings.body_layers = desc.body_layers;
+    body.settings.self_collision = desc.self_collision;
     const double mass = static_cast<double>(desc.mass) / count;
     body.position.resize(count);
     body.velocity.resize(count);
@@ -32,18 +34,18 @@ Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, const gphys_ve
 }
 
 /// A rope or cloth has less than 2^24 constraints, or add_constraint says no.
-gphys_status join(Body& body, uint32_t a, uint32_t b, double compliance) {
+gphys_status link(Body& body, uint32_t a, uint32_t b, double compliance) {
     gphys_constraint_id ignored;
     return add_constraint(body, {a, b, -1, compliance, 0, 0}, ignored);
 }
 
 /// The edges of a grid in the direction (columns, rows) = (du, dv).
-gphys_status join_grid(Body& body, uint32_t columns, uint32_t rows, uint32_t du, int dv, double compliance) {
+gphys_status link_grid(Body& body, uint32_t columns, uint32_t rows, uint32_t du, int dv, double compliance) {
     const uint32_t down = dv < 0 ? static_cast<uint32_t>(-dv) : 0, up = dv > 0 ? static_cast<uint32_t>(dv) : 0;
     for (uint32_t row = down; row + up < rows; ++row) {
         for (uint32_t column = 0; column + du < columns; ++column) {
             const uint32_t a = row * columns + column;
-            const gphys_status status = join(body, a, a + du + up * columns - down * columns, compliance);
+            const gphys_status status = link(body, a, a + du + up * columns - down * columns, compliance);
             if (status != GPHYS_OK) return status;
         }
     }
@@ -57,6 +59,7 @@ gphys_status too_many() { return fail(GPHYS_ERROR_CAPACITY, "more than 2^24 - 1 
 gphys_status Solver::insert(Body&& body, gphys_body_id& out) {
     if (!state_.ids.reserve(1)) return too_many();
     reserve_more(state_.bodies, 1);
+    if (body.settings.self_collision) body.placed = body.position;
     const gphys_body_id id = state_.ids.add();
     const uint32_t slot = IdTable::slot_of(id);
     if (slot == state_.bodies.size()) {
@@ -121,7 +124,7 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
         directions.push_back({2, 0, bend});
     }
     for (const Direction& d : directions) {
-        const gphys_status status = join_grid(body, columns, rows, d.du, d.dv, d.compliance);
+        const gphys_status status = link_grid(body, columns, rows, d.du, d.dv, d.compliance);
         if (status != GPHYS_OK) return status;
     }
     return insert(std::move(body), out);
@@ -160,13 +163,13 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
     const auto same_edge = [](const Side3& a, const Side3& b) { return a.low == b.low && a.high == b.high; };
     for (size_t i = 0; i < sides.size(); ++i) {
         if (i > 0 && same_edge(sides[i - 1], sides[i])) continue;
-        const gphys_status status = join(body, sides[i].low, sides[i].high, desc.compliance);
+        const gphys_status status = link(body, sides[i].low, sides[i].high, desc.compliance);
         if (status != GPHYS_OK) return status;
     }
     if (desc.cloth_flags & GPHYS_CLOTH_BEND) {
         for (size_t i = 1; i < sides.size(); ++i) {
             if (!same_edge(sides[i - 1], sides[i]) || sides[i - 1].opposite == sides[i].opposite) continue;
-            const gphys_status status = join(body, sides[i - 1].opposite, sides[i].opposite, desc.bend_compliance);
+            const gphys_status status = link(body, sides[i - 1].opposite, sides[i].opposite, desc.bend_compliance);
             if (status != GPHYS_OK) return status;
         }
     }
@@ -176,6 +179,7 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
 gphys_status Solver::remove(gphys_body_id id) {
     const gphys_status status = check(id);
     if (status != GPHYS_OK) return status;
+    remove_joints_of(IdTable::slot_of(id));
     state_.ids.remove(id);
     state_.bodies[IdTable::slot_of(id)] = Body(&memory);
     add_impulses();

@@ -27,8 +27,6 @@ void put(float* to, Vec3 value, double limit) {
 }
 Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
 
-bool collides(const Body& body, const Surroundings& around) { return around.scene && body.settings.layers != 0; }
-
 ClothMotion motion_of(ClothState& cloth) {
     return {static_cast<uint32_t>(cloth.at.size()),
             cloth.at.data(),
@@ -78,6 +76,19 @@ double finish(const ClothKernels& kernels, ClothState& cloth, const ClothStep& s
     double gain = 0;
     for (const double of_block : cloth.gains) gain += of_block;
     return gain;
+}
+
+ClothStep cloth_step(const Body& body, double h) {
+    const TimeScheme scheme(h, body.earlier_step);
+    const auto narrowed = [](double value) { return static_cast<float>(value); };
+    const double h_before = scheme.earlier > 0 ? body.earlier_step : 0, damping = body.settings.damping;
+    return {narrowed(h),
+            narrowed(h_before),
+            narrowed(h_before / h),
+            narrowed(scheme.next),
+            narrowed(scheme.earlier),
+            narrowed(damping),
+            narrowed(scheme.drag(damping))};
 }
 
 ClothChains chains_of(const ClothBatches& batches) {
@@ -161,47 +172,6 @@ double stored_energy(const ClothKernels& kernels, const Body& body) {
     for (const ChainBatch& batch : batches.chains)
         sum += kernels.stored(body.cloth.at.data(), chains_of(batches), batch);
     return sum;
-}
-
-void solve_cloth(const ClothKernels& kernels, Body& body) {
-    ClothBatches& batches = body.plan.batches;
-    ClothContacts& contacts = body.cloth_contacts;
-    // Before the chains, which need it for their shape, and after them, which leave an error in it.
-    body.volume.given = 0;
-    if (body.volume.held) solve_volume(body, batches.scale);
-    const auto solve = [&](const ChainBatch& batch, float* rows) {
-        if (contacts.touching) {
-            kernels.solve_touching(body.cloth.at.data(), {contacts.normals.data(), contacts.pulls.data()},
-                                   damped_chains_of(batches), batch, rows);
-        } else if (batch.attached) {
-            kernels.solve_pulling(body.cloth.at.data(), contacts.pulls.data(), damped_chains_of(batches), batch, rows);
-        } else {
-            kernels.solve(body.cloth.at.data(), damped_chains_of(batches), batch, rows);
-        }
-    };
-    for (size_t family = 0; family + 1 < batches.families.size(); ++family) {
-        const uint32_t first = batches.families[family], end = batches.families[family + 1];
-        share(body.cloth.team, end - first, [&](uint32_t i, uint32_t member) {
-            solve(batches.chains[first + i], &batches.rows[size_t{cloth_row_floats} * batches.longest * member]);
-        });
-    }
-    if (body.volume.held) solve_volume(body, batches.scale);
-    if (contacts.touching) note_places(body);
-    const ClothLimits limits{batches.limited.data(), batches.anchors.data(), batches.distances.data()};
-    const uint32_t limit_count = static_cast<uint32_t>(batches.limited.size());
-    if (body.attachments.empty()) {
-        for (size_t rank = 0; rank + 1 < batches.ranks.size(); ++rank) {
-            const uint32_t first = batches.ranks[rank], count = batches.ranks[rank + 1] - first;
-            share(body.cloth.team, (count + share_limits - 1) / share_limits, [&](uint32_t i, uint32_t) {
-                const uint32_t from = first + i * share_limits;
-                kernels.limit(body.cloth.at.data(),
-                              {limits.particles + from, limits.anchors + from, limits.distances + from},
-                              std::min(share_limits, first + count - from));
-            });
-        }
-    } else {
-        kernels.limit_pulling(body.cloth.at.data(), limits, limit_count, body.cloth.mass.data(), contacts.pulls.data());
-    }
 }
 
 /// What chains and limits have pulled attached particles with: the force of a whole substep.
@@ -312,36 +282,80 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     if (collides(body, around)) look_around_cloth(body, around, gravity);
 }
 
-void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void predict_cloth(Body& body, const Surroundings& around, double h) {
+    const ClothKernels& kernels = cloth_kernels(chosen_isa());
+    ClothState& cloth = body.cloth;
+    soften(body.plan.batches, cloth.average_mass, TimeScheme(h, body.earlier_step).step(body.settings.damping));
+    // Moving models and other bodies do work.
+    const bool closed = body.attachments.empty() && !cloth.pulled && !body.joined;
+    const double stored = closed ? stored_energy(kernels, body) : 0;
+    predict(kernels, cloth, cloth_step(body, h));
+    damp_links(body, TimeScheme(h, body.earlier_step));
+    follow_models(body, around.end);
+    cloth.balance = {closed, stored};
+}
+
+void solve_cloth(Body& body) {
+    const ClothKernels& kernels = cloth_kernels(chosen_isa());
+    ClothBatches& batches = body.plan.batches;
+    ClothContacts& contacts = body.cloth_contacts;
+    // Before the chains, which need it for their shape, and after them, which leave an error in it.
+    body.volume.given = 0;
+    if (body.volume.held) solve_volume(body, batches.scale);
+    const auto solve = [&](const ChainBatch& batch, float* rows) {
+        float* const at = body.cloth.at.data();
+        const ClothChains chains = damped_chains_of(batches);
+        const ClothSurfaces surfaces{contacts.normals.data(), contacts.pulls.data()};
+        if (body.joined) {
+            kernels.solve_joined(
+                at, {body.cloth.tether_diagonal.data(), body.cloth.tether_off.data(), surfaces, contacts.touching},
+                chains, batch, rows);
+        } else if (contacts.touching) {
+            kernels.solve_touching(at, surfaces, chains, batch, rows);
+        } else if (batch.attached) {
+            kernels.solve_pulling(at, contacts.pulls.data(), chains, batch, rows);
+        } else {
+            kernels.solve(at, chains, batch, rows);
+        }
+    };
+    for (size_t family = 0; family + 1 < batches.families.size(); ++family) {
+        const uint32_t first = batches.families[family], end = batches.families[family + 1];
+        share(body.cloth.team, end - first, [&](uint32_t i, uint32_t member) {
+            solve(batches.chains[first + i], &batches.rows[size_t{cloth_row_floats} * batches.longest * member]);
+        });
+    }
+    if (body.volume.held) solve_volume(body, batches.scale);
+    if (contacts.touching) note_places(body);
+    const ClothLimits limits{batches.limited.data(), batches.anchors.data(), batches.distances.data()};
+    const uint32_t limit_count = static_cast<uint32_t>(batches.limited.size());
+    if (body.attachments.empty()) {
+        for (size_t rank = 0; rank + 1 < batches.ranks.size(); ++rank) {
+            const uint32_t first = batches.ranks[rank], count = batches.ranks[rank + 1] - first;
+            share(body.cloth.team, (count + share_limits - 1) / share_limits, [&](uint32_t i, uint32_t) {
+                const uint32_t from = first + i * share_limits;
+                kernels.limit(body.cloth.at.data(),
+                              {limits.particles + from, limits.anchors + from, limits.distances + from},
+                              std::min(share_limits, first + count - from));
+            });
+        }
+    } else {
+        kernels.limit_pulling(body.cloth.at.data(), limits, limit_count, body.cloth.mass.data(), contacts.pulls.data());
+    }
+}
+
+void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     ClothState& cloth = body.cloth;
     const TimeScheme scheme(h, body.earlier_step);
-    const auto narrowed = [](double value) { return static_cast<float>(value); };
-    const double h_before = scheme.earlier > 0 ? body.earlier_step : 0, damping = body.settings.damping;
-    const ClothStep step{narrowed(h),
-                         narrowed(h_before),
-                         narrowed(h_before / h),
-                         narrowed(scheme.next),
-                         narrowed(scheme.earlier),
-                         narrowed(damping),
-                         narrowed(scheme.drag(damping))};
-    soften(body.plan.batches, cloth.average_mass, scheme.step(damping));
-    const bool closed = body.attachments.empty() && !cloth.pulled;  // moving models do work
-    const double stored = closed ? stored_energy(kernels, body) : 0;
-    predict(kernels, cloth, step);
-    damp_links(body, scheme);
-    follow_models(body, around.end);
     const bool collides = gphys::collides(body, around);
-    if (collides) touch_walls(body, gravity, scheme);
-    solve_cloth(kernels, body);
-    if (!body.attachments.empty()) give_pulls(body, around, scheme.step(damping), h);
+    if (!body.attachments.empty()) give_pulls(body, around, scheme.step(body.settings.damping), h);
     if (collides) leave_walls(body);
-    double gain = finish(kernels, cloth, step);
+    double gain = finish(kernels, cloth, cloth_step(body, h));
     cloth.velocity.swap(cloth.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
-    if (closed) {
-        gain += stored_energy(kernels, body) - stored;
+    if (cloth.balance.closed) {
+        gain += stored_energy(kernels, body) - cloth.balance.stored;
         if (gain > 0) take_back(cloth, gain);
     }
     body.touched = captured;
@@ -351,6 +365,18 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
         catch_escaped(body, around, gravity, h);
     }
     body.earlier_step = body.touched ? 0 : h;
+}
+
+void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    const bool collides = gphys::collides(body, around);
+    if (collides) touch_walls(body, gravity, TimeScheme(h, body.earlier_step));
+    solve_cloth(body);
+    finish_cloth(body, around, gravity, h);
+}
+
+void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    predict_cloth(body, around, h);
+    end_cloth_substep(body, around, gravity, h);
 }
 
 void end_cloth(Body& body, const Surroundings& around) {

@@ -413,6 +413,13 @@ void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double 
     }
 }
 
+void stay_outside(Body& body, uint32_t particle) {
+    const uint32_t place = body.cloth_contacts.place[particle];
+    if (place != ClothContacts::nowhere) {
+        push_out(body.cloth_contacts.neighbours[place], &body.cloth.at[4 * size_t{particle}]);
+    }
+}
+
 void record_touches(Body& body, const Surroundings& around) {
     Lookout lookout(around, body, around.step_time);
     for (Neighbour& n : body.cloth_contacts.neighbours) lookout.record_touches(n);

@@ -183,6 +183,70 @@ private:
     }
 };
 
+/// Particles with matrices W for inverse masses, which may touch something as well: then they have
+/// W - W N (W N)^T / (N . W N), the inverse mass of what cannot move along N.
+struct Tethered {
+    // N . W N of a particle that touches nothing is 0, and nothing is what it then takes away.
+    static constexpr float least_inertia = 1e-30f;
+
+    const ClothTethers& arrays;
+    // The last pivot of a chain with a weight at its end is the weight's.
+    float least_pivot_part = arrays.touching ? Surfaces::least_pivot_part : NoSurfaces::least_pivot_part;
+
+    struct Vector8 {
+        Float8 x, y, z;
+    };
+    struct Normals {
+        Quads8 diagonal, off;   // of W
+        Vector8 normal, along;  // N, W N
+        Float8 inverse;         // 1 / (N . W N)
+    };
+    static Float8 product(const Vector8& a, const Direction& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    static Vector8 times(const Quads8& diagonal, const Quads8& off, Float8 x, Float8 y, Float8 z) {
+        return {diagonal.x * x + off.z * y + off.y * z, off.z * x + diagonal.y * y + off.x * z,
+                off.y * x + off.x * y + diagonal.z * z};
+    }
+    Normals normals(const uint32_t* particles) const {
+        Normals out;
+        out.diagonal = load_quads(arrays.diagonal, particles);
+        out.off = load_quads(arrays.off, particles);
+        const Quads8 normal = load_quads(arrays.surfaces.normals, particles);
+        out.normal = {normal.x, normal.y, normal.z};
+        out.along = times(out.diagonal, out.off, normal.x, normal.y, normal.z);
+        const Float8 inertia = normal.x * out.along.x + normal.y * out.along.y + normal.z * out.along.z;
+        out.inverse = splat(1) / max(inertia, splat(least_inertia));
+        return out;
+    }
+    /// a . (W - W N (W N)^T / (N . W N)) b
+    static Float8 through(const Normals& at, Float8 ax, Float8 ay, Float8 az, const Direction& b) {
+        const Vector8 moved = times(at.diagonal, at.off, ax, ay, az);
+        const Float8 off = at.along.x * ax + at.along.y * ay + at.along.z * az;
+        return product(moved, b) - off * product(at.along, b) * at.inverse;
+    }
+    static Float8 mobility(const Quads8& a, const Normals& at_a, const Quads8& b, const Normals& at_b,
+                           const Direction& n) {
+        const Float8 free =
+            a.w * max(through(at_a, n.x, n.y, n.z, n), splat(0)) + b.w * max(through(at_b, n.x, n.y, n.z, n), splat(0));
+        return free + (a.w + b.w) * splat(regularisation);
+    }
+    static Float8 coupling(const Quads8& a, const Normals& at_a, const Row& before, const Direction& n) {
+        return a.w * through(at_a, before.x, before.y, before.z, n);
+    }
+    void move(float* at, const uint32_t* particles, const Quads8& pull) const {
+        Quads8 a = load_quads(at, particles);
+        const Normals here = normals(particles);
+        const Float8 in =
+            min(splat(0), pull.x * here.along.x + pull.y * here.along.y + pull.z * here.along.z) * here.inverse;
+        const Vector8 way = times(here.diagonal, here.off, pull.x - here.normal.x * in, pull.y - here.normal.y * in,
+                                  pull.z - here.normal.z * in);
+        a.x = a.x + way.x * a.w;
+        a.y = a.y + way.y * a.w;
+        a.z = a.z + way.z * a.w;
+        store_quads(at, particles, a);
+        add_pull(arrays.surfaces.pulls, particles, pull);
+    }
+};
+
 /// Elimination from the first link to the last. With w the inverse masses and
 /// c_j = w_j (n_(j-1) . n_j), the tensions t solve
 ///   -c_j t_(j-1) + (w_j + w_(j+1) + softness_j) t_j - c_(j+1) t_(j+1) = error_j
@@ -204,7 +268,7 @@ void solve_batch(float* at, const Touching& surfaces, const ClothChains& chains,
         row.coupling = surfaces.coupling(a, at_a, before, n);
         const Float8 diagonal = surfaces.mobility(a, at_a, b, at_b, n) + (load(softness + 8 * j) + splat(least_pivot));
         const Float8 pivot = diagonal - row.coupling * row.coupling * before.inverse_pivot;
-        row.inverse_pivot = splat(1) / max(pivot, diagonal * splat(Touching::least_pivot_part));
+        row.inverse_pivot = splat(1) / max(pivot, diagonal * splat(surfaces.least_pivot_part));
         Float8 error = n.length - load(rest + 8 * j);
         if (is_limit) error = max(error, splat(0));
         row.value = (error + row.coupling * before.value) * row.inverse_pivot;
@@ -240,6 +304,11 @@ void solve_either(float* at, const Touching& surfaces, const ClothChains& chains
 
 void solve(float* at, const ClothChains& chains, const ChainBatch& batch, float* rows) {
     solve_either(at, NoSurfaces{}, chains, batch, rows);
+}
+
+void solve_joined(float* at, const ClothTethers& tethers, const ClothChains& chains, const ChainBatch& batch,
+                  float* rows) {
+    solve_either(at, Tethered{tethers}, chains, batch, rows);
 }
 
 void solve_touching(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
@@ -324,7 +393,7 @@ double finish(const ClothMotion& motion, const ClothStep& step) {
 
 }  // namespace
 
-const ClothKernels cloth_kernels = {predict, solve, solve_touching, solve_pulling,
+const ClothKernels cloth_kernels = {predict, solve, solve_touching, solve_pulling, solve_joined,
                                     stored,  limit, limit_pulling,  finish};
 
 }  // namespace gphys::GPHYS_ISA

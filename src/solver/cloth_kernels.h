@@ -55,6 +55,14 @@ struct ClothSurfaces {
     float* pulls;          // of the links: what they add would move an average particle, in metres
 };
 
+/// The same with what is joined to the particles: inverse masses are relative * (diagonal, off), where
+/// diagonal holds xx, yy, zz and off holds yz, zx, xy of a symmetric matrix.
+struct ClothTethers {
+    const float *diagonal, *off;
+    ClothSurfaces surfaces;  // pulls of all particles are added up
+    bool touching;           // whether any does
+};
+
 struct ClothKernels {
     void (*predict)(const ClothMotion& motion, const ClothStep& step);
     /// Room for 6 vectors a link in `rows`.
@@ -64,6 +72,8 @@ struct ClothKernels {
                            float* rows);
     /// As `solve`, with the pulls as `solve_touching` adds them up.
     void (*solve_pulling)(float* at, float* pulls, const ClothChains& chains, const ChainBatch& batch, float* rows);
+    void (*solve_joined)(float* at, const ClothTethers& tethers, const ClothChains& chains, const ChainBatch& batch,
+                         float* rows);
     /// What elastic links hold, per average mass.
     double (*stored)(const float* at, const ClothChains& chains, const ChainBatch& batch);
     void (*limit)(float* at, const ClothLimits& limits, uint32_t count);

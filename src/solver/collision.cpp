@@ -308,7 +308,7 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
 
 /// What links pull a particle with that stays where it is goes to the model that holds it; what they had
 /// pulled it with before they were solved again has gone into its velocity, and come from there.
-void give_through_held(Body& body, const Surroundings& around, const SolveAgain& again) {
+void give_through_held(Body& body, const Surroundings& around, const SolvedAgain& again) {
     const auto give_to_holder = [&](uint32_t p, Vec3 impulse) {
         if (!body.held[p] || body.pinned(p)) return;
         const Touch& touch = body.touches[size_t{p} * touches_per_particle + body.held[p] - 1];
@@ -344,14 +344,14 @@ void collide(Body& body, const Surroundings& around, double quiet) {
     }
 }
 
-void collide_again(Body& body, const Surroundings& around, double quiet, const SolveAgain& again) {
-    {
-        // Two links at most meet at a particle of a rope, and each moves it by less than the longest is long.
-        const Collider collider(around, body, swept_box(body, body.position, body.position, 2 * longest_link(body)));
-        ease_links_between_contacts(collider, body);
-    }
+void ease_contacts(Body& body, const Surroundings& around) {
+    // Two links at most meet at a particle of a rope, and each moves it by less than the longest is long.
+    const Collider collider(around, body, swept_box(body, body.position, body.position, 2 * longest_link(body)));
+    ease_links_between_contacts(collider, body);
     body.start = body.position;
-    again.solve(body, again.step);
+}
+
+void collide_again(Body& body, const Surroundings& around, double quiet, const SolvedAgain& again) {
     give_through_held(body, around, again);
     const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
     for (uint32_t p = 0; p < body.size(); ++p) {

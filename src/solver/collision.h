@@ -112,16 +112,16 @@ bool rests(const Body& body, uint32_t particle, Vec3 velocity, Vec3 gravity);
 void begin_friction(Body& body, Vec3 gravity);
 void end_friction(Body& body);
 
-/// How constraints are solved while particles that touch something stay where they are.
-struct SolveAgain {
-    void (*solve)(Body& body, double step);
-    double step;
+/// After collide, if something was touched: before the links follow what the contacts have done, while the
+/// particles that touch something stay where they are, ...
+void ease_contacts(Body& body, const Surroundings& around);
+
+struct SolvedAgain {
+    double step;  // a force f has moved a particle by f / m * step^2
     double rate;  // by which a correction of the position changes the velocity, 1/s
 };
-
-/// After collide, if something was touched: the links follow what the contacts have done, and what
-/// they move is swept once more.
-void collide_again(Body& body, const Surroundings& around, double quiet, const SolveAgain& again);
+/// ... and after it, to sweep what they have moved.
+void collide_again(Body& body, const Surroundings& around, double quiet, const SolvedAgain& again);
 
 /// What gravity adds in two substeps is no speed to bounce with.
 inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravity); }
@@ -135,6 +135,8 @@ uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_m
 /// 2^-40 of the coordinates, which is 2^12 times their rounding; for points at the origin, a nanometre.
 inline double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * max_component(abs(at)) + 1e-9; }
 
+inline bool collides(const Body& body, const Surroundings& around) { return around.scene && body.settings.layers != 0; }
+
 /// cloth_contacts.cpp: by turns before and after the chains of a substep.
 void reserve_cloth_contacts(Body& body);
 void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity);
@@ -145,11 +147,18 @@ void count_contacts(Body& body, const Surroundings& around, double rate);
 void turn_velocities(Body& body, const Surroundings& around, double quiet);
 void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void record_touches(Body& body, const Surroundings& around);
+/// A particle that something else has moved, out of the walls that were near it.
+void stay_outside(Body& body, uint32_t particle);
 
 /// cloth.cpp: a body of many chains. A step begins and ends with its own functions.
 void reserve_cloth(Body& body);
 void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity);
 void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
+/// The three parts of it, for cloth that is joined to other bodies.
+void predict_cloth(Body& body, const Surroundings& around, double h);
+void solve_cloth(Body& body);
+void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h);  // what follows predict_cloth
 void end_cloth(Body& body, const Surroundings& around);
 
 /// rope_limits.cpp: after the prediction, and after the new velocities. Whether a link has become taut.

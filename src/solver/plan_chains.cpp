@@ -300,6 +300,7 @@ void update_plan(Body& body) {
     Plan& plan = body.plan;
     if (!plan.chains_current) {
         plan.method = method_of(body);
+        if (plan.method == GPHYS_SOLVE_FREE) clear_chains(plan);
         if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
         if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_families(body);
         note_kinds(plan);

@@ -1,7 +1,7 @@
 // Bodies at rest fall asleep, and then cost one question to the scene a step. A body sleeps once it has
 // been slow for long enough and is hardly strained: speed alone would let a rope sleep that is about to
 // snap back. It wakes when it is edited, when gravity changes, and when anything about the models around
-// it does: one comes, goes or moves, or the scene is another.
+// it does: one comes, goes or moves, or the scene is another. Bodies of an island sleep and wake together.
 #include "solver/archive.h"
 #include "solver/solver.h"
 
@@ -53,18 +53,25 @@ void wake(Body& body) {
     body.sleep.asleep = false;
 }
 
-void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
-    if (settings.sleep_speed == 0) return;
-    Sleep& sleep = body.sleep;
+bool is_calm(Body& body, const SolverSettings& settings, double dt) {
+    if (settings.sleep_speed == 0) return false;
     const bool calm = is_slow(body, settings.sleep_speed) && is_hardly_strained(body, settings.sleep_strain);
-    sleep.calm = calm ? sleep.calm + dt : 0;
-    if (sleep.calm < settings.sleep_time) return;
+    body.sleep.calm = calm ? body.sleep.calm + dt : 0;
+    return body.sleep.calm >= settings.sleep_time;
+}
+
+void fall_asleep(Body& body, const Scene* scene, double dt) {
+    Sleep& sleep = body.sleep;
     sleep.asleep = true;
     std::fill(body.velocity.begin(), body.velocity.end(), Vec3{});
     body.earlier_step = 0;
     // What is beyond cannot come near before it is seen to come.
     sleep.box = swept_box(body, body.position, body.position, dt * fastest_model);
     sleep.neighbourhood = neighbourhood(body, scene, [](gphys_model_id, const gphys_transform&) {});
+}
+
+void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
+    if (is_calm(body, settings, dt)) fall_asleep(body, scene, dt);
 }
 
 bool Solver::sleeps_on(Body& body, const Scene* scene) {

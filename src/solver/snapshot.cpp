@@ -24,6 +24,7 @@ constexpr uint32_t format = 4;
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(Attachment) == 80);
 static_assert(sizeof(Touch) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 &&
               sizeof(ReachLimit) == 16);
+static_assert(sizeof(Joint) == 56);
 
 /// Body and Plan are const when they are written.
 template <class Archive, class Plan>
@@ -50,6 +51,8 @@ void visit_body(Archive& archive, Body& body) {
     archive.value(body.settings.static_friction);
     archive.value(body.settings.restitution);
     archive.value(body.settings.layers);
+    archive.value(body.settings.body_layers);
+    archive.value(body.settings.self_collision);
     archive.array(body.position);
     archive.array(body.velocity);
     archive.array(body.force);
@@ -61,6 +64,7 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.constraints);
     archive.array(body.rest_position);
     archive.array(body.triangles);
+    archive.array(body.placed);
     archive.flag(body.volume.held);
     archive.value(body.volume.rest);
     archive.value(body.volume.compliance);
@@ -98,6 +102,8 @@ void visit_globals(Archive& archive, State& state) {
     archive.value(state.origin);
     archive.value(state.owed);
     IdTable::visit(archive, state.ids);
+    IdTable::visit(archive, state.joint_ids);
+    archive.array(state.joints);
     archive.array(state.seen);
 }
 
@@ -135,6 +141,7 @@ const char* read(Reader& archive, SolverState& state) {
         if (const char* wrong = defect(body)) return wrong;
         complete(body);
     }
+    if (const char* wrong = defect_of_joints(state)) return wrong;
     return archive.finished() ? nullptr : cut_short;
 }
 
@@ -192,6 +199,7 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     impulses_.reserve(given);
     state_ = std::move(restored);
     add_impulses();
+    joints_current_ = false;
     return GPHYS_OK;
 }
 

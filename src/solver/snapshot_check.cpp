@@ -23,6 +23,7 @@ bool sizes_agree(const Body& body) {
     return n >= 1 && n <= IdTable::capacity && body.velocity.size() == n && body.force.size() == n &&
            body.mass.size() == n && body.inverse_mass.size() == n && body.radius.size() == n &&
            body.constraints.size() == body.constraint_ids.slots() && none_or(body.rest_position.size(), n) &&
+           body.settings.self_collision <= 1 && body.placed.size() == (body.settings.self_collision ? n : 0) &&
            none_or(body.start.size(), n) && none_or(body.start_velocity.size(), n) &&
            none_or(body.touches.size(), n * touches_per_particle) && none_or(body.stuck.size(), n) &&
            body.triangles.size() % 3 == 0;
@@ -43,10 +44,10 @@ bool particles_fine(const Body& body) {
     const auto float_finite = [](float value) { return std::isfinite(value); };
     return all(body.position, [](Vec3 at) { return in_range(at); }) && all(body.velocity, is_speed) &&
            all(body.force, [](Vec3 force) { return in_range(force); }) && all(body.radius, is_amount) &&
-           all(body.rest_position, vector_finite) && all(body.start, vector_finite) &&
-           all(body.start_velocity, is_speed) && all(body.cloth.moved, float_finite) &&
-           all(body.cloth.velocity_before, float_finite) && is_amount(body.earlier_step) &&
-           is_amount(body.sleep.calm) && fine_box(body.sleep.box);
+           all(body.rest_position, vector_finite) && all(body.placed, vector_finite) &&
+           all(body.start, vector_finite) && all(body.start_velocity, is_speed) &&
+           all(body.cloth.moved, float_finite) && all(body.cloth.velocity_before, float_finite) &&
+           is_amount(body.earlier_step) && is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
 bool impulses_fine(const Body& body) {
@@ -118,6 +119,24 @@ const char* defect_of_globals(const SolverState& state) {
     }
     if (state.ids.defect()) return "words: the ids of the bodies contradict each other";
     if (!std::is_sorted(state.seen.begin(), state.seen.end())) return "words: models are out of order";
+    return nullptr;
+}
+
+const char* defect_of_joints(const SolverState& state) {
+    if (state.joint_ids.defect() || state.joints.size() != state.joint_ids.slots()) {
+        return "words: the ids of the joints contradict each other";
+    }
+    const auto is_end = [&](uint32_t body, uint32_t particle) {
+        return body < state.ids.slots() && state.ids.live(body) && particle < state.bodies[body].size();
+    };
+    for (uint32_t slot = 0; slot < state.joint_ids.slots(); ++slot) {
+        if (!state.joint_ids.live(slot)) continue;
+        const Joint& j = state.joints[slot];
+        if (!is_end(j.body_a, j.particle_a) || !is_end(j.body_b, j.particle_b) || j.body_a == j.body_b ||
+            !(j.rest >= 0 && finite(j.rest)) || !is_amount(j.compliance) || !finite(j.tension)) {
+            return "words: a joint is none";
+        }
+    }
     return nullptr;
 }
 

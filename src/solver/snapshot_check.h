@@ -8,8 +8,10 @@ namespace gphys {
 
 constexpr const char* cut_short = "words: no snapshot has these lengths";
 
-/// What is wrong, or nullptr: of everything but the bodies, and of one body.
+/// What is wrong, or nullptr: of everything but the bodies and joints, of joints whose bodies are fine, and
+/// of one body.
 const char* defect_of_globals(const SolverState& state);
+const char* defect_of_joints(const SolverState& state);
 const char* defect(const Body& body);
 
 }  // namespace gphys

@@ -1,9 +1,16 @@
 // Bodies made of particles and distance constraints, and the step that moves them. A step reads:
-// forces -> integrate -> constraints -> collide -> publish, once per substep and body.
+// forces -> integrate -> constraints -> collide -> publish, once per substep and body, or per island of
+// bodies that influence each other.
 //
 //   builders.cpp        bodies come and go
 //   state.cpp           their particles and constraints are read and changed, or all moved
 //   step.cpp            the step: which body is moved how, attachments, the time scheme
+//   islands.cpp         bodies that influence each other, moved together
+//   particle_contacts.cpp  particles against particles, by a spatial hash
+//   joints.cpp          joints between bodies, and the systems of equations that they make
+//   joint_system.cpp    such a system: Newton on all joined chains
+//   sparse_ldl.cpp      elimination in it
+//   joined_motion.cpp   a substep of joined bodies
 //   free_flight.cpp     bodies without constraints: exact flight and impacts
 //   plan_chains.cpp     which constraints form chains
 //   rope_direct.cpp     ropes: Newton on the whole chain
@@ -29,6 +36,10 @@
 #include "foundation/workers.h"
 #include "scene/scene.h"
 #include "solver/collision.h"
+#include "solver/islands.h"
+#include "solver/joints.h"
+#include "solver/motion.h"
+#include "solver/particle_contacts.h"
 #include "solver/rope_lanes.h"
 
 namespace gphys {
@@ -53,13 +64,16 @@ constexpr double fastest_model = 50;
 
 /// All that the next step depends on, apart from the scene: what a snapshot holds.
 struct SolverState {
-    explicit SolverState(std::pmr::memory_resource* memory) : ids(memory), bodies(memory), seen(memory) {}
+    explicit SolverState(std::pmr::memory_resource* memory)
+        : ids(memory), bodies(memory), joint_ids(memory), joints(memory), seen(memory) {}
 
     SolverSettings settings;
     Vec3 origin;      // in the world, of all coordinates
     double owed = 0;  // seconds that advance has not simulated yet
     IdTable ids;
-    Vector<Body> bodies;       // by slot
+    Vector<Body> bodies;  // by slot
+    IdTable joint_ids;
+    Vector<Joint> joints;      // by slot
     Vector<PlacedModel> seen;  // models near the bodies, where they stood at the last step
 };
 
@@ -83,7 +97,14 @@ inline float to_float(double value) {
     return static_cast<float>(std::min(std::max(value, -largest), largest));
 }
 
-/// sleep.cpp: after the body has been moved by a step, see whether it is at rest and falls asleep.
+struct JointOrder {
+    bool operator()(const gphys_joint_info& a, const gphys_joint_info& b) const { return a.id < b.id; }
+};
+
+/// sleep.cpp: after the body has been moved by a step, whether it has been at rest for long enough.
+bool is_calm(Body& body, const SolverSettings& settings, double dt);
+void fall_asleep(Body& body, const Scene* scene, double dt);
+/// Both, of a body alone.
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
 void wake(Body& body);
 
@@ -138,6 +159,13 @@ public:
     void wake_all();
     void list_sleeping(Smallest<gphys_body_id>& out) const;
 
+    // joints.cpp. Bodies and particles are there; rest < 0: the present distance.
+    gphys_status join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, double rest,
+                      double compliance, gphys_joint_id& out);
+    gphys_status unjoin(gphys_joint_id joint);
+    /// Of one body, or all: 0.
+    void list_joints(gphys_body_id of, Smallest<gphys_joint_info, JointOrder>& out) const;
+
     /// May throw std::bad_alloc before anything has moved, not after.
     void step(const Scene* scene, double dt);
     /// `steps` are those made; `leftover` the fraction of a step still owed.
@@ -163,6 +191,7 @@ private:
         bool starts = false;       // again: of undisturbed ropes
         Box nearby{};              // where it may come near to models,
         uint32_t models_near = 0;  // and how many are there
+        bool together = false;     // with others, in an island
 
         /// Of undisturbed ropes: whether they can be moved together.
         bool alike(const Moving& other) const { return starts == other.starts && substeps == other.substeps; }
@@ -199,6 +228,14 @@ private:
     void move_shared(const Moving& moving, const Scene* scene, double dt);
     void move_through(const Moving& moving, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);
+    void remove_joint(uint32_t slot);
+    void remove_joints_of(uint32_t body);
+    void plan_joints();
+    void unite_bodies(const Scene* scene, double dt);
+    void unite_near_bodies(Sets& sets, double dt);
+    void list_islands();
+    void move_touching(const Island& island, const Joined& joined, const Surroundings& around, double h);
+    void move_island(const Island& island, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
     bool sleeps_on(Body& body, const Scene* scene);
     void look_around(const Scene& scene, double dt);
@@ -215,9 +252,28 @@ private:
     /// Of the last step: by model and body, and by model.
     Vector<Giver> givers_{&memory};
     Vector<ModelImpulse> impulses_{&memory};
+    /// The root of the set of bodies that each is in, and whether a root's set is awake.
+    Vector<uint32_t> set_of_{&memory};
+    Vector<uint8_t> awake_{&memory}, together_{&memory};
+    /// Islands of the step under way; their bodies by set, those of them that are joined, and their systems.
+    Vector<Island> islands_{&memory};
+    Vector<uint32_t> island_bodies_{&memory}, joined_bodies_{&memory}, island_systems_{&memory};
+    /// What the joints make; out of date after a change of joints or chains.
+    Vector<JointSystem> systems_{&memory};
+    Vector<Tether> tethers_{&memory};
+    bool joints_current_ = false;
+    ParticleContacts particle_contacts_{&memory};
+    /// Boxes around bodies that collide with others, for one step.
+    struct Reach {
+        uint32_t slot;
+        Aabb box;
+    };
+    Vector<Reach> reaches_{&memory};
 };
 
 // state.cpp: one body.
+/// The caller has broken off the motion: the time scheme must not look back past this moment.
+void interrupt(Body& body);
 void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride);
 void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
 void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses, uint32_t stride);

@@ -3,13 +3,13 @@
 #include "solver/solver.h"
 
 namespace gphys {
-namespace {
 
-/// The caller has broken off the motion: the time scheme must not look back past this moment.
 void interrupt(Body& body) {
     body.earlier_step = 0;
     body.touched = false;
 }
+
+namespace {
 
 bool before(const Attachment& attachment, uint32_t particle) { return attachment.particle < particle; }
 

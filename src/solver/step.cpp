@@ -1,5 +1,5 @@
-// The step. Bodies do not influence each other, so each is taken through all substeps at once, by one
-// of the workers:
+// The step. Bodies that may influence each other are taken through all substeps together, by one of the
+// workers (islands.cpp); most bodies are alone. A body alone moves like this:
 //
 //   free         exact flight and impacts                                    free_flight.cpp
 //   direct       predict, solve chains as a whole, new velocities, collide,
@@ -14,13 +14,12 @@
 #include <cstring>
 
 #include "solver/damping.h"
+#include "solver/motion.h"
 #include "solver/solver.h"
 
 namespace gphys {
-namespace {
 
-/// Move free particles to where they would go without constraints.
-void predict(Body& body, const TimeScheme& scheme, Vec3 gravity) {
+void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     std::swap(body.earlier, body.start);
     std::swap(body.earlier_velocity, body.start_velocity);
     body.start = body.position;
@@ -39,8 +38,7 @@ void predict(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     body.predicted = body.position;
 }
 
-/// The velocities that the formula gives for the solved positions.
-void finish(Body& body, const TimeScheme& scheme) {
+void finish_chains(Body& body, const TimeScheme& scheme) {
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.pinned(p)) continue;
         keep_in_range(body.position[p], body.velocity[p]);
@@ -53,7 +51,7 @@ void finish(Body& body, const TimeScheme& scheme) {
     }
 }
 
-void damp_links(Body& body, const TimeScheme& scheme) {
+void damp_chains(Body& body, const TimeScheme& scheme) {
     Plan& plan = body.plan;
     for (const Chain& chain : plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
@@ -79,17 +77,18 @@ void follow_models(Body& body, double fraction, double h) {
     }
 }
 
-void solve_beside_contacts(Body& body, double step) {
+void hold_touching(Body& body) {
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.held[p]) body.inverse_mass[p] = 0;
     }
-    solve_directly(body, step);
+}
+
+void let_go_touching(Body& body) {
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.held[p]) body.inverse_mass[p] = 1 / body.mass[p];
     }
 }
 
-/// To the models that ropes hang from.
 void give_tensions(Body& body, const Surroundings& around, double h) {
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
@@ -103,49 +102,59 @@ void give_tensions(Body& body, const Surroundings& around, double h) {
     }
 }
 
-void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+namespace {
+
+void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const TimeScheme scheme(h, body.earlier_step);
-    predict(body, scheme, gravity);
+    predict_chains(body, scheme, gravity);
     follow_models(body, around.end, h);
-    if (body.plan.damped) damp_links(body, scheme);
+    if (body.plan.damped) damp_chains(body, scheme);
+}
+
+void end_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    const TimeScheme scheme(h, body.earlier_step);
     const double step = scheme.step(body.settings.damping);
     solve_directly(body, step);
-    finish(body, scheme);
+    finish_chains(body, scheme);
     const bool captured = body.plan.limited && capture(body, around, scheme);
     const double quiet = quiet_speed(gravity, h);
     collide(body, around, quiet);
-    if (body.touched) collide_again(body, around, quiet, {solve_beside_contacts, step, scheme.next / h});
+    if (body.touched) {
+        ease_contacts(body, around);
+        hold_touching(body);
+        solve_directly(body, step);
+        let_go_touching(body);
+        collide_again(body, around, quiet, {step, scheme.next / h});
+    }
     if (!body.attachments.empty()) give_tensions(body, around, h);
     body.earlier_step = body.touched || captured ? 0 : h;
 }
 
-/// The first step after an interruption is of first order, and would leave an error of the size of a
-/// substep for good; it is made a quarter as long. A contact interrupts all the time, and motion has
-/// no second derivative there.
-void start_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
-    constexpr double parts[] = {0.25, 0.25, 0.5};  // the formula allows steps to double
-    double done = 0;
-    for (const double part : parts) {
-        Surroundings within = around;
-        within.begin = around.begin + (around.end - around.begin) * done;
-        done += part;
-        within.end = around.begin + (around.end - around.begin) * done;
-        move_chains(body, within, gravity, h * part);
-    }
+void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    begin_chains(body, around, gravity, h);
+    end_chains(body, around, gravity, h);
 }
+
+void fly_with_models(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    follow_models(body, around.end, h);
+    begin_friction(body, gravity);
+    fly(body, around, gravity, h);
+    end_friction(body);
+}
+
+}  // namespace
 
 void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
-            follow_models(body, around.end, h);
-            begin_friction(body, gravity);
-            fly(body, around, gravity, h);
-            end_friction(body);
+            fly_with_models(body, around, gravity, h);
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);
             if (body.earlier_step == 0 && !body.touched) {
-                start_chains(body, around, gravity, h);
+                start_slowly(around, h, [&](const Surroundings& within, double part) {
+                    move_chains(body, within, gravity, part);
+                });
             } else {
                 move_chains(body, around, gravity, h);
             }
@@ -155,6 +164,35 @@ void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
             move_cloth(body, around, gravity, h);
     }
 }
+
+void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    switch (body.plan.method) {
+        case GPHYS_SOLVE_FREE:
+            fly_with_models(body, around, gravity, h);
+            break;
+        case GPHYS_SOLVE_DIRECT:
+            begin_friction(body, gravity);
+            begin_chains(body, around, gravity, h);
+            break;
+        default:
+            predict_cloth(body, around, h);
+    }
+}
+
+void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    switch (body.plan.method) {
+        case GPHYS_SOLVE_FREE:
+            break;
+        case GPHYS_SOLVE_DIRECT:
+            end_chains(body, around, gravity, h);
+            end_friction(body);
+            break;
+        default:
+            end_cloth_substep(body, around, gravity, h);
+    }
+}
+
+namespace {
 
 /// Where attached particles go in this step; those whose model is gone are released.
 void aim_attachments(Body& body, const Scene* scene) {
@@ -180,6 +218,7 @@ void reserve_history(Body& body) {
     body.start.resize(body.size());
     if (body.plan.method == GPHYS_SOLVE_GRAPH) {
         reserve_cloth(body);
+        if (body.joined) reserve_joined_cloth(body);
         return;
     }
     body.predicted.resize(body.size());
@@ -197,12 +236,15 @@ void Solver::prepare(const Scene* scene, double dt) {
     moving_.clear();
     next_seen_.clear();
     moved_.clear();
+    unite_bodies(scene, dt);
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (!state_.ids.live(slot)) continue;
+        if (!state_.ids.live(slot) || state_.bodies[slot].sleep.asleep) continue;
         Body& body = state_.bodies[slot];
-        if (sleeps_on(body, scene)) continue;
         aim_attachments(body, scene);
+        const bool changed = !body.plan.chains_current;
+        if (changed) joints_current_ = false;
         update_plan(body);
+        if (body.settings.self_collision && (changed || body.linked_begin.empty())) list_linked(body);
         reserve_history(body);
         moving_.push_back(
             {body.size(), slot, substeps_of(body, state_.settings, dt), is_plain_rope(body), starts_again(body)});
@@ -213,6 +255,9 @@ void Solver::prepare(const Scene* scene, double dt) {
             if (body.plan.method == GPHYS_SOLVE_GRAPH) reserve_cloth_contacts(body);
         }
     }
+    if (!joints_current_) plan_joints();
+    list_islands();
+    particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
     if (scene) look_around(*scene, dt);
     std::sort(moving_.begin(), moving_.end());
     divide_work();
@@ -285,7 +330,7 @@ bool Solver::is_worth_sharing(const Moving& moving, size_t particles) const {
            size_t{moving.size} * workers_.count() > particles;
 }
 
-/// Undisturbed ropes by eight, everything else body by body.
+/// Undisturbed ropes by eight, everything else body by body, but for what islands move.
 void Solver::divide_work() {
     tasks_.clear();
     while (rooms_.size() < workers_.count()) rooms_.emplace_back(&memory);
@@ -295,6 +340,7 @@ void Solver::divide_work() {
     for (uint32_t i = 0, next; i < moving_.size(); i = next) {
         const Moving& first = moving_[i];
         next = i + 1;
+        if (first.together) continue;
         if (first.undisturbed && first.size <= longest_rope_together) {
             while (next < moving_.size() && next - i < ropes_together && first.alike(moving_[next])) ++next;
         }
@@ -372,8 +418,12 @@ void Solver::step(const Scene* scene, double dt) {
     // A worker keeps its room while it takes one task after the other.
     std::atomic<size_t> next{0};
     workers_.run(workers_.count(), [&](uint32_t worker) {
-        for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < tasks_.size();) {
-            const Task& task = tasks_[i];
+        for (size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < islands_.size() + tasks_.size();) {
+            if (i < islands_.size()) {
+                move_island(islands_[i], scene, dt);
+                continue;
+            }
+            const Task& task = tasks_[i - islands_.size()];
             if (task.shared) continue;
             if (moving_[task.first].undisturbed) {
                 move_undisturbed(task, rooms_[worker], scene, dt);

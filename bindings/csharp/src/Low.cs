@@ -156,6 +156,9 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_volume(SolverHandle solver, uint body, float* out_volume, float* out_pressure);
     [DllImport(Library)] internal static extern Status gphys_solver_remove_constraint(SolverHandle solver, uint body, uint constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraints(SolverHandle solver, uint body, ConstraintInfo* out_constraints, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_join(SolverHandle solver, uint body_a, uint particle_a, uint body_b, uint particle_b, float rest_length, float compliance, uint* out_joint);
+    [DllImport(Library)] internal static extern Status gphys_solver_unjoin(SolverHandle solver, uint joint);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_joints(SolverHandle solver, uint body, JointInfo* out_joints, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_step(SolverHandle solver, SceneHandle scene, float dt);
     [DllImport(Library)] internal static extern Status gphys_solver_advance(SolverHandle solver, SceneHandle scene, float frame_time, uint* out_steps, float* out_leftover);
     [DllImport(Library)] internal static extern Status gphys_solver_get_substeps(SolverHandle solver, uint body, uint* out_substeps);

@@ -14,7 +14,7 @@ public enum Status {
     Unbounded = 3,
     /// <summary>null, NaN, infinite, out of range, wrong stride, ...</summary>
     ErrorInvalidArgument = -1,
-    /// <summary>no such model, body or constraint, or no longer</summary>
+    /// <summary>no such model, body, constraint or joint, or no longer</summary>
     ErrorInvalidId = -2,
     /// <summary>a desc not initialised, or newer than this library</summary>
     ErrorStructSize = -3,
@@ -591,6 +591,10 @@ public partial struct BodyDesc {
     /// as friction; default 0
     /// </summary>
     public float StaticFriction;
+    /// <summary>1: its particles collide with one another, see below; default 0</summary>
+    public uint SelfCollision;
+    /// <summary>two bodies collide with each other if their masks share a bit; 0: with none; default 0</summary>
+    public uint BodyLayers;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe BodyDesc Default {
         get {
@@ -622,6 +626,25 @@ public partial struct ConstraintInfo {
     public float RestLength;
     /// <summary>metres per newton</summary>
     public float Compliance;
+}
+
+/// <summary>One joint. Frozen.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct JointInfo {
+    public uint Id;
+    public uint BodyA;
+    public uint ParticleA;
+    public uint BodyB;
+    public uint ParticleB;
+    /// <summary>metres</summary>
+    public float RestLength;
+    /// <summary>metres per newton</summary>
+    public float Compliance;
+    /// <summary>
+    /// newtons, in the last substep: &gt; 0 pulls them together, &lt; 0 keeps them apart; its
+    /// magnitude for a rest length of 0
+    /// </summary>
+    public float Force;
 }
 
 /// <summary>Frozen.</summary>

@@ -442,33 +442,33 @@ export function objects(memory) {
         }
         addParticles(positions, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 44)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions');
             const count = common(positions_);
-            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 44));
-            return v.u32[11];
+            check(native.gphys_solver_add_particles(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, base + 52));
+            return v.u32[13];
         }
         addRope(positions, link_length, desc) {
             begin();
-            if (desc != null) { check(native.gphys_body_desc_init(base, 44)); writeBodyDesc(v, 0, desc); }
+            if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
             const positions_ = input(positions, 12, 'positions');
             const count = common(positions_);
-            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 44));
-            return v.u32[11];
+            check(native.gphys_solver_add_rope(this.pointer, desc == null ? 0 : base, pass(positions_), 12, count, link_length, base + 52));
+            return v.u32[13];
         }
         addCloth(corner, edge_u, edge_v, columns, rows, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 44)); writeBodyDesc(v, 0, desc); }
-            writeVec3(v, 12, corner);
-            writeVec3(v, 16, edge_u);
-            writeVec3(v, 20, edge_v);
-            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 48, base + 64, base + 80, columns, rows, base + 92));
-            return v.u32[23];
+            if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
+            writeVec3(v, 14, corner);
+            writeVec3(v, 18, edge_u);
+            writeVec3(v, 22, edge_v);
+            check(native.gphys_solver_add_cloth(this.pointer, desc == null ? 0 : base, base + 56, base + 72, base + 88, columns, rows, base + 100));
+            return v.u32[25];
         }
         addClothMesh(mesh, transform, desc) {
-            if (desc != null) { check(native.gphys_body_desc_init(base, 44)); writeBodyDesc(v, 0, desc); }
-            if (transform != null) { writeTransform(v, 12, transform); }
-            check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 48, base + 80));
-            return v.u32[20];
+            if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
+            if (transform != null) { writeTransform(v, 14, transform); }
+            check(native.gphys_solver_add_cloth_mesh(this.pointer, desc == null ? 0 : base, pointer(mesh, Mesh, 'mesh', false), transform == null ? 0 : base + 56, base + 88));
+            return v.u32[22];
         }
         removeBody(body) {
             check(native.gphys_solver_remove_body(this.pointer, body));
@@ -574,6 +574,17 @@ export function objects(memory) {
         getConstraints(body) {
             begin();
             return list('constraint_info', 0, (room, capacity) => native.gphys_solver_get_constraints(this.pointer, body, room, capacity, base));
+        }
+        join(body_a, particle_a, body_b, particle_b, rest_length, compliance) {
+            check(native.gphys_solver_join(this.pointer, body_a, particle_a, body_b, particle_b, rest_length, compliance, base));
+            return v.u32[0];
+        }
+        unjoin(joint) {
+            check(native.gphys_solver_unjoin(this.pointer, joint));
+        }
+        getJoints(body) {
+            begin();
+            return list('joint_info', 0, (room, capacity) => native.gphys_solver_get_joints(this.pointer, body, room, capacity, base));
         }
         step(scene, dt) {
             check(native.gphys_solver_step(this.pointer, pointer(scene, Scene, 'scene', true), dt));

@@ -247,6 +247,8 @@ export function writeBodyDesc(v, at, value) {
             case 'cloth_flags': v.u32[at + 8] = number(value[name], 'cloth_flags'); break;
             case 'layers': v.u32[at + 9] = number(value[name], 'layers'); break;
             case 'static_friction': v.f32[at + 10] = number(value[name], 'static_friction'); break;
+            case 'self_collision': v.u32[at + 11] = number(value[name], 'self_collision'); break;
+            case 'body_layers': v.u32[at + 12] = number(value[name], 'body_layers'); break;
             default: throw new TypeError(`body_desc has no field ${name}`);
         }
     }
@@ -268,6 +270,18 @@ export function writeConstraintInfo(v, at, value) {
     v.u32[at + 2] = number(rows ? value[2] : value.particle_b, 'particle_b');
     v.f32[at + 3] = number(rows ? value[3] : value.rest_length, 'rest_length');
     v.f32[at + 4] = number(rows ? value[4] : value.compliance, 'compliance');
+}
+export const readJointInfo = (v, at) => ({ id: v.u32[at], body_a: v.u32[at + 1], particle_a: v.u32[at + 2], body_b: v.u32[at + 3], particle_b: v.u32[at + 4], rest_length: v.f32[at + 5], compliance: v.f32[at + 6], force: v.f32[at + 7] });
+export function writeJointInfo(v, at, value) {
+    const rows = row(value, 8, 'joint_info');
+    v.u32[at] = number(rows ? value[0] : value.id, 'id');
+    v.u32[at + 1] = number(rows ? value[1] : value.body_a, 'body_a');
+    v.u32[at + 2] = number(rows ? value[2] : value.particle_a, 'particle_a');
+    v.u32[at + 3] = number(rows ? value[3] : value.body_b, 'body_b');
+    v.u32[at + 4] = number(rows ? value[4] : value.particle_b, 'particle_b');
+    v.f32[at + 5] = number(rows ? value[5] : value.rest_length, 'rest_length');
+    v.f32[at + 6] = number(rows ? value[6] : value.compliance, 'compliance');
+    v.f32[at + 7] = number(rows ? value[7] : value.force, 'force');
 }
 export const readSolverStats = (v, at) => ({ particle_count: v.u32[at], pinned_count: v.u32[at + 1], constraint_count: v.u32[at + 2], contact_count: v.u32[at + 3], strain_max: v.f32[at + 4], strain_rms: v.f32[at + 5], kinetic_energy: v.f32[at + 6], potential_energy: v.f32[at + 7] });
 export function writeSolverStats(v, at, value) {
@@ -327,6 +341,7 @@ export const types = {
     orbit: { size: 60, read: readOrbit, write: writeOrbit },
     body_info: { size: 20, read: readBodyInfo, write: writeBodyInfo },
     constraint_info: { size: 20, read: readConstraintInfo, write: writeConstraintInfo },
+    joint_info: { size: 32, read: readJointInfo, write: writeJointInfo },
     solver_stats: { size: 32, read: readSolverStats, write: writeSolverStats },
     contact: { size: 40, read: readContact, write: writeContact },
     impulse: { size: 32, read: readImpulse, write: writeImpulse },

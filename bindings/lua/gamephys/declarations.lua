@@ -12,6 +12,7 @@ typedef uint32_t gphys_body_id;
 typedef uint32_t gphys_constraint_id;
 typedef int32_t gphys_body_kind;
 typedef int32_t gphys_solve_method;
+typedef uint32_t gphys_joint_id;
 typedef struct gphys_mesh gphys_mesh;
 typedef struct gphys_scene gphys_scene;
 typedef struct gphys_camera gphys_camera;
@@ -44,9 +45,10 @@ typedef struct gphys_model_info { gphys_shape_type type; gphys_model_id parent; 
 typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; } gphys_camera_desc;
 typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; float yaw; float pitch; float radians_per_unit; float metres_per_unit; float min_distance; float max_distance; float min_pitch; float max_pitch; } gphys_orbit;
 typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; } gphys_solver_desc;
-typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; } gphys_body_desc;
+typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; uint32_t self_collision; uint32_t body_layers; } gphys_body_desc;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
 typedef struct gphys_constraint_info { gphys_constraint_id id; uint32_t particle_a; uint32_t particle_b; float rest_length; float compliance; } gphys_constraint_info;
+typedef struct gphys_joint_info { gphys_joint_id id; gphys_body_id body_a; uint32_t particle_a; gphys_body_id body_b; uint32_t particle_b; float rest_length; float compliance; float force; } gphys_joint_info;
 typedef struct gphys_solver_stats { uint32_t particle_count; uint32_t pinned_count; uint32_t constraint_count; uint32_t contact_count; float strain_max; float strain_rms; float kinetic_energy; float potential_energy; } gphys_solver_stats;
 typedef struct gphys_contact { gphys_body_id body; uint32_t particle; gphys_model_id model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; } gphys_contact;
 typedef struct gphys_impulse { gphys_model_id model; uint32_t tag; gphys_vec3 linear; gphys_vec3 angular; } gphys_impulse;
@@ -198,6 +200,9 @@ gphys_status gphys_solver_set_volume(gphys_solver *solver, gphys_body_id body, f
 gphys_status gphys_solver_get_volume(const gphys_solver *solver, gphys_body_id body, float *out_volume, float *out_pressure);
 gphys_status gphys_solver_remove_constraint(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint);
 gphys_status gphys_solver_get_constraints(const gphys_solver *solver, gphys_body_id body, gphys_constraint_info *out_constraints, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_join(gphys_solver *solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance, gphys_joint_id *out_joint);
+gphys_status gphys_solver_unjoin(gphys_solver *solver, gphys_joint_id joint);
+gphys_status gphys_solver_get_joints(const gphys_solver *solver, gphys_body_id body, gphys_joint_info *out_joints, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_step(gphys_solver *solver, const gphys_scene *scene, float dt);
 gphys_status gphys_solver_advance(gphys_solver *solver, const gphys_scene *scene, float frame_time, uint32_t *out_steps, float *out_leftover);
 gphys_status gphys_solver_get_substeps(const gphys_solver *solver, gphys_body_id body, uint32_t *out_substeps);
@@ -293,9 +298,10 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height" } },
         { name = "orbit", fields = { "target", "up", "distance", "yaw", "pitch", "radians_per_unit", "metres_per_unit", "min_distance", "max_distance", "min_pitch", "max_pitch" } },
         { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps" } },
-        { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction" } },
+        { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction", "self_collision", "body_layers" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
         { name = "constraint_info", fields = { "id", "particle_a", "particle_b", "rest_length", "compliance" } },
+        { name = "joint_info", fields = { "id", "body_a", "particle_a", "body_b", "particle_b", "rest_length", "compliance", "force" } },
         { name = "solver_stats", fields = { "particle_count", "pinned_count", "constraint_count", "contact_count", "strain_max", "strain_rms", "kinetic_energy", "potential_energy" } },
         { name = "contact", fields = { "body", "particle", "model", "tag", "point", "normal" } },
         { name = "impulse", fields = { "model", "tag", "linear", "angular" } },

@@ -37,6 +37,7 @@ local SolverDesc = runtime.element 'gphys_solver_desc'
 local BodyDesc = runtime.element 'gphys_body_desc'
 local BodyInfo = runtime.element 'gphys_body_info'
 local ConstraintInfo = runtime.element 'gphys_constraint_info'
+local JointInfo = runtime.element 'gphys_joint_info'
 local SolverStats = runtime.element 'gphys_solver_stats'
 local Contact = runtime.element 'gphys_contact'
 local Impulse = runtime.element 'gphys_impulse'
@@ -968,6 +969,50 @@ function Solver:get_constraints(body)
     end)
 end
 
+do
+    local out_joint = uint32_t.array(1)
+    --- Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+    --- equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+    --- system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+    --- particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+    --- one thread and fall asleep and wake together. A joint goes with either body.
+    --- @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+    ---                     as far apart are drawn there within a step, and get the speed of that.
+    --- @param compliance   metres per newton, >= 0; 0 is rigid
+    --- @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+    ---         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+    --- Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+    --- of a rope that is not joined.
+    function Solver:join(body_a, particle_a, body_b, particle_b, rest_length, compliance)
+        check(C.gphys_solver_join(opened(self), body_a, particle_a, body_b, particle_b, rest_length, compliance, out_joint))
+        return out_joint[0]
+    end
+end
+
+--- Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+--- equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+--- system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+--- particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+--- one thread and fall asleep and wake together. A joint goes with either body.
+--- @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+---                     as far apart are drawn there within a step, and get the speed of that.
+--- @param compliance   metres per newton, >= 0; 0 is rigid
+--- @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+---         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+--- Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+--- of a rope that is not joined.
+function Solver:unjoin(joint)
+    check(C.gphys_solver_unjoin(opened(self), joint))
+end
+
+--- Joints of a body, by id. Kept when too many: the lowest.
+--- @param body  0: of all bodies
+function Solver:get_joints(body)
+    return list(JointInfo, function(out, capacity, total)
+        return C.gphys_solver_get_joints(opened(self), body, out, capacity, total)
+    end)
+end
+
 --- Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
 --- takes more where they would be longer than 25 ms.
 --- @param scene  to collide with and to follow attachments; NULL: none. Not modified.
@@ -999,7 +1044,7 @@ do
     --- With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
     --- their length follows from what the last step measured, the largest strain of its rigid constraints
     --- and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-    --- most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+    --- most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
     --- target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
     --- jump, by contacts, the error is that of the jump.
     function Solver:get_substeps(body)

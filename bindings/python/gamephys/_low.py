@@ -13,7 +13,7 @@ NO_HIT = 1  # the query found nothing; outputs untouched
 INCOMPLETE = 2  # more results than the caller's array holds
 UNBOUNDED = 3  # the answer is infinite (bounds of a plane); outputs untouched
 ERROR_INVALID_ARGUMENT = -1  # null, NaN, infinite, out of range, wrong stride, ...
-ERROR_INVALID_ID = -2  # no such model, body or constraint, or no longer
+ERROR_INVALID_ID = -2  # no such model, body, constraint or joint, or no longer
 ERROR_STRUCT_SIZE = -3  # a desc not initialised, or newer than this library
 ERROR_OUT_OF_MEMORY = -4
 ERROR_CAPACITY = -5  # more than 2^24 - 1 models or bodies
@@ -406,10 +406,12 @@ class BodyDesc(Desc, Structure):
     cloth_flags: int  # GPHYS_CLOTH_...; default SHEAR | BEND
     layers: int  # mask of the models it collides with; 0: none; default all
     static_friction: float  # of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0: as friction; default 0
-    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float)]
+    self_collision: int  # 1: its particles collide with one another, see below; default 0
+    body_layers: int  # two bodies collide with each other if their masks share a bit; 0: with none; default 0
+    _fields_ = [("struct_size", c_uint32), ("mass", c_float), ("radius", c_float), ("damping", c_float), ("friction", c_float), ("restitution", c_float), ("compliance", c_float), ("bend_compliance", c_float), ("cloth_flags", c_uint32), ("layers", c_uint32), ("static_friction", c_float), ("self_collision", c_uint32), ("body_layers", c_uint32)]
 
 
-body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4")])
+body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f4"), ("damping", "<f4"), ("friction", "<f4"), ("restitution", "<f4"), ("compliance", "<f4"), ("bend_compliance", "<f4"), ("cloth_flags", "<u4"), ("layers", "<u4"), ("static_friction", "<f4"), ("self_collision", "<u4"), ("body_layers", "<u4")])
 BodyDesc.dtype = body_desc_dtype
 
 
@@ -439,6 +441,23 @@ class ConstraintInfo(Value, Structure):
 
 constraint_info_dtype = dtype([("id", "<u4"), ("particle_a", "<u4"), ("particle_b", "<u4"), ("rest_length", "<f4"), ("compliance", "<f4")])
 ConstraintInfo.dtype = constraint_info_dtype
+
+
+class JointInfo(Value, Structure):
+    """One joint. Frozen."""
+    id: int
+    body_a: int
+    particle_a: int
+    body_b: int
+    particle_b: int
+    rest_length: float  # metres
+    compliance: float  # metres per newton
+    force: float  # newtons, in the last substep: > 0 pulls them together, < 0 keeps them apart; its magnitude for a rest length of 0
+    _fields_ = [("id", c_uint32), ("body_a", c_uint32), ("particle_a", c_uint32), ("body_b", c_uint32), ("particle_b", c_uint32), ("rest_length", c_float), ("compliance", c_float), ("force", c_float)]
+
+
+joint_info_dtype = dtype([("id", "<u4"), ("body_a", "<u4"), ("particle_a", "<u4"), ("body_b", "<u4"), ("particle_b", "<u4"), ("rest_length", "<f4"), ("compliance", "<f4"), ("force", "<f4")])
+JointInfo.dtype = joint_info_dtype
 
 
 class SolverStats(Value, Structure):
@@ -634,6 +653,9 @@ gphys_solver_set_volume = function("gphys_solver_set_volume", c_int32, [c_void_p
 gphys_solver_get_volume = function("gphys_solver_get_volume", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p])
 gphys_solver_remove_constraint = function("gphys_solver_remove_constraint", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_solver_get_constraints = function("gphys_solver_get_constraints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_join = function("gphys_solver_join", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
+gphys_solver_unjoin = function("gphys_solver_unjoin", c_int32, [c_void_p, c_uint32])
+gphys_solver_get_joints = function("gphys_solver_get_joints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_solver_step = function("gphys_solver_step", c_int32, [c_void_p, c_void_p, c_float])
 gphys_solver_advance = function("gphys_solver_advance", c_int32, [c_void_p, c_void_p, c_float, c_void_p, c_void_p])
 gphys_solver_get_substeps = function("gphys_solver_get_substeps", c_int32, [c_void_p, c_uint32, c_void_p])

@@ -829,6 +829,43 @@ class Solver(Object):
         """All constraints of a body, those of its builder included, by id. Kept when too many: the lowest."""
         return list_of(low.gphys_solver_get_constraints, (self._handle, body,), low.constraint_info_dtype)
 
+    def join(self, body_a: int, particle_a: int, body_b: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
+        """Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+        equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+        system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+        particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+        one thread and fall asleep and wake together. A joint goes with either body.
+        @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+                            as far apart are drawn there within a step, and get the speed of that.
+        @param compliance   metres per newton, >= 0; 0 is rigid
+        @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+                gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+        Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+        of a rope that is not joined."""
+        out_joint = ctypes.c_uint32()
+        check(low.gphys_solver_join(self._handle, body_a, particle_a, body_b, particle_b, rest_length, compliance, ctypes.byref(out_joint)))
+        return out_joint.value
+
+    def unjoin(self, joint: int) -> None:
+        """Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+        equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+        system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+        particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+        one thread and fall asleep and wake together. A joint goes with either body.
+        @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+                            as far apart are drawn there within a step, and get the speed of that.
+        @param compliance   metres per newton, >= 0; 0 is rigid
+        @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+                gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+        Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+        of a rope that is not joined."""
+        check(low.gphys_solver_unjoin(self._handle, joint))
+
+    def get_joints(self, body: int) -> np.ndarray:
+        """Joints of a body, by id. Kept when too many: the lowest.
+        @param body  0: of all bodies"""
+        return list_of(low.gphys_solver_get_joints, (self._handle, body,), low.joint_info_dtype)
+
     def step(self, scene: Scene | None, dt: float) -> None:
         """Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
         takes more where they would be longer than 25 ms.
@@ -855,7 +892,7 @@ class Solver(Object):
         With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
         their length follows from what the last step measured, the largest strain of its rigid constraints
         and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-        most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+        most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
         target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
         jump, by contacts, the error is that of the jump."""
         out_substeps = ctypes.c_uint32()

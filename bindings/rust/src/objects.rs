@@ -1142,6 +1142,50 @@ impl Solver {
         list(|out_constraints, capacity, total| unsafe { sys::gphys_solver_get_constraints(self.handle.as_ptr(), body, out_constraints, capacity, total) })
     }
 
+    /// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+    /// equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+    /// system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+    /// particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+    /// one thread and fall asleep and wake together. A joint goes with either body.
+    /// * `rest_length`: metres; 0: at the same place; negative: the present distance. Particles that are not
+    ///   as far apart are drawn there within a step, and get the speed of that.
+    /// * `compliance`: metres per newton, >= 0; 0 is rigid
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for a particle that does not exist or twice the same body (see
+    /// `gphys_solver_add_distance`); `GPHYS_ERROR_CAPACITY` beyond 2^24 - 1 joints
+    ///
+    /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+    /// of a rope that is not joined.
+    pub fn join(&mut self, body_a: BodyId, particle_a: u32, body_b: BodyId, particle_b: u32, rest_length: f32, compliance: f32) -> Result<JointId> {
+        let mut out_joint = JointId::default();
+        check(unsafe { sys::gphys_solver_join(self.handle.as_ptr(), body_a, particle_a, body_b, particle_b, rest_length, compliance, &mut out_joint) })?;
+        Ok(out_joint)
+    }
+
+    /// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+    /// equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+    /// system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+    /// particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+    /// one thread and fall asleep and wake together. A joint goes with either body.
+    /// * `rest_length`: metres; 0: at the same place; negative: the present distance. Particles that are not
+    ///   as far apart are drawn there within a step, and get the speed of that.
+    /// * `compliance`: metres per newton, >= 0; 0 is rigid
+    ///
+    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for a particle that does not exist or twice the same body (see
+    /// `gphys_solver_add_distance`); `GPHYS_ERROR_CAPACITY` beyond 2^24 - 1 joints
+    ///
+    /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+    /// of a rope that is not joined.
+    pub fn unjoin(&mut self, joint: JointId) -> Result<()> {
+        check(unsafe { sys::gphys_solver_unjoin(self.handle.as_ptr(), joint) })
+    }
+
+    /// Joints of a body, by id. Kept when too many: the lowest.
+    /// * `body`: 0: of all bodies
+    pub fn get_joints(&self, body: BodyId) -> Result<Vec<JointInfo>> {
+        list(|out_joints, capacity, total| unsafe { sys::gphys_solver_get_joints(self.handle.as_ptr(), body, out_joints, capacity, total) })
+    }
+
     /// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     /// takes more where they would be longer than 25 ms.
     /// * `scene`: to collide with and to follow attachments; NULL: none. Not modified.
@@ -1169,7 +1213,7 @@ impl Solver {
     /// With `gphys_solver_desc`.max_strain or tolerance set, each body takes as many as its own motion needs:
     /// their length follows from what the last step measured, the largest strain of its rigid constraints
     /// and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-    /// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+    /// most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
     /// target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
     /// jump, by contacts, the error is that of the jump.
     pub fn get_substeps(&self, body: BodyId) -> Result<u32> {

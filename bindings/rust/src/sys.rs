@@ -172,6 +172,9 @@ extern "C" {
     pub fn gphys_solver_get_volume(solver: *mut gphys_solver, body: BodyId, out_volume: *mut f32, out_pressure: *mut f32) -> Status;
     pub fn gphys_solver_remove_constraint(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId) -> Status;
     pub fn gphys_solver_get_constraints(solver: *mut gphys_solver, body: BodyId, out_constraints: *mut ConstraintInfo, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_join(solver: *mut gphys_solver, body_a: BodyId, particle_a: u32, body_b: BodyId, particle_b: u32, rest_length: f32, compliance: f32, out_joint: *mut JointId) -> Status;
+    pub fn gphys_solver_unjoin(solver: *mut gphys_solver, joint: JointId) -> Status;
+    pub fn gphys_solver_get_joints(solver: *mut gphys_solver, body: BodyId, out_joints: *mut JointInfo, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_step(solver: *mut gphys_solver, scene: *mut gphys_scene, dt: f32) -> Status;
     pub fn gphys_solver_advance(solver: *mut gphys_solver, scene: *mut gphys_scene, frame_time: f32, out_steps: *mut u32, out_leftover: *mut f32) -> Status;
     pub fn gphys_solver_get_substeps(solver: *mut gphys_solver, body: BodyId, out_substeps: *mut u32) -> Status;

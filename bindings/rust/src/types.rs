@@ -16,7 +16,7 @@ impl Status {
     pub const UNBOUNDED: Status = Status(3);
     /// null, NaN, infinite, out of range, wrong stride, ...
     pub const ERROR_INVALID_ARGUMENT: Status = Status(-1);
-    /// no such model, body or constraint, or no longer
+    /// no such model, body, constraint or joint, or no longer
     pub const ERROR_INVALID_ID: Status = Status(-2);
     /// a desc not initialised, or newer than this library
     pub const ERROR_STRUCT_SIZE: Status = Status(-3);
@@ -158,6 +158,7 @@ pub const ALL_LAYERS: u32 = 0xffffffff;
 pub type ModelId = u32;
 pub type BodyId = u32;
 pub type ConstraintId = u32;
+pub type JointId = u32;
 /// One part of a call's work: the function to call, with the context and an index. Any thread may
 /// call it; it returns when that part is done, without calling back.
 pub type Task = Option<unsafe extern "C" fn(*mut c_void, u32)>;
@@ -553,6 +554,10 @@ pub struct BodyDesc {
     /// of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0:
     /// as friction; default 0
     pub static_friction: f32,
+    /// 1: its particles collide with one another, see below; default 0
+    pub self_collision: u32,
+    /// two bodies collide with each other if their masks share a bit; 0: with none; default 0
+    pub body_layers: u32,
 }
 
 /// Frozen.
@@ -578,6 +583,24 @@ pub struct ConstraintInfo {
     pub rest_length: f32,
     /// metres per newton
     pub compliance: f32,
+}
+
+/// One joint. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct JointInfo {
+    pub id: JointId,
+    pub body_a: BodyId,
+    pub particle_a: u32,
+    pub body_b: BodyId,
+    pub particle_b: u32,
+    /// metres
+    pub rest_length: f32,
+    /// metres per newton
+    pub compliance: f32,
+    /// newtons, in the last substep: > 0 pulls them together, < 0 keeps them apart; its
+    /// magnitude for a rest length of 0
+    pub force: f32,
 }
 
 /// Frozen.
@@ -658,9 +681,10 @@ const _: () = {
     assert!(std::mem::size_of::<CameraDesc>() == 40);
     assert!(std::mem::size_of::<Orbit>() == 60);
     assert!(std::mem::size_of::<SolverDesc>() == 80);
-    assert!(std::mem::size_of::<BodyDesc>() == 44);
+    assert!(std::mem::size_of::<BodyDesc>() == 52);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
+    assert!(std::mem::size_of::<JointInfo>() == 32);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
     assert!(std::mem::size_of::<Impulse>() == 32);
@@ -694,9 +718,10 @@ const _: () = {
     assert!(std::mem::size_of::<CameraDesc>() == 28);
     assert!(std::mem::size_of::<Orbit>() == 60);
     assert!(std::mem::size_of::<SolverDesc>() == 64);
-    assert!(std::mem::size_of::<BodyDesc>() == 44);
+    assert!(std::mem::size_of::<BodyDesc>() == 52);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
+    assert!(std::mem::size_of::<JointInfo>() == 32);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
     assert!(std::mem::size_of::<Impulse>() == 32);
@@ -890,6 +915,8 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).cloth_flags) } as usize - p as usize, 32);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 36);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).static_friction) } as usize - p as usize, 40);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).self_collision) } as usize - p as usize, 44);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).body_layers) } as usize - p as usize, 48);
     let s = std::mem::MaybeUninit::<BodyInfo>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).kind) } as usize - p as usize, 0);
@@ -904,6 +931,16 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_b) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).rest_length) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).compliance) } as usize - p as usize, 16);
+    let s = std::mem::MaybeUninit::<JointInfo>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).id) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).body_a) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_a) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).body_b) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_b) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).rest_length) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).compliance) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).force) } as usize - p as usize, 28);
     let s = std::mem::MaybeUninit::<SolverStats>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_count) } as usize - p as usize, 0);

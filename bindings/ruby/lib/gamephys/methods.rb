@@ -926,6 +926,47 @@ module Gamephys
       Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, body, out, capacity, total) }
     end
 
+    # Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+    # equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+    # system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+    # particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+    # one thread and fall asleep and wake together. A joint goes with either body.
+    # @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+    #                     as far apart are drawn there within a step, and get the speed of that.
+    # @param compliance   metres per newton, >= 0; 0 is rigid
+    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+    #         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+    # Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+    # of a rope that is not joined.
+    def join(body_a, particle_a, body_b, particle_b, rest_length, compliance: 0)
+      out_joint = UInt32.room
+      Low.check(Low.gphys_solver_join(opened, body_a, particle_a, body_b, particle_b, rest_length, compliance, out_joint))
+      UInt32.unpack(out_joint)
+    end
+
+    # Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+    # equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+    # system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+    # particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+    # one thread and fall asleep and wake together. A joint goes with either body.
+    # @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+    #                     as far apart are drawn there within a step, and get the speed of that.
+    # @param compliance   metres per newton, >= 0; 0 is rigid
+    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+    #         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+    # Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+    # of a rope that is not joined.
+    def unjoin(joint)
+      Low.check(Low.gphys_solver_unjoin(opened, joint))
+      nil
+    end
+
+    # Joints of a body, by id. Kept when too many: the lowest.
+    # @param body  0: of all bodies
+    def get_joints(body)
+      Low.list(JointInfo) { |out, capacity, total| Low.gphys_solver_get_joints(opened, body, out, capacity, total) }
+    end
+
     # Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     # takes more where they would be longer than 25 ms.
     # @param scene  to collide with and to follow attachments; NULL: none. Not modified.
@@ -954,7 +995,7 @@ module Gamephys
     # With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
     # their length follows from what the last step measured, the largest strain of its rigid constraints
     # and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-    # most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+    # most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
     # target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
     # jump, by contacts, the error is that of the jump.
     def get_substeps(body)

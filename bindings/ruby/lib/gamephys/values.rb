@@ -279,6 +279,15 @@ module Gamephys
   end
   ConstraintInfo::FORMAT, ConstraintInfo::COUNT, ConstraintInfo::BYTES = 'L3f2', 5, 20
 
+  # One joint. Frozen.
+  JointInfo = ::Struct.new(:id, :body_a, :particle_a, :body_b, :particle_b, :rest_length, :compliance, :force) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7])
+    def numbers = [id, body_a, particle_a, body_b, particle_b, rest_length, compliance, force]
+  end
+  JointInfo::FORMAT, JointInfo::COUNT, JointInfo::BYTES = 'L5f3', 8, 32
+
   # Frozen.
   SolverStats = ::Struct.new(:particle_count, :pinned_count, :constraint_count, :contact_count, :strain_max, :strain_rms, :kinetic_energy, :potential_energy) do
     extend Value

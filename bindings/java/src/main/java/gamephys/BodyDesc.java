@@ -10,7 +10,7 @@ import java.nio.ByteBuffer;
  * </pre>
  */
 public final class BodyDesc {
-    private final ByteBuffer memory = Batch.direct(44);
+    private final ByteBuffer memory = Batch.direct(52);
 
     public BodyDesc() {
         Low.check(Low.gphys_body_desc_init(pointer(), memory.capacity()));
@@ -159,5 +159,33 @@ public final class BodyDesc {
 
     public float staticFriction() {
         return memory.getFloat(40);
+    }
+
+    /**
+     * <pre>
+     * 1: its particles collide with one another, see below; default 0
+     * </pre>
+     */
+    public BodyDesc selfCollision(int value) {
+        memory.putInt(44, value);
+        return this;
+    }
+
+    public int selfCollision() {
+        return memory.getInt(44);
+    }
+
+    /**
+     * <pre>
+     * two bodies collide with each other if their masks share a bit; 0: with none; default 0
+     * </pre>
+     */
+    public BodyDesc bodyLayers(int value) {
+        memory.putInt(48, value);
+        return this;
+    }
+
+    public int bodyLayers() {
+        return memory.getInt(48);
     }
 }

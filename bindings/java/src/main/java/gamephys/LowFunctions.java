@@ -157,6 +157,9 @@ class LowFunctions {
     static native int gphys_solver_get_volume(Pointer solver, int body, Pointer outVolume, Pointer outPressure);
     static native int gphys_solver_remove_constraint(Pointer solver, int body, int constraint);
     static native int gphys_solver_get_constraints(Pointer solver, int body, Pointer outConstraints, int capacity, Pointer outTotal);
+    static native int gphys_solver_join(Pointer solver, int bodyA, int particleA, int bodyB, int particleB, float restLength, float compliance, Pointer outJoint);
+    static native int gphys_solver_unjoin(Pointer solver, int joint);
+    static native int gphys_solver_get_joints(Pointer solver, int body, Pointer outJoints, int capacity, Pointer outTotal);
     static native int gphys_solver_step(Pointer solver, Pointer scene, float dt);
     static native int gphys_solver_advance(Pointer solver, Pointer scene, float frameTime, Pointer outSteps, Pointer outLeftover);
     static native int gphys_solver_get_substeps(Pointer solver, int body, Pointer outSubsteps);

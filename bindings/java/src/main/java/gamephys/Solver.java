@@ -540,6 +540,71 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
+     * Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+     * equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+     * system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+     * particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+     * one thread and fall asleep and wake together. A joint goes with either body.
+     * &#64;param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+     *                     as far apart are drawn there within a step, and get the speed of that.
+     * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+     *         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+     * of a rope that is not joined.
+     * </pre>
+     */
+    public int join(int bodyA, int particleA, int bodyB, int particleB, float restLength, float compliance) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_join(opened(), bodyA, particleA, bodyB, particleB, restLength, compliance, scratch.slot(7));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(7);
+    }
+
+    /** The same with defaults. */
+    public int join(int bodyA, int particleA, int bodyB, int particleB, float restLength) {
+        return join(bodyA, particleA, bodyB, particleB, restLength, 0);
+    }
+
+    /**
+     * <pre>
+     * Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
+     * equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
+     * system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
+     * particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
+     * one thread and fall asleep and wake together. A joint goes with either body.
+     * &#64;param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
+     *                     as far apart are drawn there within a step, and get the speed of that.
+     * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
+     *         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
+     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
+     * of a rope that is not joined.
+     * </pre>
+     */
+    public void unjoin(int joint) {
+        int status = Low.gphys_solver_unjoin(opened(), joint);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * <pre>
+     * Joints of a body, by id. Kept when too many: the lowest.
+     * &#64;param body  0: of all bodies
+     * </pre>
+     */
+    public Batch<JointInfo> getJoints(int body) {
+        return Low.list(JointInfo.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_solver_get_joints(opened(), body, room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * <pre>
      * Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
      * takes more where they would be longer than 25 ms.
      * &#64;param scene  to collide with and to follow attachments; NULL: none. Not modified.
@@ -581,7 +646,7 @@ public final class Solver extends Owned {
      * With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
      * their length follows from what the last step measured, the largest strain of its rigid constraints
      * and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-     * most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+     * most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
      * target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
      * jump, by contacts, the error is that of the jump.
      * </pre>

@@ -1,0 +1,209 @@
+// Which bodies may influence each other, and how they are moved together: substep by substep.
+#include "solver/islands.h"
+
+#include "solver/impulses.h"
+#include "solver/motion.h"
+#include "solver/solver.h"
+
+namespace gphys {
+
+/// Bodies that collide with each other and may meet in this step: their boxes, swept and sorted along x.
+void Solver::unite_near_bodies(Sets& sets, double dt) {
+    reaches_.clear();
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        const Body& body = state_.bodies[slot];
+        if (!state_.ids.live(slot) || body.settings.body_layers == 0) continue;
+        Aabb box{body.position[0], body.position[0]};
+        double fastest = 0, radius = 0;
+        for (uint32_t p = 0; p < body.size(); ++p) {
+            box = {min(box.min, body.position[p]), max(box.max, body.position[p])};
+            fastest = std::max(fastest, length_squared(body.velocity[p]));
+            radius = std::max(radius, body.radius[p]);
+        }
+        // Twice as far as it flies: constraints may make a part of it faster.
+        const double room = radius + 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity));
+        const Vec3 around{room, room, room};
+        reaches_.push_back({slot, {box.min - around, box.max + around}});
+    }
+    std::sort(reaches_.begin(), reaches_.end(), [](const Reach& a, const Reach& b) {
+        return a.box.min.x != b.box.min.x ? a.box.min.x < b.box.min.x : a.slot < b.slot;
+    });
+    for (size_t i = 0; i < reaches_.size(); ++i) {
+        const Reach& a = reaches_[i];
+        for (size_t j = i + 1; j < reaches_.size() && reaches_[j].box.min.x <= a.box.max.x; ++j) {
+            const Reach& b = reaches_[j];
+            const bool apart = a.box.min.y > b.box.max.y || b.box.min.y > a.box.max.y || a.box.min.z > b.box.max.z ||
+                               b.box.min.z > a.box.max.z;
+            const bool collide =
+                (state_.bodies[a.slot].settings.body_layers & state_.bodies[b.slot].settings.body_layers) != 0;
+            if (collide && !apart) sets.unite(a.slot, b.slot);
+        }
+    }
+}
+
+/// Sets of bodies that joints hold together or that may meet. A set is awake if any of its bodies is.
+void Solver::unite_bodies(const Scene* scene, double dt) {
+    const uint32_t slots = state_.ids.slots();
+    Sets sets(set_of_, slots);
+    for (uint32_t slot = 0; slot < slots; ++slot) state_.bodies[slot].joined = false;
+    for (uint32_t slot = 0; slot < state_.joint_ids.slots(); ++slot) {
+        if (!state_.joint_ids.live(slot)) continue;
+        const Joint& joint = state_.joints[slot];
+        sets.unite(joint.body_a, joint.body_b);
+        state_.bodies[joint.body_a].joined = state_.bodies[joint.body_b].joined = true;
+    }
+    unite_near_bodies(sets, dt);
+    for (uint32_t slot = 0; slot < slots; ++slot) set_of_[slot] = sets.root(slot);
+    awake_.assign(slots, 0);
+    for (uint32_t slot = 0; slot < slots; ++slot) {
+        if (state_.ids.live(slot) && !sleeps_on(state_.bodies[slot], scene)) awake_[set_of_[slot]] = 1;
+    }
+    for (uint32_t slot = 0; slot < slots; ++slot) {
+        if (state_.ids.live(slot) && awake_[set_of_[slot]] && state_.bodies[slot].sleep.asleep) {
+            wake(state_.bodies[slot]);
+        }
+    }
+}
+
+/// The sets that are awake, as islands.
+void Solver::list_islands() {
+    islands_.clear();
+    island_bodies_.clear();
+    joined_bodies_.clear();
+    island_systems_.clear();
+    for (const Moving& moving : moving_) island_bodies_.push_back(moving.slot);
+    const auto by_set = [&](uint32_t a, uint32_t b) {
+        return set_of_[a] != set_of_[b] ? set_of_[a] < set_of_[b] : a < b;
+    };
+    std::sort(island_bodies_.begin(), island_bodies_.end(), by_set);
+    for (uint32_t i = 0; i < island_bodies_.size(); ++i) {
+        const uint32_t slot = island_bodies_[i];
+        if (islands_.empty() || set_of_[slot] != set_of_[island_bodies_[islands_.back().first_body]]) {
+            islands_.emplace_back();
+            islands_.back().first_body = i;
+            islands_.back().first_joined = static_cast<uint32_t>(joined_bodies_.size());
+        }
+        Island& island = islands_.back();
+        const Body& body = state_.bodies[slot];
+        island.size += body.size();
+        ++island.body_count;
+        if (!body.joined) continue;
+        joined_bodies_.push_back(slot);
+        ++island.joined_count;
+    }
+    const auto set_of_system = [&](uint32_t system) { return set_of_[systems_[system].node(0).body]; };
+    for (uint32_t i = 0; i < systems_.size(); ++i) island_systems_.push_back(i);
+    std::stable_sort(island_systems_.begin(), island_systems_.end(),
+                     [&](uint32_t a, uint32_t b) { return set_of_system(a) < set_of_system(b); });
+    uint32_t next = 0;
+    for (Island& island : islands_) {
+        const uint32_t set = set_of_[island_bodies_[island.first_body]];
+        while (next < systems_.size() && set_of_system(island_systems_[next]) < set) ++next;  // asleep
+        island.first_system = next;
+        while (next < systems_.size() && set_of_system(island_systems_[next]) == set) ++next;
+        island.system_count = next - island.first_system;
+    }
+    // A body alone is moved alone, unless it collides with itself.
+    const auto alone = [&](const Island& island) {
+        return island.body_count == 1 && !state_.bodies[island_bodies_[island.first_body]].settings.self_collision;
+    };
+    islands_.erase(std::remove_if(islands_.begin(), islands_.end(), alone), islands_.end());
+    std::sort(islands_.begin(), islands_.end());
+    together_.assign(state_.ids.slots(), 0);
+    for (const Island& island : islands_) {
+        for (uint32_t i = 0; i < island.body_count; ++i) together_[island_bodies_[island.first_body + i]] = 1;
+    }
+    for (Moving& moving : moving_) {
+        moving.together = together_[moving.slot] != 0;
+        if (moving.together) moving.undisturbed = false;
+    }
+}
+
+/// A substep of bodies that collide with others. Contacts come between the prediction and the constraints, so
+/// that what constraints take back of them is no motion; the velocities are turned at the end.
+void Solver::move_touching(const Island& island, const Joined& joined, const Surroundings& around, double h) {
+    const uint32_t* const slots = &island_bodies_[island.first_body];
+    const Vec3 gravity = state_.settings.gravity;
+    bool interrupted = false, touched = false;
+    for (uint32_t i = 0; i < island.body_count; ++i) {
+        const Body& body = state_.bodies[slots[i]];
+        if (body.plan.method == GPHYS_SOLVE_FREE && !body.joined) continue;
+        interrupted = interrupted || body.earlier_step == 0;
+        touched = touched || body.touched;
+    }
+    const auto move_once = [&](const Surroundings& within, double part) {
+        for (uint32_t i = 0; i < island.body_count; ++i) {
+            Body& body = state_.bodies[slots[i]];
+            if (!body.joined) begin_move(body, within, gravity, part);
+        }
+        begin_joined(joined, within, gravity, part);
+        particle_contacts_.part(island, state_.bodies, slots, within, gravity, part);
+        for (uint32_t i = 0; i < island.body_count; ++i) {
+            Body& body = state_.bodies[slots[i]];
+            if (!body.joined) end_move(body, within, gravity, part);
+        }
+        end_joined(joined, within, gravity, part);
+        particle_contacts_.turn(island, state_.bodies, slots);
+    };
+    if (interrupted && !touched) {
+        start_slowly(around, h, move_once);
+    } else {
+        move_once(around, h);
+    }
+}
+
+/// All substeps of the bodies of an island. Touches nothing of others, allocates nothing.
+void Solver::move_island(const Island& island, const Scene* scene, double dt) {
+    const uint32_t* const slots = &island_bodies_[island.first_body];
+    const uint32_t* const joined_slots = joined_bodies_.data() + island.first_joined;
+    const uint32_t* const systems = island_systems_.data() + island.first_system;
+    const Joined joined{state_.bodies,
+                        state_.joints,
+                        joined_slots,
+                        joined_slots + island.joined_count,
+                        systems_,
+                        systems,
+                        systems + island.system_count,
+                        tethers_};
+    const auto each_body = [&](auto&& visit) {
+        for (uint32_t i = 0; i < island.body_count; ++i) visit(state_.bodies[slots[i]]);
+    };
+    const Vec3 gravity = state_.settings.gravity;
+    const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
+    uint32_t substeps = 1;
+    each_body([&](Body& body) {
+        std::fill(body.touches.begin(), body.touches.end(), Touch{});
+        body.impulses.clear();
+        give_attached(body, beginning, 1, {}, 0);
+        substeps = std::max(substeps, substeps_of(body, state_.settings, dt));
+        if (body.plan.method != GPHYS_SOLVE_GRAPH) return;
+        begin_cloth(body, whole, gravity);
+        if (body.joined) begin_joined_cloth(body);
+    });
+    if (island.touching_count > 0) particle_contacts_.begin(island, state_.bodies, slots);
+    for (uint32_t i = 1; i <= substeps; ++i) {
+        const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
+        const Surroundings around{scene, &moved_, dt, begin, end};
+        const double h = dt / substeps;
+        if (island.touching_count > 0) {
+            move_touching(island, joined, around, h);
+            continue;
+        }
+        each_body([&](Body& body) {
+            if (!body.joined) move(body, around, gravity, h);
+        });
+        if (island.joined_count > 0) move_joined(joined, around, gravity, h);
+    }
+    if (island.touching_count > 0)
+        particle_contacts_.settle(island, state_.bodies, slots, whole, gravity, dt / substeps);
+    bool calm = state_.settings.sleep_speed > 0;
+    each_body([&](Body& body) {
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+        meet_targets(body, state_.settings, dt, substeps);
+        give_attached(body, whole, -1, gravity, dt);
+        calm = is_calm(body, state_.settings, dt) && calm;
+    });
+    if (calm) each_body([&](Body& body) { fall_asleep(body, scene, dt); });
+}
+
+}  // namespace gphys

@@ -1,0 +1,44 @@
+// Bodies that may influence each other in a step form an island, which one worker moves; so does one that
+// collides with itself.
+#pragma once
+
+#include "foundation/memory.h"
+
+namespace gphys {
+
+/// Disjoint sets of numbers; the root of a set is its lowest number.
+class Sets {
+public:
+    Sets(Vector<uint32_t>& parent, uint32_t count) : parent_(parent) {
+        parent_.resize(count);
+        for (uint32_t i = 0; i < count; ++i) parent_[i] = i;
+    }
+    uint32_t root(uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void unite(uint32_t a, uint32_t b) {
+        a = root(a);
+        b = root(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    Vector<uint32_t>& parent_;
+};
+
+/// What one worker moves: ranges of the solver's lists.
+struct Island {
+    uint32_t size = 0;  // particles
+    uint32_t first_body = 0, body_count = 0;
+    uint32_t first_joined = 0, joined_count = 0;
+    uint32_t first_system = 0, system_count = 0;
+    uint32_t first_particle = 0, touching_count = 0;  // those that collide with others
+
+    /// The largest first: no worker begins a large one when the others are done.
+    bool operator<(const Island& other) const {
+        return size != other.size ? size > other.size : first_body < other.first_body;
+    }
+};
+
+}  // namespace gphys

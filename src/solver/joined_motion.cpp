@@ -1,0 +1,183 @@
+// One substep of bodies that are joined. Chains and particles go to where they would go alone and are then
+// solved together (joint_system.cpp). Pieces of cloth are swept one after the other, each with the inertia of
+// what hangs on it, and what they pull with is given to the systems of their joints before the next.
+#include "solver/motion.h"
+
+namespace gphys {
+namespace {
+
+bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
+
+template <class Visit>
+void each_body(const Joined& joined, Visit&& visit) {
+    for (const uint32_t* slot = joined.slots_begin; slot != joined.slots_end; ++slot) {
+        visit(joined.bodies[*slot], *slot);
+    }
+}
+
+template <class Visit>
+void each_system(const Joined& joined, Visit&& visit) {
+    for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i) visit(joined.all_systems[*i]);
+}
+
+void solve_systems(const Joined& joined, double h) {
+    each_system(joined, [&](JointSystem& system) {
+        system.gather(joined.bodies, joined.joints, h);
+        system.solve();
+        system.scatter(joined.bodies);
+    });
+}
+
+/// The inverse masses that the chains of the cloth find at its joined particle.
+void hang_on(Body& body, const Tether& tether, JointSystem& system) {
+    Vec3 columns[3];
+    system.response(tether.node, columns);
+    const double weight = system.node(tether.node).weight;
+    float* const diagonal = &body.cloth.tether_diagonal[4 * size_t{tether.particle}];
+    float* const off = &body.cloth.tether_off[4 * size_t{tether.particle}];
+    for (int k = 0; k < 3; ++k) {
+        diagonal[k] = static_cast<float>(columns[k][k] * weight);
+        off[k] = static_cast<float>(columns[(k + 1) % 3][(k + 2) % 3] * weight);
+    }
+}
+
+void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const Surroundings& around, Vec3 gravity,
+                        double h) {
+    const auto begin = std::lower_bound(joined.all_tethers.begin(), joined.all_tethers.end(), Tether{slot, 0, 0, 0});
+    const auto end = std::lower_bound(begin, joined.all_tethers.end(), Tether{slot + 1, 0, 0, 0});
+    Vector<float>& pulls = body.cloth_contacts.pulls;
+    const bool collides = gphys::collides(body, around);
+    if (collides) touch_walls(body, gravity, TimeScheme(h, body.earlier_step));
+    const auto moves = [&](const Tether& tether) { return body.cloth.at[4 * size_t{tether.particle} + 3] > 0; };
+    for (auto tether = begin; tether != end; ++tether) {
+        hang_on(body, *tether, joined.all_systems[tether->system]);
+        // What friction holds is not pulled off by this.
+        if (moves(*tether)) std::fill_n(&pulls[4 * size_t{tether->particle}], 3, 0.0f);
+    }
+    solve_cloth(body);
+    const double step = TimeScheme(h, body.earlier_step).step(body.settings.damping);
+    for (auto tether = begin; tether != end; ++tether) {
+        if (!moves(*tether)) continue;
+        const float* pull = &pulls[4 * size_t{tether->particle}];
+        const Vec3 force = Vec3{pull[0], pull[1], pull[2]} * (body.cloth.average_mass / (step * step));
+        joined.all_systems[tether->system].push(tether->node, force);
+    }
+    for (auto tether = begin; tether != end; ++tether) {
+        JointSystem& system = joined.all_systems[tether->system];
+        if (!system.is_pushed()) continue;  // or done already
+        system.solve();
+        system.scatter(joined.bodies);
+    }
+}
+
+/// As a body alone does it, but with all held particles at once.
+void collide_joined(const Joined& joined, const Surroundings& around, double quiet, double h) {
+    bool touched = false;
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) return;
+        collide(body, around, quiet);
+        touched = touched || body.touched;
+    });
+    if (!touched) return;
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) return;
+        if (body.touched) {
+            ease_contacts(body, around);
+            hold_touching(body);
+        } else {
+            body.start = body.position;
+        }
+    });
+    solve_systems(joined, h);
+    each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) return;
+        const TimeScheme scheme(h, body.earlier_step);
+        const SolvedAgain again{scheme.step(body.settings.damping), scheme.next / h};
+        if (body.touched) let_go_touching(body);
+        if (collides(body, around)) {
+            if (!body.touched) std::fill(body.held.begin(), body.held.end(), uint8_t{0});
+            collide_again(body, around, quiet, again);
+        } else {
+            for (uint32_t p = 0; p < body.size(); ++p)
+                body.velocity[p] += (body.position[p] - body.start[p]) * again.rate;
+        }
+    });
+}
+
+}  // namespace
+
+void reserve_joined_cloth(Body& body) {
+    body.cloth.tether_diagonal.resize(body.cloth.at.size());
+    body.cloth.tether_off.resize(body.cloth.at.size());
+    for (Vector<float>* values : {&body.cloth_contacts.normals, &body.cloth_contacts.pulls}) {
+        values->resize(body.cloth.at.size());
+    }
+}
+
+void begin_joined_cloth(Body& body) {
+    std::fill(body.cloth.tether_diagonal.begin(), body.cloth.tether_diagonal.end(), 1.0f);
+    std::fill(body.cloth.tether_off.begin(), body.cloth.tether_off.end(), 0.0f);
+    std::fill(body.cloth_contacts.normals.begin(), body.cloth_contacts.normals.end(), 0.0f);
+}
+
+void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) {
+            predict_cloth(body, around, h);
+        } else {
+            const TimeScheme scheme(h, body.earlier_step);
+            begin_friction(body, gravity);
+            predict_chains(body, scheme, gravity);
+            follow_models(body, around.end, h);
+            if (body.plan.damped) damp_chains(body, scheme);
+        }
+    });
+}
+
+void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
+    solve_systems(joined, h);
+    each_body(joined, [&](Body& body, uint32_t slot) {
+        if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
+    });
+    bool captured = false;
+    each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) return;
+        const TimeScheme scheme(h, body.earlier_step);
+        finish_chains(body, scheme);
+        if (body.plan.limited) captured = capture(body, around, scheme) || captured;
+    });
+    collide_joined(joined, around, quiet_speed(gravity, h), h);
+    each_system(joined, [&](const JointSystem& system) { system.give_anchors(joined.bodies, around, h); });
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) {
+            finish_cloth(body, around, gravity, h);
+        } else {
+            if (!body.attachments.empty()) give_tensions(body, around, h);
+            end_friction(body);
+            body.earlier_step = body.touched || captured ? 0 : h;
+        }
+    });
+}
+
+void move_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
+    const auto move_once = [&](const Surroundings& within, double part) {
+        begin_joined(joined, within, gravity, part);
+        end_joined(joined, within, gravity, part);
+    };
+    // The time schemes of all look back as far, or momentum would come and go between them.
+    bool interrupted = false, touched = false;
+    each_body(joined, [&](const Body& body, uint32_t) {
+        interrupted = interrupted || body.earlier_step == 0;
+        touched = touched || body.touched;
+    });
+    if (interrupted) each_body(joined, [&](Body& body, uint32_t) { body.earlier_step = 0; });
+    if (interrupted && !touched) {
+        start_slowly(around, h, move_once);
+    } else {
+        move_once(around, h);
+    }
+}
+
+}  // namespace gphys

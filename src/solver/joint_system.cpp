@@ -1,0 +1,294 @@
+// Newton's method on a system of joined chains and particles. The equations, with geometric stiffness and
+// regularisation, are those of rope_direct.cpp; forces are in newtons here, as bodies may differ in the
+// length of their steps' effect (damping).
+#include "solver/body.h"
+#include "solver/impulses.h"
+#include "solver/joints.h"
+#include "solver/time_scheme.h"
+
+namespace gphys {
+namespace {
+
+// As for chains: the error squares itself in each iteration.
+constexpr int most_iterations = 4;
+constexpr int most_limited_iterations = 16;  // as for chains: which limits hold is found out as well
+constexpr double settled = 1e-9;
+constexpr double regularisation = 1e-10;
+// Between pins too far apart tensions have no bound but this compliance, and geometric stiffness with such
+// tensions throws particles aside. A tension that would move a particle by more than 10^4 lengths of its link
+// in a substep is none: then all links give way with a ten thousandth of the inverse masses, and share the stretch.
+constexpr double absurd = 1e4;
+constexpr double yielding = 1e-4;
+
+constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+Vec3 cloth_position(const ClothState& cloth, uint32_t particle) {
+    const float* at = &cloth.at[4 * size_t{particle}];
+    return cloth.origin + Vec3{at[0], at[1], at[2]};
+}
+
+}  // namespace
+
+uint32_t JointSystem::find_node(uint32_t body, uint32_t particle) const {
+    const auto before = [](const Node& node, const Node& wanted) {
+        return node.body != wanted.body ? node.body < wanted.body : node.particle < wanted.particle;
+    };
+    const auto at = std::lower_bound(nodes_.begin(), nodes_.end(), Node{body, particle}, before);
+    return static_cast<uint32_t>(at - nodes_.begin());
+}
+
+void JointSystem::plan() {
+    std::pmr::memory_resource* memory = nodes_.get_allocator().resource();
+    const uint32_t count = node_count();
+    Vector<Edge> edges(memory);
+    for (const Link& link : links_) edges.push_back({link.a, link.b});
+    Vector<uint32_t> order(memory), place(count, memory);
+    order_by_degree(count, edges, order);
+    for (uint32_t i = 0; i < count; ++i) place[order[i]] = i;
+    Vector<Node> ordered(memory);
+    for (const uint32_t node : order) ordered.push_back(nodes_[node]);
+    nodes_.swap(ordered);
+    for (Link& link : links_) link.a = place[link.a], link.b = place[link.b];
+    // The tension of a link comes right after the later of its ends, whose mass keeps its pivot from zero.
+    const auto later = [](const Link& link) { return std::max(link.a, link.b); };
+    std::stable_sort(links_.begin(), links_.end(), [&](const Link& a, const Link& b) { return later(a) < later(b); });
+
+    Vector<uint32_t> column_begin(1, 0, memory), rows(memory);
+    uint32_t scalar = 0;
+    size_t first = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        nodes_[i].scalar = scalar;
+        size_t end = first;
+        uint32_t rank = 0;
+        while (end < links_.size() && later(links_[end]) == i) {
+            if (links_[end].axis == along) links_[end].rank = rank++;
+            ++end;
+        }
+        for (uint32_t k = 0; k < 3; ++k, ++scalar) {
+            for (size_t l = first; l < end; ++l) {
+                if (links_[l].axis != along) continue;
+                const uint32_t before = nodes_[std::min(links_[l].a, links_[l].b)].scalar;
+                rows.insert(rows.end(), {before, before + 1, before + 2});
+            }
+            for (uint32_t above = 0; above < k; ++above) rows.push_back(nodes_[i].scalar + above);
+            column_begin.push_back(static_cast<uint32_t>(rows.size()));
+        }
+        for (; first < end; ++first, ++scalar) {
+            links_[first].scalar = scalar;
+            for (const uint32_t node : {links_[first].a, links_[first].b}) {
+                for (uint32_t k = 0; k < 3; ++k) rows.push_back(nodes_[node].scalar + k);
+            }
+            column_begin.push_back(static_cast<uint32_t>(rows.size()));
+        }
+    }
+    matrix_.analyse(column_begin, rows);
+    entries_.resize(rows.size());
+    diagonal_.resize(scalar);
+    solution_.resize(scalar);
+}
+
+void JointSystem::gather(const Vector<Body>& bodies, const Vector<Joint>& joints, double h) {
+    for (Node& node : nodes_) {
+        const Body& body = bodies[node.body];
+        const double step = TimeScheme(h, body.earlier_step).step(body.settings.damping);
+        node.free = !body.pinned(node.particle);
+        node.weight = body.mass[node.particle] / (step * step);
+        if (node.of_graph) {
+            node.position = node.predicted = cloth_position(body.cloth, node.particle);
+        } else {
+            node.position = body.position[node.particle];
+            node.predicted = body.predicted[node.particle];
+        }
+    }
+    for (Link& link : links_) {
+        if (link.source_body == of_joint) {
+            const Joint& joint = joints[link.source];
+            link.rest = joint.rest;
+            link.compliance = joint.compliance;
+            link.tension = link.axis == along ? joint.tension.x : joint.tension[link.axis];
+        } else {
+            const Plan& plan = bodies[link.source_body].plan;
+            link.rest = plan.damped_rest[link.source];
+            link.compliance = plan.damped_compliance[link.source];
+            link.limit = plan.limit[link.source] != 0;
+            link.tension = plan.tension[link.source];
+        }
+    }
+}
+
+void JointSystem::scatter(Vector<Body>& bodies) const {
+    for (const Node& node : nodes_) {
+        Body& body = bodies[node.body];
+        if (!node.free) continue;
+        if (node.of_graph) {
+            const Vec3 at = node.position - body.cloth.origin;
+            for (int k = 0; k < 3; ++k) body.cloth.at[4 * size_t{node.particle} + k] = static_cast<float>(at[k]);
+        } else {
+            body.position[node.particle] = node.position;
+        }
+    }
+}
+
+void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const {
+    for (const Link& link : links_) {
+        if (link.source_body != of_joint) {
+            bodies[link.source_body].plan.tension[link.source] = link.tension;
+        } else {
+            Vec3& tension = joints[link.source].tension;
+            (link.axis == along ? tension.x : tension[link.axis]) = link.tension;
+        }
+    }
+}
+
+void JointSystem::give_anchors(Vector<Body>& bodies, const Surroundings& around, double h) const {
+    for (const Link& link : links_) {
+        if (link.source_body != of_joint) continue;  // chains give theirs themselves
+        const Node &a = nodes_[link.a], &b = nodes_[link.b];
+        if (a.free && b.free) continue;
+        const Vec3 pull = stretch(link).direction * (link.tension * h);
+        if (!a.free) give_anchor(bodies[a.body], around, a.particle, pull);
+        if (!b.free) give_anchor(bodies[b.body], around, b.particle, -pull);
+    }
+}
+
+JointSystem::Stretch JointSystem::stretch(const Link& link) const {
+    const Node &a = nodes_[link.a], &b = nodes_[link.b];
+    Stretch out{};
+    out.acts = a.free || b.free;
+    const Vec3 between = b.position - a.position;
+    const double mobility = (a.free ? 1 / a.weight : 0) + (b.free ? 1 / b.weight : 0);
+    out.softness = link.compliance + give_ * mobility;
+    if (link.axis != along) {
+        out.direction = axes[link.axis];
+        out.error = between[link.axis];
+        return out;
+    }
+    const double length = gphys::length(between), scale = std::max(length, link.rest);
+    out.direction = length > 0 ? between / length : axes[0];
+    out.error = length - link.rest;
+    if (link.tension > 0 && scale > 0) out.stiffness = link.tension / scale;
+    // As rope_direct.cpp: a limit is there while a tension would hold it.
+    if (link.limit && link.tension * mobility + out.error <= 0) return Stretch{};
+    return out;
+}
+
+void JointSystem::assemble() {
+    std::fill(entries_.begin(), entries_.end(), 0.0);
+    const auto column_begin = [&](uint32_t column) { return entries_.data() + matrix_.column_begin(column); };
+    // Above the diagonal of a node, behind its couplings.
+    const auto own = [&](const Node& node, uint32_t column) {
+        return entries_.data() + matrix_.column_begin(node.scalar + column + 1) - column;
+    };
+    for (const Node& node : nodes_) {
+        const Vec3 force = node.free ? (node.predicted - node.position) * node.weight : Vec3{};
+        for (uint32_t k = 0; k < 3; ++k) {
+            diagonal_[node.scalar + k] = node.weight;
+            solution_[node.scalar + k] = force[static_cast<int>(k)];
+        }
+    }
+    for (const Link& link : links_) {
+        const Stretch s = stretch(link);
+        const Node &a = nodes_[link.a], &b = nodes_[link.b];
+        diagonal_[link.scalar] = s.acts ? -s.softness : -1;
+        solution_[link.scalar] = s.acts ? -s.error : 0;
+        double* const ends = column_begin(link.scalar);
+        for (int k = 0; k < 3; ++k) {
+            ends[k] = a.free ? -s.direction[k] : 0;
+            ends[3 + k] = b.free ? s.direction[k] : 0;
+        }
+        if (s.stiffness == 0) continue;
+        const Node& later = nodes_[std::max(link.a, link.b)];
+        for (uint32_t column = 0; column < 3; ++column) {
+            const Vec3 axis = axes[column];
+            const Vec3 k = (axis - s.direction * s.direction[static_cast<int>(column)]) * s.stiffness;
+            for (const Node* node : {&a, &b}) {
+                if (!node->free) continue;
+                diagonal_[node->scalar + column] += k[static_cast<int>(column)];
+                for (uint32_t row = 0; row < column; ++row) own(*node, column)[row] += k[static_cast<int>(row)];
+            }
+            if (!a.free || !b.free) continue;
+            double* const coupling = column_begin(later.scalar + column) + 3 * size_t{link.rank};
+            for (int row = 0; row < 3; ++row) coupling[row] = -k[row];
+        }
+    }
+}
+
+/// No correction moves a particle further than all links are long, as placed and at rest together, and than
+/// all pushes would move it.
+double JointSystem::reach() const {
+    double sum = 0;
+    for (const Node& node : nodes_) sum += distance(node.position, node.predicted);
+    for (const Link& link : links_) sum += distance(nodes_[link.a].position, nodes_[link.b].position) + link.rest;
+    return sum;
+}
+
+bool JointSystem::is_settled() const {
+    return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
+        // At no distance the equations are linear.
+        if (link.axis != along) return true;
+        const Stretch s = stretch(link);
+        return !s.acts || std::fabs(s.error - s.softness * link.tension) <= settled * link.rest;
+    });
+}
+
+bool JointSystem::is_feasible() const {
+    return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
+        const Node &a = nodes_[link.a], &b = nodes_[link.b];
+        if (link.axis != along || (!a.free && !b.free)) return true;
+        const double weight = std::max(a.free ? a.weight : 0, b.free ? b.weight : 0);
+        return std::fabs(link.tension) <= absurd * weight * std::max(link.rest, distance(a.position, b.position));
+    });
+}
+
+void JointSystem::solve() {
+    pushed_ = false;
+    for (Node& node : nodes_) node.start = node.position;
+    give_ = regularisation;
+    const bool limited = std::any_of(links_.begin(), links_.end(), [](const Link& link) { return link.limit; });
+    const int iterations = limited ? most_limited_iterations : most_iterations;
+    for (int iteration = 0; iteration < iterations; ++iteration) {
+        assemble();
+        matrix_.factor(entries_.data(), diagonal_.data());
+        matrix_.solve(solution_.data());
+        for (Link& link : links_) link.tension = solution_[link.scalar];
+        if (give_ != yielding && !is_feasible()) {
+            give_ = yielding;
+            // Where nothing but this compliance bounds them, tensions are in inverse proportion to it.
+            for (Link& link : links_) link.tension *= regularisation / yielding;
+            for (Node& node : nodes_) node.position = node.start;
+            iteration = -1;
+            continue;
+        }
+        const double fraction = advance();
+        if (iteration > 0 && fraction == 1 && is_settled()) return;
+    }
+}
+
+/// Move the particles by the solution, or by a part of it; returns the part.
+double JointSystem::advance() {
+    double longest = 0;
+    for (const Node& node : nodes_) {
+        const double* x = &solution_[node.scalar];
+        longest = std::max({longest, std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
+    }
+    const double most = reach(), fraction = longest > most ? most / longest : 1;
+    for (Node& node : nodes_) {
+        const double* x = &solution_[node.scalar];
+        if (node.free) node.position += Vec3{x[0], x[1], x[2]} * fraction;
+    }
+    return fraction;
+}
+
+void JointSystem::response(uint32_t node, Vec3 (&columns)[3]) {
+    for (int k = 0; k < 3; ++k) {
+        columns[k] = {};
+        if (!nodes_[node].free) continue;
+        std::fill(solution_.begin(), solution_.end(), 0.0);
+        double* const own = &solution_[nodes_[node].scalar];
+        own[k] = 1;
+        matrix_.solve(solution_.data());
+        columns[k] = {own[0], own[1], own[2]};
+    }
+}
+
+}  // namespace gphys

@@ -1,0 +1,64 @@
+// The parts of a substep, for bodies that move alone and for those that move together.
+#pragma once
+
+#include "solver/collision.h"
+#include "solver/joints.h"
+#include "solver/time_scheme.h"
+
+namespace gphys {
+
+/// step.cpp: one substep of a body on its own.
+void move(Body& body, const Surroundings& around, Vec3 gravity, double h);
+/// The same in two parts, between which others may push its particles: those without constraints are moved by
+/// the first, all others only predicted.
+void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
+
+/// Its parts for chains: free particles to where they would go without constraints, attached ones after their
+/// models, and the velocities that the time scheme gives for the solved positions.
+void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity);
+void follow_models(Body& body, double fraction, double h);
+void finish_chains(Body& body, const TimeScheme& scheme);
+/// Damped links as undamped ones of this substep, and tensions to the models that ropes hang from.
+void damp_chains(Body& body, const TimeScheme& scheme);
+void give_tensions(Body& body, const Surroundings& around, double h);
+
+/// Particles that touch something count as pinned in between.
+void hold_touching(Body& body);
+void let_go_touching(Body& body);
+
+/// The first step after an interruption is of first order, and would leave an error of the size of a
+/// substep for good; it is made a quarter as long. A contact interrupts all the time, and motion has
+/// no second derivative there. move(part of the surroundings, part of h).
+template <class Move>
+void start_slowly(const Surroundings& around, double h, Move&& move) {
+    constexpr double parts[] = {0.25, 0.25, 0.5};  // the formula allows steps to double
+    double done = 0;
+    for (const double part : parts) {
+        Surroundings within = around;
+        within.begin = around.begin + (around.end - around.begin) * done;
+        done += part;
+        within.end = around.begin + (around.end - around.begin) * done;
+        move(within, h * part);
+    }
+}
+
+/// Bodies that are joined, directly or by others, and the systems of their joints.
+struct Joined {
+    Vector<Body>& bodies;
+    Vector<Joint>& joints;
+    const uint32_t *slots_begin, *slots_end;  // of the bodies, ascending
+    Vector<JointSystem>& all_systems;
+    const uint32_t *systems_begin, *systems_end;  // among all
+    const Vector<Tether>& all_tethers;            // by body and particle
+};
+
+/// joined_motion.cpp: one substep of all of them, or the two parts of one.
+void move_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
+void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
+void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
+/// What it needs, and before the first substep, after begin_cloth.
+void reserve_joined_cloth(Body& body);
+void begin_joined_cloth(Body& body);
+
+}  // namespace gphys

@@ -1,0 +1,460 @@
+#include "solver/particle_contacts.h"
+
+#include "solver/collision.h"
+
+namespace gphys {
+namespace {
+
+// In the list, and as contacts, for each particle. Of equal spheres in the densest packing each touches 12
+// others and has 18 within 1.4 diameters; a pair counts once. What does not fit is left out, those with the
+// highest numbers first.
+constexpr uint32_t pairs_per_particle = 12;
+constexpr uint32_t contacts_per_particle = 6;
+// The margin of a particle at rest, in radii: a list made for more holds longer, and is longer.
+constexpr double least_margin = 0.2;
+// How many substeps at its present speed the margin of a particle in motion is for.
+constexpr double lasting = 2;
+// Sweeps over the contacts of a substep. What a pile is deep, in particles, and more substeps count alike: each
+// sweep carries a load on by a particle at least.
+constexpr int sweeps = 4;
+// Pairs that are apart by less than this, in sums of their radii, are contacts too: others may press them together.
+constexpr double near = 0.02;
+// Pairs that overlap from the beginning are parted by this much in a substep, in sums of their radii: all at once
+// would shoot them apart.
+constexpr double most_parting = 0.1;
+
+Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
+void put(float* to, Vec3 value) {
+    for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(value[k]);
+}
+
+bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
+
+bool touches_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
+
+Vec3 place_of(const Body& body, uint32_t p) {
+    return is_graph(body) ? body.cloth.origin + get(&body.cloth.at[4 * size_t{p}]) : body.position[p];
+}
+Vec3 velocity_of(const Body& body, uint32_t p) {
+    return is_graph(body) ? get(&body.cloth.velocity[4 * size_t{p}]) : body.velocity[p];
+}
+
+bool linked(const Body& body, uint32_t a, uint32_t b) {
+    const auto begin = body.linked.begin() + body.linked_begin[a], end = body.linked.begin() + body.linked_begin[a + 1];
+    return std::binary_search(begin, end, b);
+}
+
+bool moves_freely(const Body& body) { return body.plan.method == GPHYS_SOLVE_FREE && !body.joined; }
+
+/// Of one body. Where links hold particles within touch of each other they do not collide.
+bool collide_within(const Body& body, uint32_t a, uint32_t b) {
+    if (!body.settings.self_collision) return false;
+    if (body.plan.method == GPHYS_SOLVE_FREE) return true;
+    return distance(body.placed[a], body.placed[b]) > body.radius[a] + body.radius[b] && !linked(body, a, b);
+}
+
+/// The key of a cell: different cells may share one, which costs time, not truth.
+uint64_t key_of(const int64_t (&cell)[3]) {
+    uint64_t key = 0;
+    for (const int64_t c : cell) {
+        key = (key ^ static_cast<uint64_t>(c)) * 0x9e3779b97f4a7c15;  // 2^64 / golden ratio
+        key ^= key >> 32;
+    }
+    return key;
+}
+
+struct Grid {
+    double size;
+
+    // Beyond this all are in one cell: the cast would trap.
+    int64_t along(double x) const { return static_cast<int64_t>(std::floor(std::clamp(x / size, -1e15, 1e15))); }
+    uint64_t key(Vec3 at) const { return key_of({along(at.x), along(at.y), along(at.z)}); }
+};
+
+/// When two points whose difference goes from `from` to `to` are first as near as `reach`; above 1: not at all.
+double time_of_touch(Vec3 from, Vec3 to, double reach) {
+    const Vec3 way = to - from;
+    const double a = length_squared(way), b = dot(from, way), c = length_squared(from) - reach * reach;
+    if (c <= 0) return 0;
+    const double discriminant = b * b - a * c;
+    if (b >= 0 || discriminant < 0) return infinity;
+    return c / (-b + std::sqrt(discriminant));
+}
+
+}  // namespace
+
+void list_linked(Body& body) {
+    const uint32_t n = body.size();
+    body.linked_begin.assign(size_t{n} + 1, 0);
+    for (uint32_t p = 0; p < n; ++p) body.linked_begin[p + 1] = body.linked_begin[p] + body.links[p].degree;
+    body.linked.resize(body.linked_begin[n]);
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        if (!body.constraint_ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints[slot];
+        body.linked[body.linked_begin[c.a]++] = c.b;
+        body.linked[body.linked_begin[c.b]++] = c.a;
+    }
+    for (uint32_t p = n; p > 0; --p) body.linked_begin[p] = body.linked_begin[p - 1];
+    body.linked_begin[0] = 0;
+    for (uint32_t p = 0; p < n; ++p) {
+        std::sort(body.linked.begin() + body.linked_begin[p], body.linked.begin() + body.linked_begin[p + 1]);
+    }
+}
+
+void ParticleContacts::reserve(const Vector<Body>& bodies, Vector<Island>& islands,
+                               const Vector<uint32_t>& island_bodies) {
+    uint32_t total = 0, most = 0;
+    for (Island& island : islands) {
+        island.first_particle = total;
+        island.touching_count = 0;
+        for (uint32_t i = 0; i < island.body_count; ++i) {
+            const Body& body = bodies[island_bodies[island.first_body + i]];
+            if (touches_others(body)) island.touching_count += body.size();
+        }
+        total += island.touching_count;
+    }
+    // Which bodies are near each other changes from step to step; room is for all that may be.
+    for (const Body& body : bodies) most += touches_others(body) ? body.size() : 0;
+    particles_.resize(most);
+    pairs_.resize(size_t{most} * pairs_per_particle);
+    contacts_.resize(size_t{most} * contacts_per_particle);
+    buckets_.resize(size_t{most} * 4);
+    sorted_.resize(most);
+    keys_.resize(most);
+    pair_counts_.resize(most);
+    contact_counts_.resize(most);
+}
+
+ParticleContacts::Range ParticleContacts::range(const Island& island) {
+    const size_t first = island.first_particle;
+    uint32_t table = 1;
+    while (table < 2 * island.touching_count) table *= 2;  // with its end, at most four times the particles
+    return {&particles_[first],
+            island.touching_count,
+            &pairs_[first * pairs_per_particle],
+            island.touching_count * pairs_per_particle,
+            &pair_counts_[first],
+            &contact_counts_[first],
+            &contacts_[first * contacts_per_particle],
+            island.touching_count * contacts_per_particle,
+            &buckets_[first * 4],
+            table,
+            &sorted_[first],
+            &keys_[first]};
+}
+
+void ParticleContacts::begin(const Island& island, const Vector<Body>& bodies, const uint32_t* slots) {
+    const Range range = this->range(island);
+    Particle* next = range.particles;
+    for (uint32_t i = 0; i < island.body_count; ++i) {
+        const Body& body = bodies[slots[i]];
+        if (!touches_others(body)) continue;
+        for (uint32_t p = 0; p < body.size(); ++p, ++next) {
+            *next = {};
+            next->body = slots[i];
+            next->number = p;
+            next->radius = body.radius[p];
+            next->margin = -1;  // in no list yet
+            next->at = place_of(body, p);
+            if (!body.touches.empty()) next->touches = &body.touches[size_t{p} * touches_per_particle];
+        }
+    }
+    *range.pair_count = *range.contact_count = 0;
+}
+
+void ParticleContacts::gather(const Range& range, const Vector<Body>& bodies) const {
+    for (uint32_t i = 0; i < range.count; ++i) {
+        Particle& p = range.particles[i];
+        const Body& body = bodies[p.body];
+        p.before = p.at;
+        p.at = p.arrived = place_of(body, p.number);
+        p.velocity = p.arrived_velocity = velocity_of(body, p.number);
+        p.inverse_mass = body.inverse_mass[p.number];
+    }
+}
+
+bool ParticleContacts::list_holds(const Range& range) const {
+    return std::all_of(range.particles, range.particles + range.count, [](const Particle& p) {
+        return p.margin >= 0 && length_squared(p.at - p.found_at) <= p.margin * p.margin;
+    });
+}
+
+void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies) const {
+    double sum = 0;
+    for (uint32_t i = 0; i < range.count; ++i) {
+        Particle& p = range.particles[i];
+        p.found_at = p.at;
+        p.margin = std::max(least_margin * p.radius, lasting * distance(p.at, p.before));
+        sum += p.reach();
+    }
+    uint32_t& count = *range.pair_count;
+    count = 0;
+    if (sum == 0) return;  // points at rest
+    // Cells as wide as two particles of average reach, so that such a one looks into 27 of them.
+    const Grid grid{2 * sum / range.count};
+    const uint32_t mask = range.table_size - 1;
+    std::fill(range.buckets, range.buckets + range.table_size + 1, 0);
+    for (uint32_t i = 0; i < range.count; ++i) {
+        range.keys[i] = grid.key(range.particles[i].at);
+        ++range.buckets[(range.keys[i] & mask) + 1];
+    }
+    for (uint32_t b = 0; b < range.table_size; ++b) range.buckets[b + 1] += range.buckets[b];
+    for (uint32_t i = range.count; i-- > 0;) range.sorted[--range.buckets[(range.keys[i] & mask) + 1]] = i;
+    // The beginning of each bucket has moved to the place after it: bucket b is buckets[b + 1] .. its successor's.
+    const auto bucket = [&](uint32_t b, uint32_t& begin, uint32_t& end) {
+        begin = range.buckets[b + 1];
+        end = b + 1 < range.table_size ? range.buckets[b + 2] : range.count;
+    };
+    const auto meet = [&](uint32_t i, uint32_t j) {
+        const Particle &p = range.particles[i], &q = range.particles[j];
+        // The one that reaches further finds the other.
+        if (q.reach() > p.reach() || (q.reach() == p.reach() && j <= i)) return;
+        const double reach = p.reach() + q.reach();
+        if (length_squared(p.at - q.at) > reach * reach || (p.inverse_mass == 0 && q.inverse_mass == 0)) return;
+        const Body &a = bodies[p.body], &b = bodies[q.body];
+        const bool may = p.body == q.body ? collide_within(a, p.number, q.number)
+                                          : (a.settings.body_layers & b.settings.body_layers) != 0;
+        if (may && count < range.most_pairs) range.pairs[count++] = {std::min(i, j), std::max(i, j)};
+    };
+    for (uint32_t i = 0; i < range.count; ++i) {
+        const Particle& p = range.particles[i];
+        const double reach = 2 * p.reach();
+        int64_t low[3], high[3];
+        double cells = 1;
+        for (int k = 0; k < 3; ++k) {
+            low[k] = grid.along(p.at[k] - reach);
+            high[k] = grid.along(p.at[k] + reach);
+            cells *= static_cast<double>(high[k] - low[k] + 1);
+        }
+        if (cells > range.count) {
+            for (uint32_t j = 0; j < range.count; ++j) meet(i, j);
+            continue;
+        }
+        for (int64_t x = low[0]; x <= high[0]; ++x) {
+            for (int64_t y = low[1]; y <= high[1]; ++y) {
+                for (int64_t z = low[2]; z <= high[2]; ++z) {
+                    const uint64_t key = key_of({x, y, z});
+                    uint32_t begin, end;
+                    bucket(static_cast<uint32_t>(key & mask), begin, end);
+                    for (; begin < end; ++begin) {
+                        if (range.keys[range.sorted[begin]] == key) meet(i, range.sorted[begin]);
+                    }
+                }
+            }
+        }
+    }
+}
+
+void ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double quiet) const {
+    uint32_t& count = *range.contact_count;
+    count = 0;
+    for (uint32_t i = 0; i < *range.pair_count && count < range.most_contacts; ++i) {
+        const Pair& pair = range.pairs[i];
+        const Particle &a = range.particles[pair.a], &b = range.particles[pair.b];
+        const double radii = a.radius + b.radius;
+        const Vec3 before = b.before - a.before, now = b.at - a.at;
+        const double t = time_of_touch(before, now, radii);
+        if (t > 1 && length_squared(now) > radii * radii * (1 + near) * (1 + near)) continue;
+        const Vec3 met = t > 1 ? now : before + (now - before) * t;
+        const double length = gphys::length(met);
+        // Those in one place part along a fixed axis.
+        const Vec3 normal = length > 0 ? met / length : Vec3{1, 0, 0};
+        const BodySettings &of_a = bodies[a.body].settings, &of_b = bodies[b.body].settings;
+        const double approach = -dot(b.velocity - a.velocity, normal);
+        const double restitution = std::sqrt(of_a.restitution * of_b.restitution);
+        const double closing = std::max(0.0, dot(before - now, normal));
+        range.contacts[count++] = {pair.a,
+                                   pair.b,
+                                   normal,
+                                   std::sqrt(of_a.friction * of_b.friction),
+                                   approach > quiet ? restitution * approach : 0,
+                                   0,
+                                   0,
+                                   closing + most_parting * radii,
+                                   0};
+    }
+}
+
+namespace {
+
+/// A model that a particle has touched does not give way: others cannot press it further into it.
+template <class Particle>
+Vec3 beside_models(const Particle& p, Vec3 value, Vec3 arrived) {
+    if (!p.touches) return value;
+    for (uint32_t i = 0; i < touches_per_particle && p.touches[i].model != 0; ++i) {
+        const Vec3 normal = widen(p.touches[i].normal);
+        value -= normal * std::min(0.0, dot(value - arrived, normal));
+    }
+    return value;
+}
+
+template <class Particle, class Contact>
+void part(Contact& contact, Particle& a, Particle& b) {
+    const double mobility = a.inverse_mass + b.inverse_mass;
+    const auto move = [&](Vec3 way) {
+        a.at = beside_models(a, a.at - way * (a.inverse_mass / mobility), a.arrived);
+        b.at = beside_models(b, b.at + way * (b.inverse_mass / mobility), b.arrived);
+    };
+    const double overlap = a.radius + b.radius - dot(b.at - a.at, contact.normal);
+    // What was too much is taken back, as far as this pair had parted.
+    const double parting = std::clamp(overlap, -contact.parted, contact.most - contact.parted);
+    contact.parted += parting;
+    move(contact.normal * parting);
+    const Vec3 slid = (b.at - b.before) - (a.at - a.before), along = slid - contact.normal * dot(slid, contact.normal);
+    const double way = length(along), hold = contact.friction * contact.parted - contact.rubbed;
+    if (way == 0 || hold <= 0) return;
+    const double held = std::min(way, hold);
+    contact.rubbed += held;
+    move(along * (-held / way));
+}
+
+template <class Particle, class Contact>
+void turn(Contact& contact, Particle& a, Particle& b) {
+    if (contact.parted <= 0) return;
+    const double mobility = a.inverse_mass + b.inverse_mass;
+    const double parting = dot(b.velocity - a.velocity, contact.normal);
+    const double push = std::max(contact.wanted - parting, -contact.pushed);
+    contact.pushed += push;
+    const Vec3 change = contact.normal * (push / mobility);
+    a.velocity = beside_models(a, a.velocity - change * a.inverse_mass, a.arrived_velocity);
+    b.velocity = beside_models(b, b.velocity + change * b.inverse_mass, b.arrived_velocity);
+}
+
+/// visit(particle, its way) of those that contacts have moved.
+template <class Particle, class Visit>
+void each_moved(const Particle* first, const Particle* end, Visit&& visit) {
+    for (const Particle* p = first; p != end; ++p) {
+        if (p->inverse_mass > 0 && p->at != p->arrived) visit(p->number, p->at - p->arrived);
+    }
+}
+
+/// Particles of a body that is solved afterwards: where it is to be taken from.
+template <class Particle>
+void push_predicted(const Particle* first, const Particle* end, Body& body) {
+    each_moved(first, end, [&](uint32_t p, Vec3 way) {
+        if (is_graph(body)) {
+            float* const at = &body.cloth.at[4 * size_t{p}];
+            put(at, get(at) + way);
+            return;
+        }
+        body.position[p] += way;
+        body.predicted[p] += way;
+        if (body.plan.limited) body.flying[p] = 0;
+    });
+}
+
+/// Particles that have been moved already: no further than the scene lets them.
+template <class Particle>
+void push_arrived(const Particle* first, const Particle* end, Body& body, const Surroundings& around, double quiet) {
+    if (is_graph(body)) {
+        each_moved(first, end, [&](uint32_t p, Vec3 way) {
+            float* const at = &body.cloth.at[4 * size_t{p}];
+            put(at, get(at) + way);
+            if (collides(body, around)) stay_outside(body, p);
+        });
+        return;
+    }
+    double longest = 0;
+    each_moved(first, end, [&](uint32_t, Vec3 way) { longest = std::max(longest, length_squared(way)); });
+    if (longest > 0 && collides(body, around)) {
+        const Collider collider(around, body, swept_box(body, body.position, body.position, std::sqrt(longest)));
+        if (!collider.idle()) {
+            each_moved(first, end,
+                       [&](uint32_t p, Vec3 way) { collider.slide(body, p, body.position[p], way, quiet); });
+            return;
+        }
+    }
+    each_moved(first, end, [&](uint32_t p, Vec3 way) {
+        body.position[p] += way;
+        keep_in_range(body.position[p], body.velocity[p]);
+    });
+}
+
+}  // namespace
+
+/// The bodies of an island that collide with others, with their particles. visit(body, first, end)
+template <class Visit>
+void ParticleContacts::each_body(const Island& island, Vector<Body>& bodies, const uint32_t* slots, Visit&& visit) {
+    Particle* first = range(island).particles;
+    for (uint32_t i = 0; i < island.body_count; ++i) {
+        Body& body = bodies[slots[i]];
+        if (!touches_others(body)) continue;
+        visit(body, first, first + body.size());
+        first += body.size();
+    }
+}
+
+/// Whether there are any contacts.
+bool ParticleContacts::part_contacts(const Island& island, const Vector<Body>& bodies, double quiet) {
+    const Range range = this->range(island);
+    gather(range, bodies);
+    if (!list_holds(range)) find_pairs(range, bodies);
+    find_contacts(range, bodies, quiet);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for (uint32_t i = 0; i < *range.contact_count; ++i) {
+            Contact& contact = range.contacts[i];
+            gphys::part(contact, range.particles[contact.a], range.particles[contact.b]);
+        }
+    }
+    return *range.contact_count > 0;
+}
+
+void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+                            const Surroundings& around, Vec3 gravity, double h) {
+    const double quiet = quiet_speed(gravity, h);
+    const bool any = part_contacts(island, bodies, quiet);
+    const Range range = this->range(island);
+    for (uint32_t i = 0; i < *range.pair_count; ++i) {
+        for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b}) bodies[range.particles[p].body].near = true;
+    }
+    each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
+        if (body.near) body.cloth.balance.closed = false;  // others do work
+        if (!any) return;
+        if (!moves_freely(body)) {
+            push_predicted(first, end, body);
+            return;
+        }
+        each_moved(first, end, [&](uint32_t p, Vec3 way) { body.velocity[p] += way / h; });
+        push_arrived(first, end, body, around, quiet);
+    });
+}
+
+void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const uint32_t* slots) {
+    const Range range = this->range(island);
+    for (uint32_t i = 0; i < range.count; ++i) {
+        Particle& p = range.particles[i];
+        p.velocity = p.arrived_velocity = velocity_of(bodies[p.body], p.number);
+    }
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for (uint32_t i = 0; i < *range.contact_count; ++i) {
+            Contact& contact = range.contacts[i];
+            gphys::turn(contact, range.particles[contact.a], range.particles[contact.b]);
+        }
+    }
+    each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
+        for (const Particle* p = first; p != end; ++p) {
+            if (p->velocity == p->arrived_velocity) continue;
+            if (is_graph(body)) {
+                put(&body.cloth.velocity[4 * size_t{p->number}], p->velocity);
+            } else {
+                body.velocity[p->number] = p->velocity;
+            }
+        }
+        if (!body.near) return;
+        // Motion is not smooth near others: the time scheme must not look back.
+        body.near = false;
+        body.touched = true;
+        body.earlier_step = 0;
+    });
+}
+
+void ParticleContacts::settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
+                              const Surroundings& around, Vec3 gravity, double h) {
+    const double quiet = quiet_speed(gravity, h);
+    if (!part_contacts(island, bodies, quiet)) return;
+    each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
+        if (!moves_freely(body)) push_arrived(first, end, body, around, quiet);
+    });
+}
+
+}  // namespace gphys

@@ -1,0 +1,125 @@
+#include "solver/sparse_ldl.h"
+
+#include <queue>
+
+namespace gphys {
+
+void order_by_degree(uint32_t nodes, const Vector<Edge>& edges, Vector<uint32_t>& order) {
+    std::pmr::memory_resource* memory = order.get_allocator().resource();
+    Vector<Vector<uint32_t>> neighbours(nodes, memory);
+    for (const Edge& edge : edges) {
+        neighbours[edge.a].push_back(edge.b);
+        neighbours[edge.b].push_back(edge.a);
+    }
+    struct Candidate {
+        size_t degree;
+        uint32_t node;
+
+        bool operator<(const Candidate& other) const {
+            return degree != other.degree ? degree > other.degree : node > other.node;
+        }
+    };
+    std::priority_queue<Candidate, Vector<Candidate>> next(std::less<Candidate>{}, Vector<Candidate>(memory));
+    for (uint32_t node = 0; node < nodes; ++node) {
+        Vector<uint32_t>& list = neighbours[node];
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+        next.push({list.size(), node});
+    }
+    Vector<uint8_t> eliminated(nodes, 0, memory);
+    Vector<uint32_t> merged(memory);
+    order.clear();
+    while (!next.empty()) {
+        const Candidate candidate = next.top();
+        const uint32_t node = candidate.node;
+        next.pop();
+        if (eliminated[node] || candidate.degree != neighbours[node].size()) continue;  // an outdated one
+        eliminated[node] = 1;
+        order.push_back(node);
+        // Its neighbours become each other's.
+        for (const uint32_t other : neighbours[node]) {
+            Vector<uint32_t>& list = neighbours[other];
+            merged.clear();
+            std::set_union(list.begin(), list.end(), neighbours[node].begin(), neighbours[node].end(),
+                           std::back_inserter(merged));
+            const auto gone = [&](uint32_t n) { return n == node || n == other; };
+            merged.erase(std::remove_if(merged.begin(), merged.end(), gone), merged.end());
+            list = merged;
+            next.push({list.size(), other});
+        }
+        neighbours[node].clear();
+    }
+}
+
+void SparseLdl::analyse(const Vector<uint32_t>& column_begin, const Vector<uint32_t>& rows) {
+    const uint32_t n = static_cast<uint32_t>(column_begin.size()) - 1;
+    column_begin_ = column_begin;
+    rows_ = rows;
+    parent_.assign(n, none);
+    mark_.resize(n);
+    filled_.assign(n, 0);
+    for (uint32_t k = 0; k < n; ++k) {
+        mark_[k] = k;
+        for (uint32_t e = column_begin[k]; e < column_begin[k + 1]; ++e) {
+            for (uint32_t i = rows[e]; mark_[i] != k; i = parent_[i]) {
+                if (parent_[i] == none) parent_[i] = k;
+                ++filled_[i];
+                mark_[i] = k;
+            }
+        }
+    }
+    factor_begin_.assign(n + 1, 0);
+    for (uint32_t k = 0; k < n; ++k) factor_begin_[k + 1] = factor_begin_[k] + filled_[k];
+    factor_rows_.resize(factor_begin_[n]);
+    factor_.resize(factor_begin_[n]);
+    pattern_.resize(n);
+    inverse_pivot_.resize(n);
+    sum_.assign(n, 0.0);
+}
+
+void SparseLdl::factor(const double* entries, const double* diagonal) {
+    const uint32_t n = size();
+    for (uint32_t k = 0; k < n; ++k) {
+        // Which entries row k of L has, the deepest in the tree first.
+        uint32_t top = n;
+        mark_[k] = k;
+        for (uint32_t e = column_begin_[k]; e < column_begin_[k + 1]; ++e) {
+            sum_[rows_[e]] += entries[e];
+            uint32_t length = 0;
+            for (uint32_t i = rows_[e]; mark_[i] != k; i = parent_[i]) {
+                pattern_[length++] = i;
+                mark_[i] = k;
+            }
+            while (length > 0) pattern_[--top] = pattern_[--length];
+        }
+        double pivot = diagonal[k];
+        for (; top < n; ++top) {
+            const uint32_t i = pattern_[top];
+            const double value = sum_[i];
+            sum_[i] = 0;
+            const uint32_t begin = factor_begin_[i], end = begin + filled_[i];
+            for (uint32_t p = begin; p < end; ++p) sum_[factor_rows_[p]] -= factor_[p] * value;
+            const double entry = value * inverse_pivot_[i];
+            pivot -= entry * value;
+            factor_rows_[end] = k;
+            factor_[end] = entry;
+            ++filled_[i];
+        }
+        inverse_pivot_[k] = 1 / pivot;
+        filled_[k] = 0;
+    }
+}
+
+void SparseLdl::solve(double* x) const {
+    const uint32_t n = size();
+    for (uint32_t k = 0; k < n; ++k) {
+        for (uint32_t p = factor_begin_[k]; p < factor_begin_[k + 1]; ++p) x[factor_rows_[p]] -= factor_[p] * x[k];
+    }
+    for (uint32_t k = n; k-- > 0;) {
+        double value = x[k] * inverse_pivot_[k];
+        for (uint32_t p = factor_begin_[k]; p < factor_begin_[k + 1]; ++p) value -= factor_[p] * x[factor_rows_[p]];
+        x[k] = value;
+    }
+}
+
+}  // namespace gphys

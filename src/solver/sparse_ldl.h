@@ -1,0 +1,56 @@
+// Sparse symmetric matrices as L D L^T: up-looking, row by row along the elimination tree (Davis 2005,
+// "Algorithm 849: A concise sparse Cholesky factorization package"). Without pivoting, so the matrix must
+// be definite or quasi-definite (Vanderbei 1995).
+#pragma once
+
+#include <cstdint>
+
+#include "foundation/memory.h"
+
+namespace gphys {
+
+/// An order in which to eliminate the nodes of a graph that leaves few entries behind: the node with the
+/// fewest neighbours first (Tinney & Walker 1967), of those alike the lowest. Edges may occur twice.
+struct Edge {
+    uint32_t a, b;
+};
+void order_by_degree(uint32_t nodes, const Vector<Edge>& edges, Vector<uint32_t>& order);
+
+class SparseLdl {
+public:
+    explicit SparseLdl(std::pmr::memory_resource* memory)
+        : column_begin_(memory),
+          rows_(memory),
+          parent_(memory),
+          factor_begin_(memory),
+          factor_rows_(memory),
+          filled_(memory),
+          mark_(memory),
+          pattern_(memory),
+          factor_(memory),
+          inverse_pivot_(memory),
+          sum_(memory) {}
+
+    /// Where the upper triangle has entries beside the diagonal: column by column, in any order within one;
+    /// entries at the same place add up. Throws std::bad_alloc.
+    void analyse(const Vector<uint32_t>& column_begin, const Vector<uint32_t>& rows);
+    uint32_t size() const { return static_cast<uint32_t>(parent_.size()); }
+    /// The first entry of a column.
+    uint32_t column_begin(uint32_t column) const { return column_begin_[column]; }
+
+    /// Values of the entries, in the order of `rows`, and of the diagonal.
+    void factor(const double* entries, const double* diagonal);
+    /// The right-hand side is replaced by the solution.
+    void solve(double* x) const;
+
+private:
+    static constexpr uint32_t none = 0xffffffff;
+
+    Vector<uint32_t> column_begin_, rows_;
+    Vector<uint32_t> parent_;                      // the elimination tree
+    Vector<uint32_t> factor_begin_, factor_rows_;  // L by column
+    Vector<uint32_t> filled_, mark_, pattern_;
+    Vector<double> factor_, inverse_pivot_, sum_;
+};
+
+}  // namespace gphys
