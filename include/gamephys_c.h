@@ -1175,6 +1175,8 @@ typedef uint32_t gphys_joint_id;
 GPHYS_API gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint32_t particle_a,
                                          gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance,
                                          gphys_joint_id* out_joint);
+/** End a joint.
+ *  @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer */
 GPHYS_API gphys_status gphys_solver_unjoin(gphys_solver* solver, gphys_joint_id joint);
 
 /** One joint. Frozen. */

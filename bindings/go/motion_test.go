@@ -218,3 +218,22 @@ func TestAStringHoldsAWeightAndATetrahedronKeepsItsVolume(t *testing.T) {
 	_, _, err = solver.Volume(ball)
 	refused(t, ErrUnsupported, err)
 }
+
+func TestAJointHoldsAParticleOfAnotherBody(t *testing.T) {
+	solver, body := must(NewSolver(nil)), DefaultBodyDesc()
+	body.Mass = 2
+	nail := must(solver.AddParticles([]Vec3{{}}, &body))
+	weight := must(solver.AddParticles([]Vec3{Vec(0, -1, 0)}, &body))
+	try(t, solver.SetPinned(nail, 0, 1, true))
+	joint := must(solver.Join(nail, 0, weight, 0, -1, 0))
+	for i := 0; i < 20; i++ {
+		try(t, solver.Step(nil, 0.01))
+	}
+	joints := must(solver.Joints(weight))
+	same(t, len(joints), 1)
+	same(t, joints[0].ID == joint && joints[0].BodyA == nail && joints[0].BodyB == weight, true)
+	same(t, close(joints[0].Force, 2*9.81, 0.01), true)
+	try(t, solver.Unjoin(joint))
+	same(t, len(must(solver.Joints(0))), 0)
+	refused(t, ErrInvalidID, solver.Unjoin(joint))
+}

@@ -405,6 +405,24 @@ TEST_CASE("a string holds a weight, its hook feels both, a pyramid keeps its vol
     failure(GPHYS_ERROR_UNSUPPORTED, [&] { solver.get_volume(ball); });
 }
 
+TEST_CASE("a joint holds a particle of another body") {
+    Solver solver;
+    auto desc = body_desc();
+    desc.mass = 2;
+    const auto nail = solver.add_particles(std::vector<Vec3>{zero}, &desc);
+    const auto weight = solver.add_particles(std::vector<Vec3>{{0, -1, 0}}, &desc);
+    solver.set_pinned(nail, 0, 1, true);
+    const auto joint = solver.join(nail, 0, weight, 0, -1, 0);
+    for (int i = 0; i < 20; ++i) solver.step(nullptr, 0.01f);
+    const auto joints = solver.get_joints(weight);
+    REQUIRE(joints.size() == 1);
+    CHECK((joints[0].id == joint && joints[0].body_a == nail && joints[0].body_b == weight));
+    CHECK(joints[0].force == Approx(2 * 9.81).margin(0.01));
+    solver.unjoin(joint);
+    CHECK(solver.get_joints(0).empty());
+    failure(GPHYS_ERROR_INVALID_ID, [&] { solver.unjoin(joint); });
+}
+
 TEST_CASE("errors have the library's message") {
     Scene scene;
     CHECK(failure(GPHYS_ERROR_INVALID_ARGUMENT, [&] {

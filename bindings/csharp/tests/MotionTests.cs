@@ -222,4 +222,22 @@ public class MotionTests {
         solver.SetVolume(ball, 1, float.PositiveInfinity);
         Refused(Status.ErrorUnsupported, () => solver.GetVolume(ball));
     }
+
+    [Test]
+    public void AJointHoldsAParticleOfAnotherBody() {
+        var solver = new Solver();
+        var body = BodyDesc.Default;
+        body.Mass = 2;
+        var nail = solver.AddParticles(new Vec3[] { (0, 0, 0) }, body);
+        var weight = solver.AddParticles(new Vec3[] { (0, -1, 0) }, body);
+        solver.SetPinned(nail, 0, 1, true);
+        var joint = solver.Join(nail, 0, weight, 0, -1);
+        for (var i = 0; i < 20; ++i) solver.Step(0.01f);
+        var held = solver.GetJoints(weight).Single();
+        Assert.AreEqual((joint, nail, weight), (held.Id, held.BodyA, held.BodyB));
+        Assert.AreEqual(2 * 9.81, held.Force, 0.01);
+        solver.Unjoin(joint);
+        Assert.IsEmpty(solver.GetJoints(0));
+        Refused(Status.ErrorInvalidId, () => solver.Unjoin(joint));
+    }
 }

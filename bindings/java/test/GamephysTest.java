@@ -382,6 +382,24 @@ public class GamephysTest {
     }
 
     @Test
+    public void aJointHoldsAParticleOfAnotherBody() {
+        Solver solver = new Solver();
+        int nail = solver.addParticles(points(ZERO), new BodyDesc().mass(2));
+        int weight = solver.addParticles(points(v(0, -1, 0)), new BodyDesc().mass(2));
+        solver.setPinned(nail, 0, 1, true);
+        int joint = solver.join(nail, 0, weight, 0, -1);
+        for (int step = 0; step < 20; ++step) solver.step(null, 0.01f);
+        Batch<JointInfo> joints = solver.getJoints(weight);
+        assertEquals(1, joints.size());
+        assertEquals(joint, joints.get(0).id());
+        assertEquals(weight, joints.get(0).bodyB());
+        assertEquals(2 * 9.81, joints.get(0).force(), 0.01);
+        solver.unjoin(joint);
+        assertEquals(0, solver.getJoints(0).size());
+        assertFails(ERROR_INVALID_ID, () -> solver.unjoin(joint));
+    }
+
+    @Test
     public void errorsHaveTheLibrarysMessage() {
         Scene scene = new Scene();
         assertTrue(assertFails(ERROR_INVALID_ARGUMENT, () -> scene.add(new Sphere(ZERO, -1))).contains("radius"));

@@ -224,6 +224,21 @@ test('a string holds a weight, a tetrahedron keeps its volume', () => {
     assert.throws(() => solver.getVolume(ball), { status: gp.ERROR_UNSUPPORTED });
 });
 
+test('a joint holds a particle of another body', () => {
+    const solver = new gp.Solver();
+    const nail = solver.addParticles(floats(0, 0, 0), { mass: 2 });
+    const weight = solver.addParticles(floats(0, -1, 0), { mass: 2 });
+    solver.setPinned(nail, 0, 1, true);
+    const joint = solver.join(nail, 0, weight, 0, -1, 0);
+    for (let i = 0; i < 20; ++i) solver.step(null, 0.01);
+    const [held, ...others] = solver.getJoints(weight);
+    same([held.id, held.body_a, held.body_b, others], [joint, nail, weight, []]);
+    near([held.force], [2 * 9.81], 0.01);
+    solver.unjoin(joint);
+    same([...solver.getJoints(0)], []);
+    assert.throws(() => solver.unjoin(joint), { status: gp.ERROR_INVALID_ID });
+});
+
 test('bodies and models', () => {
     const scene = new gp.Scene(), solver = new gp.Solver();
     const floor = scene.add(gp.plane([0, 1, 0], 0), null, { tag: 3 });

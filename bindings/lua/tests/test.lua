@@ -296,6 +296,22 @@ function tests.a_string_holds_a_weight_and_a_pyramid_keeps_its_volume()
     fails(gp.ERROR_UNSUPPORTED, solver.get_volume, solver, ball)
 end
 
+function tests.a_joint_holds_a_particle_of_another_body()
+    local solver = gp.Solver()
+    local nail = solver:add_particles(gp.array('vec3', { { 0, 0, 0 } }), { mass = 2 })
+    local weight = solver:add_particles(gp.array('vec3', { { 0, -1, 0 } }), { mass = 2 })
+    solver:set_pinned(nail, 0, 1, true)
+    local joint = solver:join(nail, 0, weight, 0, -1, 0)
+    for _ = 1, 20 do solver:step(nil, 0.01) end
+    local joints, count = solver:get_joints(weight)
+    assert(count == 1 and joints[0].id == joint and joints[0].body_a == nail and joints[0].body_b == weight)
+    assert(near(joints[0].force, 2 * 9.81, 0.01))
+    solver:unjoin(joint)
+    local _, left = solver:get_joints(0)
+    assert(left == 0)
+    fails(gp.ERROR_INVALID_ID, solver.unjoin, solver, joint)
+end
+
 function tests.errors_have_the_librarys_message()
     local scene = gp.Scene()
     assert(fails(gp.ERROR_INVALID_ARGUMENT, scene.add, scene, gp.Sphere({ 0, 0, 0 }, -1)):find 'radius')

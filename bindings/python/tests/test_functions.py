@@ -265,6 +265,24 @@ class Functions(unittest.TestCase):
             solver.get_volume(ball)
         self.assertEqual(caught.exception.status, gp.ERROR_UNSUPPORTED)
 
+    def test_joints(self):
+        """A weight hangs from a nail, which is another body."""
+        solver = gp.Solver()
+        nail = solver.add_particles([(0, 0, 0)], gp.BodyDesc(mass=2))
+        weight = solver.add_particles([(0, -1, 0)], gp.BodyDesc(mass=2))
+        solver.set_pinned(nail, 0, 1, True)
+        joint = solver.join(nail, 0, weight, 0, -1)
+        for _ in range(20):
+            solver.step(None, 0.01)
+        held, = solver.get_joints(weight)
+        self.assertEqual([held["id"], held["body_a"], held["body_b"]], [joint, nail, weight])
+        self.assertAlmostEqual(held["force"], 2 * 9.81, 2)
+        solver.unjoin(joint)
+        self.assertEqual(len(solver.get_joints(0)), 0)
+        with self.assertRaises(gp.Error) as caught:
+            solver.unjoin(joint)
+        self.assertEqual(caught.exception.status, gp.ERROR_INVALID_ID)
+
     def test_names(self):
         self.assertEqual(gp.status_name(gp.NO_HIT), "GPHYS_NO_HIT")
         self.assertRegex(gp.__version__, r"^\d+\.\d+\.\d+$")

@@ -313,6 +313,21 @@ class TestGamephys < Minitest::Test
     assert_fails(ERROR_UNSUPPORTED) { solver.get_volume(ball) }
   end
 
+  def test_a_joint_holds_a_particle_of_another_body
+    solver = Solver.new
+    nail = solver.add_particles([[0, 0, 0]], mass: 2)
+    weight = solver.add_particles([[0, -1, 0]], mass: 2)
+    solver.set_pinned(nail, 0, 1, true)
+    joint = solver.join(nail, 0, weight, 0, -1)
+    20.times { solver.step(nil, 0.01) }
+    joints = solver.get_joints(weight).to_a
+    assert_equal [[joint, nail, weight]], (joints.map { |held| [held.id, held.body_a, held.body_b] })
+    assert_in_delta(2 * 9.81, joints[0].force, 0.01)
+    solver.unjoin(joint)
+    assert_empty solver.get_joints(0).to_a
+    assert_fails(ERROR_INVALID_ID) { solver.unjoin(joint) }
+  end
+
   def test_errors_have_the_librarys_message
     scene = Scene.new
     assert_match(/radius/, assert_raises(InvalidArgument) { scene.add(Sphere.new([0, 0, 0], -1)) }.message)

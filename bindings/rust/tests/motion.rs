@@ -198,6 +198,23 @@ fn a_string_holds_a_weight_and_a_tetrahedron_keeps_its_volume() {
 }
 
 #[test]
+fn a_joint_holds_a_particle_of_another_body() {
+    let mut solver = Solver::new(None).unwrap();
+    let desc = BodyDesc { mass: 2.0, ..Default::default() };
+    let nail = solver.add_particles(&[[0.0; 3]], Some(&desc)).unwrap();
+    let weight = solver.add_particles(&[[0.0, -1.0, 0.0]], Some(&desc)).unwrap();
+    solver.set_pinned(nail, 0, 1, true).unwrap();
+    let joint = solver.join(nail, 0, weight, 0, -1.0, 0.0).unwrap();
+    (0..20).for_each(|_| solver.step(None, 0.01).unwrap());
+    let joints = solver.get_joints(weight).unwrap();
+    assert_eq!(joints.iter().map(|j| (j.id, j.body_a, j.body_b)).collect::<Vec<_>>(), [(joint, nail, weight)]);
+    assert!((joints[0].force - 2.0 * 9.81).abs() < 0.01);
+    solver.unjoin(joint).unwrap();
+    assert!(solver.get_joints(0).unwrap().is_empty());
+    assert_eq!(solver.unjoin(joint).unwrap_err().status, Status::ERROR_INVALID_ID);
+}
+
+#[test]
 fn the_version_is_that_of_the_header() {
     assert_eq!(version().0, 1);
 }

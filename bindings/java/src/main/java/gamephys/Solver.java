@@ -569,18 +569,8 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-     * equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-     * system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-     * particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-     * one thread and fall asleep and wake together. A joint goes with either body.
-     * &#64;param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-     *                     as far apart are drawn there within a step, and get the speed of that.
-     * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-     *         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-     * of a rope that is not joined.
+     * End a joint.
+     * &#64;return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
      * </pre>
      */
     public void unjoin(int joint) {
