@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #define GPHYS_ISA_IS_scalar 1
 #define GPHYS_ISA_IS_sse2 2
@@ -33,8 +34,6 @@ constexpr int register_lanes = 4;
 constexpr int register_count = 8 / register_lanes;
 using FloatRegister = float __attribute__((vector_size(4 * register_lanes)));
 using MaskRegister = int32_t __attribute__((vector_size(4 * register_lanes)));
-/// The same anywhere in an array of floats.
-using FloatsInMemory = float __attribute__((vector_size(4 * register_lanes), aligned(4), may_alias));
 
 struct Float8 {
     FloatRegister part[register_count];
@@ -48,12 +47,12 @@ struct Mask8 {
 inline Float8 load(const float* from) {
     Float8 v;
     for (int i = 0; i < register_count; ++i) {
-        v.part[i] = *reinterpret_cast<const FloatsInMemory*>(from + register_lanes * i);
+        std::memcpy(&v.part[i], from + register_lanes * i, sizeof v.part[i]);
     }
     return v;
 }
 inline void store(float* to, Float8 v) {
-    for (int i = 0; i < register_count; ++i) *reinterpret_cast<FloatsInMemory*>(to + register_lanes * i) = v.part[i];
+    for (int i = 0; i < register_count; ++i) std::memcpy(to + register_lanes * i, &v.part[i], sizeof v.part[i]);
 }
 inline Float8 splat(float value) {
     Float8 v;
@@ -227,7 +226,7 @@ inline Quads8 load_quads(const float* from, const uint32_t* index) {
     for (int half = 0; half < 2; ++half) {
         FloatRegister v[4];
         for (int i = 0; i < 4; ++i) {
-            v[i] = *reinterpret_cast<const FloatsInMemory*>(from + 4 * size_t{index[4 * half + i]});
+            std::memcpy(&v[i], from + 4 * size_t{index[4 * half + i]}, sizeof v[i]);
         }
         transpose(v);
         quads.x.part[half] = v[0], quads.y.part[half] = v[1], quads.z.part[half] = v[2], quads.w.part[half] = v[3];
@@ -239,7 +238,7 @@ inline void store_quads(float* to, const uint32_t* index, const Quads8& quads) {
         FloatRegister v[4] = {quads.x.part[half], quads.y.part[half], quads.z.part[half], quads.w.part[half]};
         transpose(v);
         for (int i = 0; i < 4; ++i) {
-            *reinterpret_cast<FloatsInMemory*>(to + 4 * size_t{index[4 * half + i]}) = v[i];
+            std::memcpy(to + 4 * size_t{index[4 * half + i]}, &v[i], sizeof v[i]);
         }
     }
 }

@@ -14,8 +14,6 @@ constexpr int double_register_lanes = 2;
 constexpr int double_register_count = 8 / double_register_lanes;
 using DoubleRegister = double __attribute__((vector_size(8 * double_register_lanes)));
 using DoubleMaskRegister = int64_t __attribute__((vector_size(8 * double_register_lanes)));
-/// The same anywhere in an array of doubles.
-using DoublesInMemory = double __attribute__((vector_size(8 * double_register_lanes), aligned(8), may_alias));
 
 struct Double8 {
     DoubleRegister part[double_register_count];
@@ -49,13 +47,13 @@ inline bool any(bool mask) { return mask; }
 inline Double8 load(const double (&from)[8]) {
     Double8 v;
     for (int i = 0; i < double_register_count; ++i) {
-        v.part[i] = *reinterpret_cast<const DoublesInMemory*>(from + double_register_lanes * i);
+        std::memcpy(&v.part[i], from + double_register_lanes * i, sizeof v.part[i]);
     }
     return v;
 }
 inline void store(double (&to)[8], Double8 v) {
     for (int i = 0; i < double_register_count; ++i) {
-        *reinterpret_cast<DoublesInMemory*>(to + double_register_lanes * i) = v.part[i];
+        std::memcpy(to + double_register_lanes * i, &v.part[i], sizeof v.part[i]);
     }
 }
 template <int lanes>
