@@ -126,11 +126,8 @@ void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity
         if (is_graph(body)) {
             predict_cloth(body, around, h);
         } else {
-            const TimeScheme scheme(h, body.earlier_step);
             begin_friction(body, gravity);
-            predict_chains(body, scheme, gravity);
-            follow_models(body, around.end, h);
-            if (body.plan.damped) damp_chains(body, scheme);
+            begin_chains(body, around, gravity, h);
         }
     });
 }

@@ -4,6 +4,7 @@
 #include "solver/body.h"
 #include "solver/impulses.h"
 #include "solver/joints.h"
+#include "solver/rope.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
@@ -13,7 +14,6 @@ namespace {
 constexpr int most_iterations = 4;
 constexpr int most_limited_iterations = 16;  // as for chains: which limits hold is found out as well
 constexpr double settled = 1e-9;
-constexpr double regularisation = 1e-10;
 // Between pins too far apart tensions have no bound but this compliance, and geometric stiffness with such
 // tensions throws particles aside. A tension that would move a particle by more than 10^4 lengths of its link
 // in a substep is none: then all links give way with a ten thousandth of the inverse masses, and share the stretch.
@@ -243,7 +243,7 @@ bool JointSystem::is_feasible() const {
 void JointSystem::solve() {
     pushed_ = false;
     for (Node& node : nodes_) node.start = node.position;
-    give_ = regularisation;
+    give_ = rope_regularisation;
     const bool limited = std::any_of(links_.begin(), links_.end(), [](const Link& link) { return link.limit; });
     const int iterations = limited ? most_limited_iterations : most_iterations;
     for (int iteration = 0; iteration < iterations; ++iteration) {
@@ -254,7 +254,7 @@ void JointSystem::solve() {
         if (give_ != yielding && !is_feasible()) {
             give_ = yielding;
             // Where nothing but this compliance bounds them, tensions are in inverse proportion to it.
-            for (Link& link : links_) link.tension *= regularisation / yielding;
+            for (Link& link : links_) link.tension *= rope_regularisation / yielding;
             for (Node& node : nodes_) node.position = node.start;
             iteration = -1;
             continue;

@@ -15,26 +15,22 @@ void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
 
 /// Its parts for chains: free particles to where they would go without constraints, attached ones after their
-/// models, and the velocities that the time scheme gives for the solved positions.
-void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity);
-void follow_models(Body& body, double fraction, double h);
+/// models; the velocities that the time scheme gives for the solved positions; and tensions to the models that
+/// ropes hang from.
+void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void finish_chains(Body& body, const TimeScheme& scheme);
-/// Damped links as undamped ones of this substep, and tensions to the models that ropes hang from.
-void damp_chains(Body& body, const TimeScheme& scheme);
 void give_tensions(Body& body, const Surroundings& around, double h);
 
 /// Particles that touch something count as pinned in between.
 void hold_touching(Body& body);
 void let_go_touching(Body& body);
 
-/// The first step after an interruption is of first order, and would leave an error of the size of a
-/// substep for good; it is made a quarter as long. A contact interrupts all the time, and motion has
-/// no second derivative there. move(part of the surroundings, part of h).
+/// The first substep after an interruption, in parts: move(part of the surroundings, part of h). Not after a
+/// contact, which interrupts all the time; motion has no second derivative there.
 template <class Move>
 void start_slowly(const Surroundings& around, double h, Move&& move) {
-    constexpr double parts[] = {0.25, 0.25, 0.5};  // the formula allows steps to double
     double done = 0;
-    for (const double part : parts) {
+    for (const double part : starting_parts) {
         Surroundings within = around;
         within.begin = around.begin + (around.end - around.begin) * done;
         done += part;

@@ -21,6 +21,7 @@
 // counts those that a tension t_j + error_j / (w_a + w_b) > 0 would hold as links, the others as absent
 // (the primal-dual active set; Hintermueller, Ito, Kunisch 2002).
 #include "solver/body.h"
+#include "solver/rope.h"
 
 namespace gphys {
 namespace {
@@ -31,10 +32,6 @@ constexpr int most_iterations = 4;
 constexpr int most_limited_iterations = 16;
 // A link is settled within this part of its length: below it float32 output shows no difference.
 constexpr double settled = 1e-9;
-// The compliance that every link has, relative to the inverse masses at its ends. It decides what
-// the constraints leave open (a straight chain between two pins). A link then stretches by
-// regularisation * t (w_a + w_b), which is 1e-10 of how far one substep's forces could move it.
-constexpr double regularisation = 1e-10;
 
 struct Link {
     Vec3 direction;        // unit
@@ -68,7 +65,7 @@ struct ChainView {
         out.direction = length > 0 ? along / length : Vec3{1, 0, 0};
         out.error = length - plan.target[index];
         if (plan.limit[index] && plan.tension[index] * inverse_masses + out.error <= 0) return Link{};
-        out.softness = plan.damped_compliance[index] * inverse_step_squared + regularisation * inverse_masses;
+        out.softness = plan.damped_compliance[index] * inverse_step_squared + rope_regularisation * inverse_masses;
         // A link that is short at the moment must not become infinitely stiff sideways.
         const double scale = std::max(length, plan.target[index]);
         if (plan.tension[index] > 0 && scale > 0) out.stiffness = plan.tension[index] / scale;
@@ -208,33 +205,17 @@ bool is_settled(const ChainView& view) {
     return true;
 }
 
-/// The lengths that links shall have: their rest lengths, but between two pins that are further
-/// apart than the chain is long, the stretch that cannot be avoided is shared in proportion.
+/// The lengths that links shall have.
 void set_targets(Body& body, const Chain& chain) {
     Plan& plan = body.plan;
     const ChainView view{body, chain, 0};
-    uint32_t pin = chain.link_count + 1;  // the last one passed; none yet
-    double total = 0;
-    bool rigid = true;
-    for (uint32_t i = 0; i <= chain.link_count; ++i) {
-        if (i > 0) {
-            const uint32_t link = chain.first_link + i - 1;
-            plan.target[link] = plan.damped_rest[link];
-            total += plan.rest[link];
-            rigid = rigid && plan.compliance[link] == 0;
-        }
-        if (!body.pinned(view.particle(i))) continue;
-        if (pin < i && rigid) {
-            const double span = distance(body.position[view.particle(pin)], body.position[view.particle(i)]);
-            for (uint32_t j = pin; j < i && span > total; ++j) {
-                double& target = plan.target[chain.first_link + j];
-                target = total > 0 ? target * (span / total) : span / (i - pin);
-            }
-        }
-        pin = i;
-        total = 0;
-        rigid = true;
+    for (uint32_t i = 0; i < chain.link_count; ++i) {
+        plan.target[chain.first_link + i] = plan.damped_rest[chain.first_link + i];
     }
+    share_stretch(
+        plan, chain, [&](uint32_t i) { return body.pinned(view.particle(i)); },
+        [&](uint32_t i) { return body.position[view.particle(i)]; },
+        [&](uint32_t i, double length) { plan.target[chain.first_link + i] = length; });
 }
 
 void solve_chain(Body& body, const Chain& chain, double step) {

@@ -1,12 +1,11 @@
 #include "solver/rope_lanes.h"
 
+#include "solver/rope.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
 namespace {
 
-// As rope_direct.cpp has it.
-constexpr double regularisation = 1e-10;
 // A link that is to be shorter is as stiff sideways as one of this length.
 constexpr double shortest = 1e-9;
 
@@ -128,7 +127,7 @@ private:
             RopeNode<lanes>& node = nodes_[first];
             node.present[lane_] = 1;
             node.compliance[lane_] = body.plan.compliance[chain.first_link + i];
-            node.regularisation[lane_] = regularisation * inverse_masses;
+            node.regularisation[lane_] = rope_regularisation * inverse_masses;
             node.tension[lane_] = body.plan.tension[chain.first_link + i];
         }
     }
@@ -141,31 +140,14 @@ private:
         node.sideways[lane_] = 2 * rope_settled * target * target;
     }
 
-    /// Rest lengths, but between two pins that are further apart than the chain is long, the stretch that
-    /// cannot be avoided is shared in proportion.
     void set_targets(const Chain& chain) {
         const Plan& plan = body_->plan;
-        const double* rest = plan.rest.data() + chain.first_link;
-        uint32_t pin = chain.link_count + 1;  // the last one passed; none yet
-        double total = 0;
-        bool rigid = true;
-        for (uint32_t i = 0; i <= chain.link_count; ++i) {
-            if (i > 0) {
-                set_target(chain.first_particle + i - 1, rest[i - 1]);
-                total += rest[i - 1];
-                rigid = rigid && plan.compliance[chain.first_link + i - 1] == 0;
-            }
-            if (nodes_[chain.first_particle + i].free[lane_] != 0) continue;
-            if (pin < i && rigid) {
-                const double span = distance(at(chain.first_particle + pin), at(chain.first_particle + i));
-                for (uint32_t j = pin; j < i && span > total; ++j) {
-                    set_target(chain.first_particle + j, total > 0 ? rest[j] * (span / total) : span / (i - pin));
-                }
-            }
-            pin = i;
-            total = 0;
-            rigid = true;
-        }
+        const uint32_t first = chain.first_particle;
+        for (uint32_t i = 0; i < chain.link_count; ++i) set_target(first + i, plan.rest[chain.first_link + i]);
+        share_stretch(
+            plan, chain, [&](uint32_t i) { return nodes_[first + i].free[lane_] == 0; },
+            [&](uint32_t i) { return at(first + i); },
+            [&](uint32_t i, double length) { set_target(first + i, length); });
     }
     Vec3 at(uint32_t i) const { return get(nodes_[i].position, lane_); }
 
@@ -175,10 +157,7 @@ private:
     double earlier_step_ = 0;
 };
 
-// The first step after an interruption is of first order, and would leave an error of the size of a
-// substep for good; it is made in parts, the first of them a quarter as long. The formula allows steps
-// to double.
-constexpr double whole[] = {1}, parts[] = {0.25, 0.25, 0.5};
+constexpr double whole[] = {1};
 
 template <int lanes>
 void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&, RopeBounds<lanes>&),
@@ -203,8 +182,8 @@ void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&,
     const bool start = starts_again(*ropes[0].body);
     for (uint32_t i = 0; i < substeps; ++i) {
         const bool in_parts = start && i == 0;
-        for (const double* part = in_parts ? parts : whole; part != (in_parts ? std::end(parts) : std::end(whole));
-             ++part) {
+        for (const double* part = in_parts ? starting_parts : whole;
+             part != (in_parts ? std::end(starting_parts) : std::end(whole)); ++part) {
             RopeStep<lanes> step;
             for (Lane<lanes>& lane : all) lane.prepare(step, dt / substeps * *part);
             move(nodes, longest, step, bounds);

@@ -13,6 +13,7 @@
 //   joined_motion.cpp   a substep of joined bodies
 //   free_flight.cpp     bodies without constraints: exact flight and impacts
 //   plan_chains.cpp     which constraints form chains
+//   rope.h              what the ways of solving ropes share
 //   rope_direct.cpp     ropes: Newton on the whole chain
 //   rope_limits.cpp     ropes with links that only pull
 //   damping.h           damped links as undamped ones with other numbers

@@ -19,6 +19,8 @@
 
 namespace gphys {
 
+namespace {
+
 void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     std::swap(body.earlier, body.start);
     std::swap(body.earlier_velocity, body.start_velocity);
@@ -36,19 +38,6 @@ void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
     }
     if (body.plan.limited) predict_flying(body, gravity, scheme.h);
     body.predicted = body.position;
-}
-
-void finish_chains(Body& body, const TimeScheme& scheme) {
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        keep_in_range(body.position[p], body.velocity[p]);
-        if (body.plan.limited && body.flying[p]) {
-            body.velocity[p] += (body.position[p] - body.predicted[p]) * (scheme.next / scheme.h);
-            continue;
-        }
-        body.velocity[p] =
-            (body.position[p] * scheme.next - scheme.from_history(body.start[p], body.earlier[p])) / scheme.h;
-    }
 }
 
 void damp_chains(Body& body, const TimeScheme& scheme) {
@@ -74,6 +63,28 @@ void follow_models(Body& body, double fraction, double h) {
         const Vec3 next = attachment.begin + (attachment.end - attachment.begin) * fraction;
         body.velocity[attachment.particle] = (next - position) / h;
         position = next;
+    }
+}
+
+}  // namespace
+
+void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    const TimeScheme scheme(h, body.earlier_step);
+    predict_chains(body, scheme, gravity);
+    follow_models(body, around.end, h);
+    if (body.plan.damped) damp_chains(body, scheme);
+}
+
+void finish_chains(Body& body, const TimeScheme& scheme) {
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p)) continue;
+        keep_in_range(body.position[p], body.velocity[p]);
+        if (body.plan.limited && body.flying[p]) {
+            body.velocity[p] += (body.position[p] - body.predicted[p]) * (scheme.next / scheme.h);
+            continue;
+        }
+        body.velocity[p] =
+            (body.position[p] * scheme.next - scheme.from_history(body.start[p], body.earlier[p])) / scheme.h;
     }
 }
 
@@ -103,13 +114,6 @@ void give_tensions(Body& body, const Surroundings& around, double h) {
 }
 
 namespace {
-
-void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
-    const TimeScheme scheme(h, body.earlier_step);
-    predict_chains(body, scheme, gravity);
-    follow_models(body, around.end, h);
-    if (body.plan.damped) damp_chains(body, scheme);
-}
 
 void end_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const TimeScheme scheme(h, body.earlier_step);
