@@ -4,9 +4,9 @@
 # The archive is a compilation of its own, without exported symbols: objects made for the shared
 # library would re-export the whole interface from any shared object that takes the archive in.
 
-file(GLOB GAMEPHYS_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.cpp)
+file(GLOB_RECURSE GAMEPHYS_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 # Compiled once for each instruction set (src/foundation/isa.h has the same list).
-file(GLOB GAMEPHYS_KERNELS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*_kernels.cpp)
+file(GLOB_RECURSE GAMEPHYS_KERNELS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*_kernels.cpp)
 list(REMOVE_ITEM GAMEPHYS_SOURCES ${GAMEPHYS_KERNELS})
 set(GAMEPHYS_ISAS scalar)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i[3-6]86)$")

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "foundation/isa.h"
-#include "solver/cloth_kernels.h"
+#include "solver/cloth/cloth_kernels.h"
 #include "solver_world.h"
 
 using namespace gphys;

@@ -1,5 +1,5 @@
 // Joints between bodies: as stiff as one body, forces equal and opposite, and what becomes of them.
-#include "solver/sparse_ldl.h"
+#include "solver/joints/sparse_ldl.h"
 #include "solver_world.h"
 
 using gphys::Vec3;

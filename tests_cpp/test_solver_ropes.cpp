@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "foundation/isa.h"
-#include "solver/rope_kernels.h"
+#include "solver/rope/rope_kernels.h"
 #include "solver_world.h"
 
 using namespace gphys;

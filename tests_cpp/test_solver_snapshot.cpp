@@ -1,5 +1,5 @@
 // Snapshots: what is put back goes on with the same bits, and what is no snapshot is refused.
-#include "solver/archive.h"
+#include "solver/snapshot/archive.h"
 #include "solver_world.h"
 
 using test::World;

@@ -18,9 +18,10 @@ declare -A knows=(
     [c_api]="foundation shapes intersect octree mesh scene solver camera pick"
 )
 
+shopt -s globstar
 cd "$SOURCE/src"
 includes=0
-for file in */*; do
+for file in **/*.*; do
     layer=${file%%/*}
     [ -n "${knows[$layer]+known}" ] || echo "$layer is no layer: name it in tests_package/layers.sh"
     for include in $(sed -n 's/^#include "\(.*\)"$/\1/p' "$file"); do

@@ -1,4 +1,4 @@
-// Which instruction set the kernels use. A file src/*/*_kernels.cpp is compiled once for each set,
+// Which instruction set the kernels use. A file *_kernels.cpp is compiled once for each set,
 // with its own compiler options, into a namespace named after the set (GPHYS_ISA, given by the
 // build); a table of function pointers leads to each of them. All sets give the same answers.
 //

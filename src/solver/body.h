@@ -9,10 +9,10 @@
 #include "foundation/math.h"
 #include "foundation/team.h"
 #include "shapes/shapes.h"
-#include "solver/cloth_contacts.h"
-#include "solver/impulses.h"
+#include "solver/cloth/cloth_contacts.h"
+#include "solver/cloth/volume.h"
+#include "solver/contact/impulses.h"
 #include "solver/plan.h"
-#include "solver/volume.h"
 
 namespace gphys {
 

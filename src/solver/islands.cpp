@@ -1,7 +1,7 @@
 // Which bodies may influence each other, and how they are moved together: substep by substep.
 #include "solver/islands.h"
 
-#include "solver/impulses.h"
+#include "solver/contact/impulses.h"
 #include "solver/motion.h"
 #include "solver/solver.h"
 

@@ -1,8 +1,8 @@
 // The parts of a substep, for bodies that move alone and for those that move together.
 #pragma once
 
-#include "solver/collision.h"
-#include "solver/joints.h"
+#include "solver/contact/collision.h"
+#include "solver/joints/joints.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {

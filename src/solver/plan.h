@@ -4,7 +4,7 @@
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
-#include "solver/cloth_kernels.h"
+#include "solver/cloth/cloth_kernels.h"
 
 namespace gphys {
 

@@ -2,46 +2,40 @@
 // forces -> integrate -> constraints -> collide -> publish, once per substep and body, or per island of
 // bodies that influence each other.
 //
-//   builders.cpp        bodies come and go
-//   state.cpp           their particles and constraints are read and changed, or all moved
-//   step.cpp            the step: which body is moved how, attachments, the time scheme
-//   islands.cpp         bodies that influence each other, moved together
-//   particle_contacts.cpp  particles against particles, by a spatial hash
-//   joints.cpp          joints between bodies, and the systems of equations that they make
-//   joint_system.cpp    such a system: Newton on all joined chains
-//   sparse_ldl.cpp      elimination in it
-//   joined_motion.cpp   a substep of joined bodies
-//   free_flight.cpp     bodies without constraints: exact flight and impacts
-//   plan_chains.cpp     which constraints form chains
-//   rope.h              what the ways of solving ropes share
-//   rope_direct.cpp     ropes: Newton on the whole chain
-//   rope_limits.cpp     ropes with links that only pull
-//   damping.h           damped links as undamped ones with other numbers
-//   rope_lanes.cpp      ropes that nothing disturbs, several side by side
-//   rope_kernels.cpp    their inner loops
-//   cloth.cpp           cloth and graphs: families of chains
-//   cloth_kernels.cpp   their inner loops
-//   reach_limits.cpp    how far cloth can be from its pins
-//   cloth_contacts.cpp  what cloth touches, as part of its chains
-//   plan_cloth.cpp      chains and limits, packed for the kernels
-//   collision.cpp       particles against the scene
-//   impulses.cpp        what models get from bodies
-//   volume.cpp          what closed cloth encloses
-//   sleep.cpp           bodies at rest
-//   error_targets.cpp   how many substeps a body takes
-//   stats.cpp           strain, energy, contacts
-//   snapshot.cpp        the whole state as words, and back; its hash
+//   builders.cpp       bodies come and go
+//   state.cpp          their particles and constraints are read and changed, or all moved
+//   step.cpp           the step: which body is moved how, attachments, the time scheme
+//   islands.cpp        bodies that influence each other, moved together
+//   sleep.cpp          bodies at rest
+//   error_targets.cpp  how many substeps a body takes
+//   stats.cpp          strain, energy, contacts
+//   particles/         bodies without constraints: exact flight and impacts
+//   rope/              chains and trees: Newton on the whole chain
+//     plan_chains.cpp    which constraints form chains
+//     rope_direct.cpp    one by one, by elimination of matrices
+//     rope_lanes.cpp     those that nothing disturbs, several side by side
+//     rope_limits.cpp    links that only pull
+//     damping.h          damped links as undamped ones with other numbers
+//   cloth/             cloth and graphs: families of chains
+//     plan_cloth.cpp     chains and limits, packed for the kernels
+//     cloth.cpp          a substep
+//     cloth_contacts.cpp what cloth touches, as part of its chains
+//     reach_limits.cpp   how far cloth can be from its pins
+//     volume.cpp         what closed cloth encloses
+//   contact/           particles against the scene, against particles, and what models get from it
+//   joints/            joints between bodies: Newton on all joined chains, by sparse elimination
+//   snapshot/          the whole state as words, and back; its hash
 #pragma once
 
 #include "foundation/results.h"
 #include "foundation/workers.h"
 #include "scene/scene.h"
-#include "solver/collision.h"
+#include "solver/contact/collision.h"
+#include "solver/contact/particle_contacts.h"
 #include "solver/islands.h"
-#include "solver/joints.h"
+#include "solver/joints/joints.h"
 #include "solver/motion.h"
-#include "solver/particle_contacts.h"
-#include "solver/rope_lanes.h"
+#include "solver/rope/rope_lanes.h"
 
 namespace gphys {
 

@@ -13,8 +13,8 @@
 // After an interruption - a contact, a change by the caller - one step of backward Euler restarts it.
 #include <cstring>
 
-#include "solver/damping.h"
 #include "solver/motion.h"
+#include "solver/rope/damping.h"
 #include "solver/solver.h"
 
 namespace gphys {

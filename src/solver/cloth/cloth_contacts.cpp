@@ -1,6 +1,6 @@
-#include "solver/cloth_contacts.h"
+#include "solver/cloth/cloth_contacts.h"
 
-#include "solver/collision.h"
+#include "solver/contact/collision.h"
 
 namespace gphys {
 namespace {

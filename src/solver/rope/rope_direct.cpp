@@ -21,7 +21,7 @@
 // counts those that a tension t_j + error_j / (w_a + w_b) > 0 would hold as links, the others as absent
 // (the primal-dual active set; Hintermueller, Ito, Kunisch 2002).
 #include "solver/body.h"
-#include "solver/rope.h"
+#include "solver/rope/rope.h"
 
 namespace gphys {
 namespace {

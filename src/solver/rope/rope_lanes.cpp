@@ -1,6 +1,6 @@
-#include "solver/rope_lanes.h"
+#include "solver/rope/rope_lanes.h"
 
-#include "solver/rope.h"
+#include "solver/rope/rope.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "solver/body.h"
-#include "solver/rope_kernels.h"
+#include "solver/rope/rope_kernels.h"
 
 namespace gphys {
 

@@ -1,5 +1,5 @@
 // Joints come and go, and which systems of equations they make.
-#include "solver/joints.h"
+#include "solver/joints/joints.h"
 
 #include "solver/solver.h"
 

@@ -1,4 +1,4 @@
-#include "solver/snapshot_check.h"
+#include "solver/snapshot/snapshot_check.h"
 
 namespace gphys {
 namespace {

@@ -4,8 +4,8 @@
 // particles, the packed batches of cloth) is not in it but made again; what depends on the past is:
 // the plan of cloth comes from where its particles were when it was made, the tensions of a rope are
 // the first guess of the next.
-#include "solver/archive.h"
-#include "solver/snapshot_check.h"
+#include "solver/snapshot/archive.h"
+#include "solver/snapshot/snapshot_check.h"
 
 namespace gphys {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/sparse_ldl.h"
+#include "solver/joints/sparse_ldl.h"
 
 #include <queue>
 

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "foundation/math.h"
-#include "solver/sparse_ldl.h"
+#include "solver/joints/sparse_ldl.h"
 
 namespace gphys {
 

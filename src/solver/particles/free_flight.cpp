@@ -1,7 +1,7 @@
 // Bodies without constraints: each particle flies on its own, and the exact solution of its flight
 // is known, so that neither the length nor the number of the steps matters.
-#include "solver/collision.h"
-#include "solver/flight.h"
+#include "solver/contact/collision.h"
+#include "solver/particles/flight.h"
 
 namespace gphys {
 namespace {

@@ -1,6 +1,6 @@
-#include "solver/impulses.h"
+#include "solver/contact/impulses.h"
 
-#include "solver/collision.h"
+#include "solver/contact/collision.h"
 
 namespace gphys {
 namespace {

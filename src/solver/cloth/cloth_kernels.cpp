@@ -1,4 +1,4 @@
-#include "solver/cloth_kernels.h"
+#include "solver/cloth/cloth_kernels.h"
 
 #include "foundation/simd.h"
 

@@ -1,4 +1,4 @@
-#include "solver/volume.h"
+#include "solver/cloth/volume.h"
 
 #include "solver/body.h"
 

@@ -1,6 +1,6 @@
-#include "solver/particle_contacts.h"
+#include "solver/contact/particle_contacts.h"
 
-#include "solver/collision.h"
+#include "solver/contact/collision.h"
 
 namespace gphys {
 namespace {

@@ -2,8 +2,8 @@
 // rigid one becomes taut within a substep, the ends lose the speed at which they part: an inelastic
 // impact, solved for all taut links of the chain together, which takes from the velocities the part
 // along the links and nothing else.
-#include "solver/collision.h"
-#include "solver/flight.h"
+#include "solver/contact/collision.h"
+#include "solver/particles/flight.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {

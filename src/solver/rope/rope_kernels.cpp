@@ -3,7 +3,7 @@
 // tension t is counted as t' = t - k n.u, where u is how its ends move apart: its row
 // n.u - r t = -error becomes (1 - r k) n.u - r t' = -error. A link then couples two nodes by numbers
 // and vectors instead of matrices, and what a node passes on is the inverse of a symmetric 3 x 3 matrix.
-#include "solver/rope_kernels.h"
+#include "solver/rope/rope_kernels.h"
 
 #include "foundation/simd_double.h"
 

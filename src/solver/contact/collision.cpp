@@ -1,4 +1,4 @@
-#include "solver/collision.h"
+#include "solver/contact/collision.h"
 
 namespace gphys {
 namespace {

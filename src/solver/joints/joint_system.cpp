@@ -2,9 +2,9 @@
 // regularisation, are those of rope_direct.cpp; forces are in newtons here, as bodies may differ in the
 // length of their steps' effect (damping).
 #include "solver/body.h"
-#include "solver/impulses.h"
-#include "solver/joints.h"
-#include "solver/rope.h"
+#include "solver/contact/impulses.h"
+#include "solver/joints/joints.h"
+#include "solver/rope/rope.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {

@@ -7,8 +7,8 @@
 // During a step the state is float32, relative to the middle of the body when the step began, with
 // displacements and velocities of their own: positions of a sheet of two metres are rounded to
 // 6e-8 m wherever it is.
-#include "solver/collision.h"
-#include "solver/damping.h"
+#include "solver/contact/collision.h"
+#include "solver/rope/damping.h"
 
 namespace gphys {
 namespace {
