@@ -25,18 +25,24 @@ void give_tensions(Body& body, const Surroundings& around, double h);
 void hold_touching(Body& body);
 void let_go_touching(Body& body);
 
-/// The first substep after an interruption, in parts: move(part of the surroundings, part of h). Not after a
-/// contact, which interrupts all the time; motion has no second derivative there.
-template <class Move>
-void start_slowly(const Surroundings& around, double h, Move&& move) {
+/// A substep in parts: move(part of the surroundings, part of h).
+template <size_t count, class Move>
+void move_in_parts(const double (&parts)[count], const Surroundings& around, double h, Move&& move) {
     double done = 0;
-    for (const double part : starting_parts) {
+    for (const double part : parts) {
         Surroundings within = around;
         within.begin = around.begin + (around.end - around.begin) * done;
         done += part;
         within.end = around.begin + (around.end - around.begin) * done;
         move(within, h * part);
     }
+}
+
+/// The first substep after an interruption. Not after a contact, which interrupts all the time; motion has no
+/// second derivative there.
+template <class Move>
+void start_slowly(const Surroundings& around, double h, Move&& move) {
+    move_in_parts(starting_parts, around, h, move);
 }
 
 /// Bodies that are joined, directly or by others, and the systems of their joints.

@@ -92,6 +92,7 @@ struct Plan {
           damped_compliance(memory),
           target(memory),
           tension(memory),
+          earlier_tension(memory),
           reach_limits(memory),
           direct_rows(memory),
           batches(memory) {}
@@ -110,6 +111,7 @@ struct Plan {
     Vector<double> damped_rest, damped_compliance;  // in the substep under way, see damping.h
     Vector<double> target;                          // the length it shall have
     Vector<double> tension;                         // newtons, of the last substep
+    Vector<double> earlier_tension;                 // of the one before
     Vector<ReachLimit> reach_limits;
 
     Vector<DirectRow> direct_rows;  // room for the longest chain
@@ -136,7 +138,7 @@ void plan_reach_limits(Body& body);
 void pack_cloth(Body& body);
 
 /// Positions are moved so that the constraints hold; `step` is the effective time step of the scheme:
-/// a force f moves a particle by f / m * step^2.
-void solve_directly(Body& body, double step);
+/// a force f moves a particle by f / m * step^2. Returns whether they do.
+bool solve_directly(Body& body, double step);
 
 }  // namespace gphys

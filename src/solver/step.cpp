@@ -115,10 +115,14 @@ void give_tensions(Body& body, const Surroundings& around, double h) {
 
 namespace {
 
+bool solve_predicted(Body& body, double h) {
+    return solve_directly(body, TimeScheme(h, body.earlier_step).step(body.settings.damping));
+}
+
+/// Once they are solved.
 void end_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const TimeScheme scheme(h, body.earlier_step);
     const double step = scheme.step(body.settings.damping);
-    solve_directly(body, step);
     finish_chains(body, scheme);
     const bool captured = body.plan.limited && capture(body, around, scheme);
     const double quiet = quiet_speed(gravity, h);
@@ -134,9 +138,56 @@ void end_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     body.earlier_step = body.touched || captured ? 0 : h;
 }
 
-void move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+/// As it was before begin_chains.
+void take_back(Body& body) {
+    body.position = body.start;
+    body.velocity = body.start_velocity;
+    std::swap(body.earlier, body.start);
+    std::swap(body.earlier_velocity, body.start_velocity);
+    body.plan.tension = body.plan.earlier_tension;
+}
+
+/// Whether rigid links had their lengths before the substep. Those that are put right by it do so at a speed that
+/// grows as it gets shorter.
+bool began_in_shape(const Body& body) {
+    constexpr double most_strain = 0.05;
+    const Plan& plan = body.plan;
+    for (const Chain& chain : plan.chains) {
+        const uint32_t* const particle = &plan.particles[chain.first_particle];
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t link = chain.first_link + i;
+            if (plan.compliance[link] > 0) continue;
+            const double excess = distance(body.start[particle[i]], body.start[particle[i + 1]]) - plan.target[link];
+            if ((plan.limit[link] ? excess : std::fabs(excess)) > most_strain * plan.target[link]) return false;
+        }
+    }
+    return true;
+}
+
+// Half a second becomes parts of 4 ms, in which a link of 1 mm that gravity swings turns by 0.4 radians.
+constexpr int most_halvings = 7;
+constexpr double halves[] = {0.5, 0.5};
+// Where links turn by a radian Newton's method may go about for a while before it converges.
+constexpr int most_solutions = 8;
+
+/// A substep too long for Newton's method is made in halves. What is not found in the shortest ones either is not
+/// looked for any longer. Returns whether all was found.
+bool move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h, int halvings = most_halvings) {
+    body.plan.earlier_tension = body.plan.tension;
     begin_chains(body, around, gravity, h);
-    end_chains(body, around, gravity, h);
+    bool found = solve_predicted(body, h);
+    const bool may_be_found = found || began_in_shape(body);
+    for (int i = 1; may_be_found && !found && i < most_solutions; ++i) found = solve_predicted(body, h);
+    if (found || !may_be_found || halvings == 0) {
+        end_chains(body, around, gravity, h);
+        return found;
+    }
+    take_back(body);
+    found = true;
+    move_in_parts(halves, around, h, [&](const Surroundings& within, double part) {
+        found = move_chains(body, within, gravity, part, found ? halvings - 1 : 0) && found;
+    });
+    return found;
 }
 
 void fly_with_models(Body& body, const Surroundings& around, Vec3 gravity, double h) {
@@ -188,6 +239,7 @@ void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
         case GPHYS_SOLVE_FREE:
             break;
         case GPHYS_SOLVE_DIRECT:
+            solve_predicted(body, h);
             end_chains(body, around, gravity, h);
             end_friction(body);
             break;

@@ -98,6 +98,7 @@ void plan_direct_chains(Body& body) {
     }
     complete_direct(plan);
     plan.tension.assign(plan.rest.size(), 0.0);
+    plan.earlier_tension.assign(plan.rest.size(), 0.0);
 }
 
 namespace {

@@ -22,6 +22,7 @@
 // (the primal-dual active set; Hintermueller, Ito, Kunisch 2002).
 #include "solver/body.h"
 #include "solver/rope/rope.h"
+#include "solver/rope/rope_kernels.h"
 
 namespace gphys {
 namespace {
@@ -193,14 +194,26 @@ double step_fraction(const ChainView& view, const DirectRow* rows) {
     return longest > reach ? reach / longest : 1;
 }
 
-/// Whether every link of the chain is as long as its tension says.
+/// By how many metres a link is longer than its tension says.
+double misfit(const ChainView& view, uint32_t i) {
+    const Link link = view.link(i);
+    return link.acts ? std::fabs(link.error - link.softness * view.body.plan.tension[view.chain.first_link + i]) : 0;
+}
+
 bool is_settled(const ChainView& view) {
     for (uint32_t i = 0; i < view.chain.link_count; ++i) {
-        const Link link = view.link(i);
         const uint32_t index = view.chain.first_link + i;
-        if (!link.acts && view.body.plan.tension[index] != 0) return false;
-        const double residual = link.error - link.softness * view.body.plan.tension[index];
-        if (link.acts && std::fabs(residual) > settled * view.body.plan.target[index]) return false;
+        if (!view.link(i).acts && view.body.plan.tension[index] != 0) return false;
+        if (misfit(view, i) > settled * view.body.plan.target[index]) return false;
+    }
+    return true;
+}
+
+/// A link without a length has no part of it to be off by.
+bool is_found(const ChainView& view) {
+    for (uint32_t i = 0; i < view.chain.link_count; ++i) {
+        const double target = view.body.plan.target[view.chain.first_link + i];
+        if (target > 0 && misfit(view, i) > rope_lost * target) return false;
     }
     return true;
 }
@@ -218,7 +231,8 @@ void set_targets(Body& body, const Chain& chain) {
         [&](uint32_t i, double length) { plan.target[chain.first_link + i] = length; });
 }
 
-void solve_chain(Body& body, const Chain& chain, double step) {
+/// Whether the lengths of all links have been found.
+bool solve_chain(Body& body, const Chain& chain, double step) {
     const ChainView view{body, chain, 1 / (step * step)};
     DirectRow* rows = body.plan.direct_rows.data();
     set_targets(body, chain);
@@ -233,18 +247,21 @@ void solve_chain(Body& body, const Chain& chain, double step) {
             if (!body.pinned(p)) body.position[p] += Vec3{value[0], value[1], value[2]} * fraction;
             if (i > 0) body.plan.tension[chain.first_link + i - 1] = value[3];
         }
-        if (iteration > 0 && is_settled(view)) return;
+        if (iteration > 0 && is_settled(view)) return true;
     }
+    return is_found(view);
 }
 
 }  // namespace
 
-void solve_directly(Body& body, double step) {
+bool solve_directly(Body& body, double step) {
     // Tensions are kept in newtons, so that they are a good first guess whatever the next step is,
     // and are times step^2 while they are solved for.
     for (double& tension : body.plan.tension) tension *= step * step;
-    for (const Chain& chain : body.plan.chains) solve_chain(body, chain, step);
+    bool found = true;
+    for (const Chain& chain : body.plan.chains) found = solve_chain(body, chain, step) && found;
     for (double& tension : body.plan.tension) tension /= step * step;
+    return found;
 }
 
 }  // namespace gphys

@@ -228,6 +228,22 @@ Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& s
     return (active & moving) | too_far;
 }
 
+/// Lanes in which a link is not as long as its tension says; one without a length has no part of it to be off by.
+template <int lanes>
+auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
+    using Value = Doubles<lanes>;
+    const Value none = all_of<lanes>(0), part = all_of<lanes>(rope_lost);
+    auto lost = none < none;
+    for (uint32_t i = 0; i + 1 < count; ++i) {
+        const RopeNode<lanes>& node = nodes[i];
+        const Vector3<Value> along = load3(nodes[i + 1].position) - load3(node.position);
+        const Value target = load(node.target), stretch = load(node.compliance) * load(node.tension);
+        const Value misfit = (square_root(dot(along, along)) - target - stretch) * load(node.present);
+        lost = lost | ((none < target) & (part * target < largest(misfit, -misfit)));
+    }
+    return lost;
+}
+
 // Left to itself, gcc calls the operators on eight doubles, which are in memory then.
 template <int lanes>
 __attribute__((flatten)) void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
@@ -237,6 +253,10 @@ __attribute__((flatten)) void move(RopeNode<lanes>* nodes, uint32_t count, const
     for (int iteration = 0; iteration < most_iterations && any(active); ++iteration) {
         const Doubles<lanes> reach = eliminate(nodes, count, step);
         active = substitute(nodes, count, step, reach, active);
+    }
+    if (any(active)) {
+        const auto lost = find_lost(nodes, count);
+        store(bounds.lost, select(lost, all_of<lanes>(1), load(bounds.lost)));
     }
     for (uint32_t i = 0; i < count; ++i) finish(nodes[i], step, bounds);
 }

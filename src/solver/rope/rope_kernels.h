@@ -46,10 +46,12 @@ struct RopeStep {
     Value curve;                               // h^2 / 2 / the substep before; 0: there was none
 };
 
-/// What all nodes have kept within since it was last reset.
+/// What all nodes have kept within since it was last reset, and whether a substep has ended with lengths of links
+/// that had not been found: 0 or 1.
 template <int lanes>
 struct RopeBounds {
     double low[3][lanes], high[3][lanes];
+    double lost[lanes];
 };
 
 struct RopeKernels {
@@ -59,6 +61,10 @@ struct RopeKernels {
 
 // A link is settled within this part of its length: float32 output rounds coordinates of its size by as much.
 constexpr double rope_settled = 1e-7;
+// One that is off by more than this part of its length when the iterations are over has not been found: where
+// links turn by more than a radian in a step Newton's method may circle, and velocities from such positions grow
+// without bound. Where it converges it is off by less than a millionth by then.
+constexpr double rope_lost = 1e-4;
 
 GPHYS_DECLARE_KERNELS(RopeKernels, rope_kernels)
 

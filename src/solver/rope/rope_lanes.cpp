@@ -55,11 +55,14 @@ public:
         earlier_step_ = h;
     }
 
-    bool stays(const RopeBounds<lanes>& bounds, const Box& box) const {
+    bool stays(const RopeBounds<lanes>& bounds, const Box* box) const {
+        if (bounds.lost[lane_] != 0) return false;
+        if (!box) return true;
         double radius = 0;
         for (const double r : body_->radius) radius = std::max(radius, r);
         for (int k = 0; k < 3; ++k) {
-            if (bounds.low[k][lane_] - radius < box.min[k] || bounds.high[k][lane_] + radius > box.max[k]) return false;
+            if (bounds.low[k][lane_] - radius < box->min[k] || bounds.high[k][lane_] + radius > box->max[k])
+                return false;
         }
         return true;
     }
@@ -179,6 +182,7 @@ void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&,
         std::fill_n(bounds.low[k], lanes, infinity);
         std::fill_n(bounds.high[k], lanes, -infinity);
     }
+    std::fill_n(bounds.lost, lanes, 0.0);
     const bool start = starts_again(*ropes[0].body);
     for (uint32_t i = 0; i < substeps; ++i) {
         const bool in_parts = start && i == 0;
@@ -190,7 +194,7 @@ void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&,
         }
     }
     for (uint32_t r = 0; r < count; ++r) {
-        ropes[r].stayed = !ropes[r].confines || all[r].stays(bounds, *ropes[r].confines);
+        ropes[r].stayed = all[r].stays(bounds, ropes[r].confines);
     }
     for (uint32_t i = 0; i < longest; ++i) {
         for (uint32_t r = 0; r < count; ++r) {

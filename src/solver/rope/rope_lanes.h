@@ -20,7 +20,7 @@ struct RopeRoom {
 struct UndisturbedRope {
     Body* body;
     const Box* confines;  // that it has to stay in, or it might meet something; null: nothing to meet
-    bool stayed;          // otherwise it has not been moved
+    bool stayed;          // and was found; otherwise it has not been moved
 };
 
 constexpr uint32_t ropes_together = 8;
