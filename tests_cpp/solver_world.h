@@ -97,6 +97,16 @@ private:
     }
 };
 
+struct MeshHandle {
+    gphys_mesh* mesh = nullptr;
+    MeshHandle(const std::vector<float>& vertices, const std::vector<uint32_t>& indices) {
+        REQUIRE(gphys_mesh_create(nullptr, vertices.data(), 12, static_cast<uint32_t>(vertices.size() / 3),
+                                  indices.data(), static_cast<uint32_t>(indices.size()), &mesh) == GPHYS_OK);
+    }
+    MeshHandle(const MeshHandle&) = delete;
+    ~MeshHandle() { gphys_mesh_destroy(mesh); }
+};
+
 /// What a case measured, for the record.
 inline void figure(const char* what, double value, const char* unit) {
     std::printf("    %s: %.4g %s\n", what, value, unit);

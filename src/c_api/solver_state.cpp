@@ -105,9 +105,7 @@ gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, ui
                                     const float* radii, uint32_t stride) {
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_TRY(check_array(radii, stride, count, is_amount));
-    const Strided<float> from(radii, stride);
-    Body& b = unwrap(solver)->edit(body);
-    for (uint32_t i = 0; i < count; ++i) b.radius[first + i] = from[i];
+    set_radii(unwrap(solver)->edit(body), first, count, radii, stride);
     return GPHYS_OK;
 }
 
@@ -115,9 +113,7 @@ gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, u
                                      const gphys_vec3* forces, uint32_t stride) {
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_TRY(check_array(forces, stride, count, is_vector));
-    const Strided<gphys_vec3> from(forces, stride);
-    Body& b = unwrap(solver)->edit(body);
-    for (uint32_t i = 0; i < count; ++i) b.force[first + i] = widen(from[i]);
+    set_forces(unwrap(solver)->edit(body), first, count, forces, stride);
     return GPHYS_OK;
 }
 

@@ -132,6 +132,7 @@ struct Body {
           flying(memory),
           solved(memory),
           touches(memory),
+          touch_count(memory),
           impulses(memory),
           held(memory),
           stuck(memory),
@@ -149,7 +150,9 @@ struct Body {
     Vector<double> mass;
     Vector<double> inverse_mass;  // 0: pinned or attached
     Vector<double> radius;
-    Vector<Attachment> attachments;  // by particle
+    double smallest_radius = 0, largest_radius = -1;  // < 0: not known
+    bool forced = false;                              // whether a force may be other than 0
+    Vector<Attachment> attachments;                   // by particle
 
     IdTable constraint_ids;
     Vector<DistanceConstraint> constraints;  // by slot
@@ -175,6 +178,7 @@ struct Body {
     Vector<Vec3> solved;  // of ropes: the positions that the links had found when they met models
 
     Vector<Touch> touches;          // touches_per_particle each; empty until the body meets a scene
+    Vector<uint8_t> touch_count;    // by particle: how many of its touches there are
     Vector<ModelImpulse> impulses;  // by model, of the last step
     /// By particle: 0, or if it touched something in the substep under way one more than the place of the
     /// last such in its touches.

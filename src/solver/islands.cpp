@@ -172,7 +172,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     uint32_t substeps = 1;
     each_body([&](Body& body) {
-        std::fill(body.touches.begin(), body.touches.end(), Touch{});
+        clear_touches(body);
         body.impulses.clear();
         give_attached(body, beginning, 1, {}, 0);
         substeps = std::max(substeps, substeps_of(body, state_.settings, dt));

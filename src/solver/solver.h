@@ -272,6 +272,8 @@ void interrupt(Body& body);
 void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride);
 void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
 void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses, uint32_t stride);
+void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, uint32_t stride);
+void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride);
 void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
 /// Enter a constraint that is there among the links of its particles.
 void join_links(Body& body, uint32_t slot);

@@ -60,6 +60,22 @@ void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses,
     }
 }
 
+void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, uint32_t stride) {
+    const Strided<float> from(radii, stride);
+    for (uint32_t i = 0; i < count; ++i) body.radius[first + i] = from[i];
+    body.largest_radius = -1;
+}
+
+void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride) {
+    const Strided<gphys_vec3> from(forces, stride);
+    bool any = false;
+    for (uint32_t i = 0; i < count; ++i) {
+        body.force[first + i] = widen(from[i]);
+        any = any || body.force[first + i] != Vec3{};
+    }
+    body.forced = any || (body.forced && count < body.size());
+}
+
 void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned) {
     for (uint32_t p = first; p < first + count; ++p) {
         if (pinned) {

@@ -271,6 +271,7 @@ void aim_attachments(Body& body, const Scene* scene) {
 }
 
 void reserve_history(Body& body) {
+    if (body.plan.method == GPHYS_SOLVE_FREE && !body.joined) return;
     body.start.resize(body.size());
     if (body.plan.method == GPHYS_SOLVE_GRAPH) {
         reserve_cloth(body);
@@ -302,10 +303,16 @@ void Solver::prepare(const Scene* scene, double dt) {
         update_plan(body);
         if (body.settings.self_collision && (changed || body.linked_begin.empty())) list_linked(body);
         reserve_history(body);
+        if (body.largest_radius < 0) {
+            const auto [smallest, largest] = std::minmax_element(body.radius.begin(), body.radius.end());
+            body.smallest_radius = *smallest;
+            body.largest_radius = *largest;
+        }
         moving_.push_back(
             {body.size(), slot, substeps_of(body, state_.settings, dt), is_plain_rope(body), starts_again(body)});
         if (scene && body.settings.layers != 0) {
             body.touches.resize(size_t{body.size()} * touches_per_particle);
+            body.touch_count.resize(body.size());
             body.held.resize(body.size());
             if (body.settings.sticks()) body.stuck.resize(body.size());
             if (body.plan.method == GPHYS_SOLVE_GRAPH) reserve_cloth_contacts(body);
@@ -329,10 +336,15 @@ void Solver::look_around(const Scene& scene, double dt) {
     workers_.run(static_cast<uint32_t>(moving_.size()), [&](uint32_t i) {
         const Body& body = state_.bodies[moving_[i].slot];
         double fastest = 0;
-        for (const Vec3& velocity : body.velocity) fastest = std::max(fastest, length_squared(velocity));
+        Aabb box{body.position[0], body.position[0]};
+        for (uint32_t p = 0; p < body.size(); ++p) {
+            fastest = std::max(fastest, length_squared(body.velocity[p]));
+            box = {min(box.min, body.position[p]), max(box.max, body.position[p])};
+        }
         // Twice as far as a particle may come in this step, and a model in the next: what it can meet then.
         const double margin = 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity)) + dt * fastest_model;
-        moving_[i].nearby = swept_box(body, body.position, body.position, margin);
+        const double room = 2 * body.largest_radius + margin;
+        moving_[i].nearby = bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
     });
     for (Moving& moving : moving_) {
         const size_t before = next_seen_.size();
@@ -359,19 +371,11 @@ void Solver::look_around(const Scene& scene, double dt) {
 /// A model that has moved disturbs what it came by, wherever it is now.
 void Solver::find_disturbed(const Scene& scene) {
     for (const PlacedModel& before : moved_) {
-        Box now;
-        const bool bounded = scene.bounds(before.model, now);
-        const gphys_transform& after = scene.world(before.model);
-        // Where it stood: no part of it is further from its place than now, but by its scale.
-        double reach = 0;
-        const Vec3 at = widen(after.position), was = widen(before.world.position);
-        for (int k = 0; bounded && k < 3; ++k) reach += std::max(now.max[k] - at[k], at[k] - now.min[k]);
-        reach *= std::max(1.0, static_cast<double>(before.world.scale) / after.scale);
-        const Vec3 room{reach, reach, reach};
-        const Aabb way{min(at, was) - room, max(at, was) + room};
+        Box way;
+        const bool bounded = way_of(scene, before, way);
         for (Moving& moving : moving_) {
             const uint32_t layers = scene.layers(before.model) & state_.bodies[moving.slot].settings.layers;
-            if (layers != 0 && (!bounded || touch(bounds(way), moving.nearby))) moving.undisturbed = false;
+            if (layers != 0 && (!bounded || touch(way, moving.nearby))) moving.undisturbed = false;
         }
     }
 }
@@ -419,7 +423,7 @@ void Solver::divide_work() {
 void Solver::move_through(const Moving& moving, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
     const uint32_t substeps = moving.substeps;
-    std::fill(body.touches.begin(), body.touches.end(), Touch{});
+    begin_touches(body);
     body.impulses.clear();
     const double h = dt / substeps;
     const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
@@ -431,6 +435,7 @@ void Solver::move_through(const Moving& moving, const Scene* scene, double dt) {
         move(body, around, state_.settings.gravity, h);
     }
     if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+    end_touches(body);
     meet_targets(body, state_.settings, dt, substeps);
     give_attached(body, whole, -1, state_.settings.gravity, dt);
     rest(body, scene, state_.settings, dt);
@@ -450,7 +455,7 @@ void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* sce
             continue;
         }
         Body& body = *ropes[i].body;
-        std::fill(body.touches.begin(), body.touches.end(), Touch{});
+        clear_touches(body);
         std::fill(body.stuck.begin(), body.stuck.end(), 0u);
         body.impulses.clear();
         meet_targets(body, state_.settings, dt, first->substeps);

@@ -34,6 +34,20 @@ Transform interpolate(const gphys_transform& from, const gphys_transform& to, do
             from.scale * rest + to.scale * fraction};
 }
 
+bool way_of(const Scene& scene, const PlacedModel& before, Box& out) {
+    Box now;
+    if (!scene.bounds(before.model, now)) return false;
+    // No part of it was further from its place than now, but by its scale.
+    const gphys_transform& after = scene.world(before.model);
+    const Vec3 at = widen(after.position), was = widen(before.world.position);
+    double reach = 0;
+    for (int k = 0; k < 3; ++k) reach += std::max(now.max[k] - at[k], at[k] - now.min[k]);
+    reach *= std::max(1.0, static_cast<double>(before.world.scale) / after.scale);
+    const Vec3 room{reach, reach, reach};
+    out = bounds(Aabb{min(at, was) - room, max(at, was) + room});
+    return true;
+}
+
 Collider::Collider(const Surroundings& around, const Body& body, const Box& box) : around_(around), body_(body) {
     around.scene->for_each_in_box(box, body.settings.layers, [&](gphys_model_id model) {
         if (has_moved(model)) return;
@@ -44,7 +58,20 @@ Collider::Collider(const Surroundings& around, const Body& body, const Box& box)
         Near& near = near_[count_++];
         near.model = model;
         near.bounded = around.scene->bounds(model, near.box);
+        near.is_flat = near.flat.prepare(*around.scene, model);
     });
+    list_moving(box);
+}
+
+void Collider::list_moving(const Box& box) {
+    for (uint32_t i = 0; i < around_.moved->size(); ++i) {
+        const PlacedModel& before = (*around_.moved)[i];
+        Box way;
+        if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
+        if (way_of(*around_.scene, before, way) && !touch(way, box)) continue;
+        if (moving_count_ < most_listed) moving_[moving_count_] = i;
+        ++moving_count_;
+    }
 }
 
 bool Collider::has_moved(gphys_model_id model) const {
@@ -84,29 +111,53 @@ void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 
                 (point - at_begin.apply(at_end.inverse_apply(point))) / time});
 }
 
+void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const {
+    if (near.is_flat) {
+        Hit hit;
+        const Verdict verdict = near.flat.sweep(moving, displacement, hit);
+        if (verdict == Verdict::no) return;
+        if (verdict == Verdict::yes) {
+            keep_first(
+                near.model, hit, first,
+                {hit.t, near.model, false, false, moving.center + displacement * hit.t, hit.point, hit.normal, Vec3{}});
+            return;
+        }
+    } else if (near.bounded && !touch(near.box, path_box(moving, displacement))) {
+        return;
+    }
+    meet(near.model, moving, displacement, first);
+}
+
 void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first) const {
     const Sphere moving{from, body_.radius[particle]};
-    const Box box = path_box(moving, displacement);
     first = {};
     if (listed_) {
-        for (uint32_t i = 0; i < count_; ++i) {
-            const Near& near = near_[i];
-            if (!near.bounded || touch(near.box, box)) meet(near.model, moving, displacement, first);
-        }
+        for (uint32_t i = 0; i < count_; ++i) meet_listed(near_[i], moving, displacement, first);
     } else {
-        around_.scene->for_each_in_box(box, body_.settings.layers, [&](gphys_model_id model) {
-            if (!has_moved(model)) meet(model, moving, displacement, first);
-        });
+        around_.scene->for_each_in_box(path_box(moving, displacement), body_.settings.layers,
+                                       [&](gphys_model_id model) {
+                                           if (!has_moved(model)) meet(model, moving, displacement, first);
+                                       });
+    }
+}
+
+void Collider::meet_moving(const Sphere& moving, Vec3 displacement, bool at_the_end, Impact& first) const {
+    if (moving_count_ > most_listed) {
+        for (const PlacedModel& before : *around_.moved) {
+            if (around_.scene->layers(before.model) & body_.settings.layers) {
+                meet_moved(before, moving, displacement, at_the_end, first);
+            }
+        }
+        return;
+    }
+    for (uint32_t i = 0; i < moving_count_; ++i) {
+        meet_moved((*around_.moved)[moving_[i]], moving, displacement, at_the_end, first);
     }
 }
 
 bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first, bool at_the_end) const {
     sweep_unmoved(particle, from, displacement, first);
-    for (const PlacedModel& before : *around_.moved) {
-        if (around_.scene->layers(before.model) & body_.settings.layers) {
-            meet_moved(before, {from, body_.radius[particle]}, displacement, at_the_end, first);
-        }
-    }
+    meet_moving({from, body_.radius[particle]}, displacement, at_the_end, first);
     return first.model != 0;
 }
 
@@ -134,24 +185,58 @@ double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3
                             const Impact& impact) const {
     const double approach = -dot(displacement, impact.normal);
     const double room = skin(body.radius[particle], from);
-    return approach * impact.t > room ? impact.t - room / approach : 0;
+    return approach * impact.t > largest_gap(room) ? impact.t - room / approach : 0;
+}
+
+// In touch_count, while a step is under way: those of the step before in the upper half of the byte. They are
+// not cleared until they turn out to be gone, as what lies on something touches it again.
+namespace {
+
+constexpr uint32_t count_bits = 4, count_mask = (1 << count_bits) - 1;
+static_assert(touches_per_particle <= count_mask);
+
+uint32_t touches_of(const Body& body, uint32_t particle) { return body.touch_count[particle] & count_mask; }
+
+}  // namespace
+
+void begin_touches(Body& body) {
+    for (uint8_t& count : body.touch_count) count = static_cast<uint8_t>(count << count_bits);
+}
+
+void end_touches(Body& body) {
+    for (uint32_t p = 0; p < body.touch_count.size(); ++p) {
+        const uint32_t now = touches_of(body, p), before = body.touch_count[p] >> count_bits;
+        Touch* const touches = &body.touches[size_t{p} * touches_per_particle];
+        for (uint32_t i = now; i < before; ++i) touches[i] = {};
+        body.touch_count[p] = static_cast<uint8_t>(now);
+    }
+}
+
+void clear_touches(Body& body) {
+    begin_touches(body);
+    end_touches(body);
 }
 
 uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point,
                       Vec3 normal) {
     Touch* const touches = &body.touches[size_t{particle} * touches_per_particle];
-    for (uint32_t i = 0; i < touches_per_particle; ++i) {
-        if (touches[i].model != 0 && touches[i].model != model) continue;
-        touches[i] = {model, scene.tag(model), narrow(point), narrow(normal)};
-        return i;
-    }
-    return touches_per_particle - 1;
+    const uint32_t count = touches_of(body, particle);
+    uint32_t place = 0;
+    while (place < count && touches[place].model != model) ++place;
+    if (place == touches_per_particle) return touches_per_particle - 1;
+    if (place == count) ++body.touch_count[particle];
+    touches[place] = {model, scene.tag(model), narrow(point), narrow(normal)};
+    return place;
+}
+
+void Collider::note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const {
+    body.touched = true;
+    const uint32_t touch = record_touch(body, particle, *around_.scene, model, point, normal);
+    body.held[particle] = static_cast<uint8_t>(touch + 1);
 }
 
 void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
-    body.touched = true;
-    const uint32_t touch = record_touch(body, particle, *around_.scene, impact.model, impact.point, impact.normal);
-    body.held[particle] = static_cast<uint8_t>(touch + 1);
+    note(body, particle, impact.model, impact.point, impact.normal);
 }
 
 Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, double friction) {
@@ -160,9 +245,9 @@ Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, doubl
     if (approach <= 0) return velocity;
     const double given = (1 + restitution) * approach;
     const Vec3 sideways = relative + impact.normal * approach;
-    const double speed = length(sideways);
-    const double taken = speed > 0 ? std::min(1.0, friction * given / speed) : 0;
-    return velocity + impact.normal * given - sideways * taken;
+    const double speed = length(sideways), taken = friction * given;
+    if (speed <= taken) return impact.surface_velocity + impact.normal * (restitution * approach);
+    return velocity + impact.normal * given - sideways * (taken / speed);
 }
 
 namespace {
@@ -212,17 +297,56 @@ void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, doubl
          (before - velocity) * body.mass[particle]);
 }
 
+bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const {
+    if (obstacle >= count_ || !near_[obstacle].is_flat) return false;
+    const Near& near = near_[obstacle];
+    const Vec3 at = body.position[particle];
+    const double radius = body.radius[particle];
+    Hit hit;
+    if (near.flat.sweep({at, radius}, displacement, hit) != Verdict::yes) return false;
+    const double into = -dot(displacement, hit.normal);
+    if (into * hit.t > largest_gap(skin(radius, at))) return false;
+    const BodySettings& settings = body.settings;
+    const bool stuck = settings.sticks() && body.stuck[particle];
+    const double hold = (stuck ? settings.static_friction : settings.friction) * into;
+    if (length_squared(displacement + hit.normal * into) > hold * hold) return false;
+    note(body, particle, near.model, hit.point, hit.normal);
+    if (settings.sticks()) body.stuck[particle] = 1;
+    give(body, around_, near.model, hit.point, velocity * body.mass[particle]);
+    return true;
+}
+
+void Collider::press(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement,
+                     Vec3 velocity) const {
+    const Near& near = near_[obstacle];
+    const PressedFace face = near.flat.pressed_face(displacement);
+    double mass = 0;
+    Vec3 middle;
+    for (uint32_t p = first; p < first + count; ++p) {
+        const Vec3 point = face.point({body.position[p], body.radius[p]}, displacement);
+        note(body, p, near.model, point, face.normal);
+        if (body.settings.sticks()) body.stuck[p] = 1;
+        mass += body.mass[p];
+        middle += point * body.mass[p];
+    }
+    give(body, around_, near.model, middle / mass, velocity * mass);
+}
+
 void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet) const {
+    Impact impact;
+    if (sweep(particle, from, displacement, impact)) {
+        record(body, particle, impact);
+        slide(body, particle, from, displacement, quiet, impact);
+    } else {
+        body.position[particle] = from + displacement;
+    }
+}
+
+void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet, Impact impact) const {
     Vec3 at = from;
     const Vec3& velocity = body.velocity[particle];
     bool at_the_end = false;
-    for (int contact = 0; contact < most_contacts; ++contact) {
-        Impact impact;
-        if (!sweep(particle, at, displacement, impact, at_the_end)) {
-            at += displacement;
-            break;
-        }
-        record(body, particle, impact);
+    for (int contact = 1;; ++contact) {
         if (impact.inside) {
             at = pushed_out(body, particle, at, impact);
         } else if (impact.moves && !at_the_end) {
@@ -242,32 +366,39 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         const bool stays = was_stuck && body.stuck[particle];
         // What is left of the path goes along the surface, shortened by friction.
         const double into = -dot(displacement, impact.normal);
-        if (into <= 0) continue;
-        const Vec3 along = displacement + impact.normal * into;
-        const double way = length(along);
-        const double hold = (stays ? body.settings.static_friction : body.settings.friction) * into;
-        if (way <= hold) break;
-        displacement = along * (1 - hold / way);
+        if (into > 0) {
+            const Vec3 along = displacement + impact.normal * into;
+            const double way = length(along);
+            const double hold = (stays ? body.settings.static_friction : body.settings.friction) * into;
+            if (way <= hold) break;
+            displacement = along * (1 - hold / way);
+        }
+        if (contact == most_contacts) break;
+        impact = {};
+        if (!sweep(particle, at, displacement, impact, at_the_end)) {
+            at += displacement;
+            break;
+        }
+        record(body, particle, impact);
     }
     body.position[particle] = at;
 }
 
 Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to, double margin) {
     Aabb all{from[0], from[0]};
-    double longest = 0, radius = 0;
+    double longest = 0;
     for (uint32_t p = 0; p < body.size(); ++p) {
         all.min = min(all.min, min(from[p], to[p]));
         all.max = max(all.max, max(from[p], to[p]));
         longest = std::max(longest, length_squared(to[p] - from[p]));
-        radius = std::max(radius, body.radius[p]);
     }
-    const double room = 2 * radius + std::sqrt(longest) + margin;
+    const double room = 2 * body.largest_radius + std::sqrt(longest) + margin;
     return bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}});
 }
 
 void Collider::shift(Body& body, uint32_t particle, Vec3 way) const {
     const Touch* touch = &body.touches[size_t{particle} * touches_per_particle];
-    for (uint32_t i = 0; i < touches_per_particle && touch[i].model != 0; ++i) {
+    for (uint32_t i = 0; i < touches_of(body, particle); ++i) {
         const Vec3 normal = widen(touch[i].normal);
         way += normal * std::max(0.0, -dot(way, normal));
     }

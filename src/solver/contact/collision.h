@@ -8,6 +8,7 @@
 
 #include "scene/scene.h"
 #include "solver/body.h"
+#include "solver/contact/flat_model.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
@@ -31,6 +32,13 @@ struct Surroundings {
 /// A placement between two others: positions and scales linearly, rotations along the shorter arc.
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction);
 
+/// How far a particle stays off what it touches: 1e-4 of its radius, which nobody sees, and at least
+/// 2^-40 of the coordinates, which is 2^12 times their rounding; for points at the origin, a nanometre.
+inline double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * max_component(abs(at)) + 1e-9; }
+/// Up to this far off a particle is as near as it comes. What has stopped there is off by some rounding of its
+/// coordinates, of which a hundredth of a skin is 2^6 at least.
+inline double largest_gap(double skin) { return 1.01 * skin; }
+
 struct Impact {
     double t = infinity;  // fraction of the path
     gphys_model_id model = 0;
@@ -49,15 +57,27 @@ public:
     Collider(const Surroundings& around, const Body& body, const Box& box);
 
     /// Whether there is nothing at all.
-    bool idle() const { return listed_ && count_ == 0 && around_.moved->empty(); }
+    bool idle() const { return listed_ && count_ == 0 && moving_count_ == 0; }
+    /// visit(box, flat) for boxes around all that a particle with its centre in the region may touch, and the model
+    /// if it is flat and stands still, or null; false if they are not known, and any particle may touch something.
+    template <class Visit>
+    bool for_each_obstacle(double radius, const Aabb& region, Visit&& visit) const;
 
     /// The first model that the particle would meet; the lowest id of those met at once. At the end of the
     /// substep, models that move stand still.
     bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& impact, bool at_the_end = false) const;
+    /// Whether a particle at rest stays, held by friction on the obstacle that it lies on and the only one that it
+    /// can reach: when that lets it go, it would go that way and have that velocity. If so that is recorded, and
+    /// the model gets what it is pressed with.
+    bool holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
+    /// The same of some particles, one after the other, that are in its FlatModel::rest.
+    void press(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
     /// Take the particle from one place as far along as it can go, sliding along what it meets with
     /// friction, and change the velocity that it would arrive with accordingly. Speeds of approach
     /// below `quiet` do not bounce. Records what was touched.
     void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet) const;
+    /// The same of a particle whose first impact on that path is known, and recorded.
+    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet, Impact impact) const;
     /// Out of a model that the particle is in.
     Vec3 pushed_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
     /// As far along the path as leaves the skin to what it ends at.
@@ -73,12 +93,17 @@ private:
 
     struct Near {
         gphys_model_id model;
-        bool bounded;
+        bool bounded, is_flat;
         Box box;
+        FlatModel flat;
     };
 
     bool has_moved(gphys_model_id model) const;
+    void note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const;
+    void list_moving(const Box& box);
     void meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
+    void meet_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
+    void meet_moving(const Sphere& moving, Vec3 displacement, bool at_the_end, Impact& first) const;
     void meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, bool at_the_end,
                     Impact& first) const;
     /// Of models that have not moved.
@@ -92,7 +117,37 @@ private:
     bool listed_ = true;  // otherwise there are too many, and the scene is asked for each particle
     uint32_t count_ = 0;
     Near near_[most_listed];
+    uint32_t moving_count_ = 0;  // of those that have moved and come near, the first of which are listed
+    uint32_t moving_[most_listed];
 };
+
+/// A box around a model on its way to where it is; false if it is unbounded.
+bool way_of(const Scene& scene, const PlacedModel& before, Box& out);
+
+inline Aabb widen(const Box& box) {
+    return {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
+}
+
+template <class Visit>
+bool Collider::for_each_obstacle(double radius, const Aabb& region, Visit&& visit) const {
+    if (!listed_ || moving_count_ > most_listed) return false;
+    const Vec3 room{radius, radius, radius};
+    const auto offer = [&](const Aabb& part, const FlatModel* flat) {
+        visit(Aabb{part.min - room, part.max + room}, flat);
+    };
+    for (uint32_t i = 0; i < count_; ++i) {
+        const Near& near = near_[i];
+        if (!near.bounded && !near.is_flat) return false;
+        offer(near.bounded ? widen(near.box) : near.flat.part_of_plane({region.min - room, region.max + room}),
+              near.is_flat ? &near.flat : nullptr);
+    }
+    for (uint32_t i = 0; i < moving_count_; ++i) {
+        Box way;
+        if (!way_of(*around_.scene, (*around_.moved)[moving_[i]], way)) return false;
+        offer(widen(way), nullptr);
+    }
+    return true;
+}
 
 /// Velocity after an impact: `restitution` of the approach is given back, and friction takes at most
 /// friction times what the impact gave (Coulomb).
@@ -128,12 +183,12 @@ inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravit
 
 bool touch(const Box& a, const Box& b);
 
+/// At the beginning and at the end of a step; both at once.
+void begin_touches(Body& body);
+void end_touches(Body& body);
+void clear_touches(Body& body);
 /// Returns its place in the touches of the particle; the last if others fill them all.
 uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);
-
-/// How far a particle stays off what it touches: 1e-4 of its radius, which nobody sees, and at least
-/// 2^-40 of the coordinates, which is 2^12 times their rounding; for points at the origin, a nanometre.
-inline double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * max_component(abs(at)) + 1e-9; }
 
 inline bool collides(const Body& body, const Surroundings& around) { return around.scene && body.settings.layers != 0; }
 

@@ -20,26 +20,56 @@ inline double phi2(double z) {
     return (z + std::expm1(-z)) / (z * z);
 }
 
+/// What some seconds do, to whatever flies under the same drag.
+struct FlightTime {
+    double kept = 1;             // of the velocity
+    double reach = 0, fall = 0;  // s, s^2: how far the velocity and the acceleration lead
+
+    FlightTime() = default;
+    FlightTime(double damping, double seconds) {
+        const double z = damping * seconds;
+        if (z > 0) kept = std::exp(-z);
+        reach = seconds * phi1(z);
+        fall = seconds * seconds * phi2(z);
+    }
+};
+
 /// dv/dt = acceleration - damping v.
 struct Flight {
     Vec3 acceleration;
     double damping;
 
-    Vec3 displacement(Vec3 v0, double s) const {
-        return v0 * (s * phi1(damping * s)) + acceleration * (s * s * phi2(damping * s));
-    }
-    Vec3 velocity(Vec3 v0, double s) const {
-        return v0 * std::exp(-damping * s) + acceleration * (s * phi1(damping * s));
-    }
-    /// When the flight has gone `distance` along `direction` for the first time: it has by `latest`.
+    Vec3 displacement(Vec3 v0, const FlightTime& time) const { return v0 * time.reach + acceleration * time.fall; }
+    Vec3 velocity(Vec3 v0, const FlightTime& time) const { return v0 * time.kept + acceleration * time.reach; }
+
+    /// When the flight has gone `distance` >= 0 along `direction`: it has once by `latest`.
     double time_to(Vec3 v0, Vec3 direction, double distance, double latest) const {
-        double low = 0, high = latest;
-        // Each halving adds a bit, so 60 exhaust the 53 of a double.
-        for (int i = 0; i < 60; ++i) {
-            const double middle = low + (high - low) / 2;
-            (dot(displacement(v0, middle), direction) < distance ? low : high) = middle;
+        const double v = dot(v0, direction), a = dot(acceleration, direction);
+        const double square = v * v + 2 * a * distance;
+        double s = latest;
+        if (square >= 0) {  // without drag; of two forms the one that does not cancel
+            const double end = std::sqrt(square);
+            if (v > 0) {
+                s = 2 * distance / (v + end);
+            } else if (a > 0) {
+                s = (end - v) / a;
+            }
         }
-        return high;
+        if (damping == 0) return std::min(s, latest);
+        // With drag it comes later: Newton's method from there, halving what holds the time where that leads
+        // out. A step of less than the rounding of the time changes nothing; 60 halvings exhaust a double.
+        double low = 0, high = latest;
+        s = std::min(s, latest);
+        for (int i = 0; i < 60; ++i) {
+            const FlightTime at(damping, s);
+            const double ahead = v * at.reach + a * at.fall - distance, rate = v * at.kept + a * at.reach;
+            (ahead < 0 ? low : high) = s;
+            double next = rate > 0 ? s - ahead / rate : low;
+            if (!(next > low && next < high)) next = low + (high - low) / 2;
+            if (std::fabs(next - s) <= 0x1p-52 * latest) break;
+            s = next;
+        }
+        return s;
     }
 };
 

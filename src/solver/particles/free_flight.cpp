@@ -1,77 +1,235 @@
 // Bodies without constraints: each particle flies on its own, and the exact solution of its flight
 // is known, so that neither the length nor the number of the steps matters.
+//
+// Particles fly in blocks, which ask the scene together what is near. Those of a block whose paths stay
+// clear of the boxes around that are moved eight at a time (flight_kernels.cpp); the others one by one,
+// from one impact to the next. Neighbours in a body, such as those that an emitter has made together,
+// are mostly neighbours in space.
+#include <optional>
+
 #include "solver/contact/collision.h"
 #include "solver/particles/flight.h"
+#include "solver/particles/flight_kernels.h"
 
 namespace gphys {
 namespace {
 
 // Bounces of one particle in one substep; those beyond are so small that it lies still.
 constexpr int most_bounces = 8;
+// Particles that ask the scene together: enough that its answer costs each of them little, and few enough
+// to stay in the innermost cache.
+constexpr uint32_t block_size = 512, block_groups = block_size / flight_group;
+// Boxes around what is near; more are not looked through by each group.
+constexpr uint32_t most_obstacles = 48;
 
-void fly_among(const Collider& collider, Body& body, uint32_t p, const Flight& flight, double h) {
-    Vec3& at = body.position[p];
-    Vec3& velocity = body.velocity[p];
-    double time = h;
-    for (int bounce = 0; bounce < most_bounces; ++bounce) {
-        const Vec3 displacement = flight.displacement(velocity, time);
+void put(double* to, Vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+Vec3 get(const double (&from)[3]) { return {from[0], from[1], from[2]}; }
+
+void repeat(const Aabb& box, FlightBox& out) {
+    for (uint32_t i = 0; i < flight_group; ++i) {
+        put(out.low + size_t{3} * i, box.min);
+        put(out.high + size_t{3} * i, box.max);
+    }
+}
+
+class FreeFlight {
+public:
+    FreeFlight(Body& body, const Surroundings& around, Vec3 gravity, double h)
+        : body_(body), around_(around), gravity_(gravity), h_(h), whole_(body.settings.damping, h) {
+        for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
+    }
+
+    void fly_block(uint32_t first, uint32_t count);
+
+private:
+    Flight flight_of(uint32_t p) const {
+        if (!body_.forced) return {gravity_, body_.settings.damping};
+        return {gravity_ + body_.force[p] * body_.inverse_mass[p], body_.settings.damping};
+    }
+    /// Where particles may touch something, and where they rest.
+    void list_obstacles(const Collider& collider, const Aabb& region);
+    void fly_one(const Collider* collider, uint32_t p, uint32_t obstacle);
+    void fly_freely(uint32_t p);
+    void fly_among(const Collider& collider, uint32_t p);
+    bool lies_still(const Collider& collider, uint32_t p, uint32_t obstacle) const {
+        const Vec3 acceleration = flight_of(p).acceleration;
+        return collider.holds(body_, p, obstacle, acceleration * whole_.fall, acceleration * whole_.reach);
+    }
+    /// Bounds of the whole block; its groups are ready.
+    FlightBounds bound(const FlightGroups& groups, uint32_t first, uint32_t count) const;
+
+    Body& body_;
+    const Surroundings& around_;
+    Vec3 gravity_;
+    double h_;
+    FlightTime whole_;  // the substep
+    const FlightKernels& kernels_ = flight_kernels(chosen_isa());
+    // Of a block:
+    double acceleration_[flight_numbers * block_groups];  // or of one group that stands for all
+    bool known_ = false;                                  // whether the obstacles are all there are
+    uint32_t obstacle_count_ = 0;
+    FlightObstacle obstacles_[most_obstacles];
+    uint8_t touching_[block_groups], resting_on_[block_groups], obstacle_of_[block_size];
+};
+
+void FreeFlight::fly_freely(uint32_t p) {
+    const Flight flight = flight_of(p);
+    body_.position[p] += flight.displacement(body_.velocity[p], whole_);
+    body_.velocity[p] = flight.velocity(body_.velocity[p], whole_);
+    keep_in_range(body_.position[p], body_.velocity[p]);
+}
+
+void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
+    const Flight flight = flight_of(p);
+    const double damping = body_.settings.damping, restitution = body_.settings.restitution;
+    Vec3& at = body_.position[p];
+    Vec3& velocity = body_.velocity[p];
+    const double quiet = length(flight.acceleration) * 2 * h_;
+    double left = h_;
+    FlightTime ahead = whole_;
+    for (int bounce = 0;; ++bounce) {
+        const Vec3 displacement = flight.displacement(velocity, ahead);
         Impact impact;
         if (!collider.sweep(p, at, displacement, impact)) {
             at += displacement;
-            velocity = flight.velocity(velocity, time);
+            velocity = flight.velocity(velocity, ahead);
             return;
         }
-        if (impact.inside) break;
+        collider.record(body_, p, impact);
+        if (impact.inside || bounce == most_bounces) {
+            velocity = flight.velocity(velocity, ahead);
+            collider.slide(body_, p, at, displacement, quiet, impact);
+            return;
+        }
         const Vec3 towards = -impact.normal;
-        const double t = collider.stop_short(body, p, at, displacement, impact);
-        // Within the skin already: it has arrived.
-        const double s = t > 0 ? flight.time_to(velocity, towards, dot(displacement, towards) * impact.t, time) : 0;
-        const Vec3 arrival = flight.velocity(velocity, s);
+        const double t = collider.stop_short(body_, p, at, displacement, impact);
+        if (t > 0) {  // otherwise within the skin already: it has arrived
+            const double s = flight.time_to(velocity, towards, dot(displacement, towards) * impact.t, left);
+            at += displacement * t;
+            velocity = flight.velocity(velocity, FlightTime(damping, s));
+            left -= s;
+            ahead = FlightTime(damping, left);
+        }
         // A bounce that is over within two substeps is none: the particle has come to rest.
-        const double approach = dot(arrival - impact.surface_velocity, towards);
-        const double pressing = dot(flight.acceleration, towards) * h;
-        const bool bounces = body.settings.restitution * approach > std::max(0.0, pressing);
-        collider.record(body, p, impact);
-        at += displacement * t;
-        velocity = arrival;
-        collider.bounce(body, p, impact, bounces ? body.settings.restitution : 0);
-        time -= s;
-        if (!bounces) break;
+        const double approach = dot(velocity - impact.surface_velocity, towards);
+        const double pressing = dot(flight.acceleration, towards) * h_;
+        const bool bounces = restitution * approach > std::max(0.0, pressing);
+        const Vec3 arrival = velocity;
+        collider.bounce(body_, p, impact, bounces ? restitution : 0);
+        if (bounces) continue;
+        const bool unchanged = t <= 0 && velocity == arrival;
+        const Vec3 rest = flight.displacement(velocity, ahead);
+        velocity = flight.velocity(velocity, ahead);
+        if (unchanged) {
+            collider.slide(body_, p, at, rest, quiet, impact);
+        } else {
+            collider.slide(body_, p, at, rest, quiet);
+        }
+        return;
     }
-    const Vec3 displacement = flight.displacement(velocity, time);
-    velocity = flight.velocity(velocity, time);
-    collider.slide(body, p, at, displacement, length(flight.acceleration) * 2 * h);
+}
+
+FlightBounds FreeFlight::bound(const FlightGroups& groups, uint32_t first, uint32_t count) const {
+    FlightBounds bounds;
+    kernels_.bound(groups, bounds);
+    for (uint32_t p = first + groups.count * flight_group; p < first + count; ++p) {
+        const Vec3 way = flight_of(p).displacement(body_.velocity[p], whole_);
+        for (int k = 0; k < 3; ++k) {
+            const double from = body_.position[p][k], to = from + way[k];
+            bounds.low[k] = std::min({bounds.low[k], from, to});
+            bounds.high[k] = std::max({bounds.high[k], from, to});
+            bounds.fastest[k] = std::max(bounds.fastest[k], std::fabs(body_.velocity[p][k]));
+            bounds.furthest[k] = std::max(bounds.furthest[k], std::fabs(way[k]));
+        }
+    }
+    return bounds;
+}
+
+void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region) {
+    constexpr Aabb nowhere{{1, 1, 1}, {-1, -1, -1}};
+    const bool alike = !body_.forced && body_.smallest_radius == body_.largest_radius;
+    const double radius = body_.largest_radius;
+    // The skin that a particle has at least, wherever it is in the region.
+    Vec3 nearest;
+    for (int k = 0; k < 3; ++k) nearest[k] = std::max({0.0, region.min[k], -region.max[k]});
+    const double gap = largest_gap(skin(radius, nearest));
+    known_ = collider.for_each_obstacle(radius, region, [&](const Aabb& box, const FlatModel* flat) {
+        if (obstacle_count_ < most_obstacles) {
+            FlightObstacle& obstacle = obstacles_[obstacle_count_];
+            const double friction = body_.settings.friction;
+            repeat(box, obstacle.all);
+            repeat(alike && flat ? flat->rest(radius, gap, gravity_ * whole_.fall, friction) : nowhere, obstacle.rest);
+        }
+        ++obstacle_count_;
+    });
+    known_ = known_ && obstacle_count_ <= most_obstacles;
+}
+
+void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle) {
+    if (body_.pinned(p)) return;
+    if (!collider) return fly_freely(p);
+    if (body_.velocity[p] == Vec3{} && lies_still(*collider, p, obstacle)) return;
+    fly_among(*collider, p);
+    keep_in_range(body_.position[p], body_.velocity[p]);
+}
+
+void FreeFlight::fly_block(uint32_t first, uint32_t count) {
+    if (body_.forced) {
+        for (uint32_t i = 0; i < count; ++i) put(acceleration_ + size_t{3} * i, flight_of(first + i).acceleration);
+    }
+    const FlightGroups groups{count / flight_group,
+                              &body_.position[first].x,
+                              &body_.velocity[first].x,
+                              acceleration_,
+                              body_.forced ? flight_numbers : 0,
+                              whole_.kept,
+                              whole_.reach,
+                              whole_.fall};
+    const FlightBounds bounds = bound(groups, first, count);
+    const Aabb region{get(bounds.low), get(bounds.high)};
+    known_ = max_component(max(abs(region.min), abs(region.max))) <= GPHYS_MAX_COORDINATE;
+    obstacle_count_ = 0;
+    std::optional<Collider> collider;
+    if (collides(body_, around_)) {
+        // As far again as a path is long, and as a bounce turns back.
+        const double room = 2 * body_.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
+        const Vec3 reach{room, room, room};
+        collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}));
+        if (collider->idle()) {
+            collider.reset();
+        } else if (known_) {
+            list_obstacles(*collider, region);
+        }
+    }
+    // What is not to be moved by eight, or not known to be clear, is looked at one by one.
+    std::fill_n(touching_, groups.count, known_ ? uint8_t{0} : uint8_t{0xff});
+    for (uint32_t i = 0; i < count; ++i) {
+        if (body_.pinned(first + i)) touching_[i / flight_group] |= static_cast<uint8_t>(1 << i % flight_group);
+    }
+    std::fill_n(obstacle_of_, count, several_obstacles);
+    kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {touching_, obstacle_of_, resting_on_});
+    const Vec3 way = gravity_ * whole_.fall, gained = gravity_ * whole_.reach;
+    for (uint32_t group = 0; group <= groups.count; ++group) {
+        const uint32_t begin = group * flight_group, end = std::min(count, begin + flight_group);
+        const uint32_t touching = group < groups.count ? touching_[group] : 0xff;
+        if (touching == 0) continue;
+        if (group < groups.count && resting_on_[group] != no_obstacle) {
+            collider->press(body_, first + begin, end - begin, resting_on_[group], way, gained);
+            continue;
+        }
+        for (uint32_t i = begin; i < end; ++i) {
+            const bool meets = collider && (touching >> (i - begin) & 1);
+            fly_one(meets ? &*collider : nullptr, first + i, obstacle_of_[i]);
+        }
+    }
 }
 
 }  // namespace
 
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h) {
-    const auto flight_of = [&](uint32_t p) {
-        return Flight{gravity + body.force[p] * body.inverse_mass[p], body.settings.damping};
-    };
-    double fastest = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        body.start[p] = body.position[p];
-        body.predicted[p] = body.position[p];
-        if (body.pinned(p)) continue;
-        body.predicted[p] += flight_of(p).displacement(body.velocity[p], h);
-        keep_in_range(body.predicted[p], body.velocity[p]);
-        fastest = std::max(fastest, length_squared(body.velocity[p]));
-    }
-    if (around.scene && body.settings.layers != 0) {
-        const double margin = std::sqrt(fastest) * h;  // a bounce turns back up to this far
-        const Collider collider(around, body, swept_box(body, body.start, body.predicted, margin));
-        if (!collider.idle()) {
-            for (uint32_t p = 0; p < body.size(); ++p) {
-                if (!body.pinned(p)) fly_among(collider, body, p, flight_of(p), h);
-            }
-            return;
-        }
-    }
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        body.velocity[p] = flight_of(p).velocity(body.velocity[p], h);
-        body.position[p] = body.predicted[p];
+    FreeFlight flight(body, around, gravity, h);
+    for (uint32_t first = 0; first < body.size(); first += block_size) {
+        flight.fly_block(first, std::min(block_size, body.size() - first));
     }
 }
 

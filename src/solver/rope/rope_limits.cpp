@@ -97,12 +97,13 @@ void predict_flying(Body& body, Vec3 gravity, double h) {
             if (!is_slack(body, body.start, a, b, chain.first_link + i)) body.flying[a] = body.flying[b] = 0;
         }
     }
+    const FlightTime time(body.settings.damping, h);
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.pinned(p)) body.flying[p] = 0;
         if (!body.flying[p]) continue;
         const Flight flight{gravity + body.force[p] * body.inverse_mass[p], body.settings.damping};
-        body.position[p] = body.start[p] + flight.displacement(body.start_velocity[p], h);
-        body.velocity[p] = flight.velocity(body.start_velocity[p], h);
+        body.position[p] = body.start[p] + flight.displacement(body.start_velocity[p], time);
+        body.velocity[p] = flight.velocity(body.start_velocity[p], time);
         keep_in_range(body.position[p], body.velocity[p]);
     }
 }

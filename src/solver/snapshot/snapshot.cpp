@@ -122,6 +122,11 @@ void complete(Body& body) {
     for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
         if (body.constraint_ids.live(slot)) join_links(body, slot);
     }
+    body.forced = std::any_of(body.force.begin(), body.force.end(), [](Vec3 force) { return force != Vec3{}; });
+    if (!body.touches.empty()) body.touch_count.resize(body.size());
+    for (size_t i = 0; i < body.touches.size(); ++i) {
+        if (body.touches[i].model != 0) body.touch_count[i / touches_per_particle] = i % touches_per_particle + 1;
+    }
     Plan& plan = body.plan;
     note_kinds(plan);
     complete_direct(plan);
