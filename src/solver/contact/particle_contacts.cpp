@@ -245,7 +245,7 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
     }
 }
 
-void ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double quiet) const {
+void ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const {
     uint32_t& count = *range.contact_count;
     count = 0;
     for (uint32_t i = 0; i < *range.pair_count && count < range.most_contacts; ++i) {
@@ -260,7 +260,9 @@ void ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
         // Those in one place part along a fixed axis.
         const Vec3 normal = length > 0 ? met / length : Vec3{1, 0, 0};
         const BodySettings &of_a = bodies[a.body].settings, &of_b = bodies[b.body].settings;
-        const double approach = -dot(b.velocity - a.velocity, normal);
+        // What they fly at when they meet: later they would be faster, and bounce for ever.
+        const Vec3 arrived = b.velocity - a.velocity, gained = (arrived - (now - before) / h) * 2;
+        const double approach = -dot(arrived - gained * (1 - std::min(t, 1.0)), normal);
         const double restitution = std::sqrt(of_a.restitution * of_b.restitution);
         const double closing = std::max(0.0, dot(before - now, normal));
         range.contacts[count++] = {pair.a,
@@ -271,6 +273,7 @@ void ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
                                    0,
                                    0,
                                    closing + most_parting * radii,
+                                   0,
                                    0};
     }
 }
@@ -288,13 +291,23 @@ Vec3 beside_models(const Particle& p, Vec3 value, Vec3 arrived) {
     return value;
 }
 
+/// Move two particles apart by `way`, in proportion to their inverse masses, or their velocities. What models keep
+/// one of them from the other does.
+template <class Particle>
+void shift(Particle& a, Particle& b, Vec3 way, Vec3 Particle::*value, Vec3 Particle::*arrived) {
+    const double mobility = a.inverse_mass + b.inverse_mass, square = length_squared(way);
+    if (square == 0) return;
+    const Vec3 to_a = a.*value - way * (a.inverse_mass / mobility), to_b = b.*value + way * (b.inverse_mass / mobility);
+    a.*value = beside_models(a, to_a, a.*arrived);
+    b.*value = beside_models(b, to_b, b.*arrived);
+    const double lost_a = dot(a.*value - to_a, way) / square, lost_b = dot(to_b - b.*value, way) / square;
+    if (lost_a > 0 && b.inverse_mass > 0) b.*value = beside_models(b, b.*value + way * lost_a, b.*arrived);
+    if (lost_b > 0 && a.inverse_mass > 0) a.*value = beside_models(a, a.*value - way * lost_b, a.*arrived);
+}
+
 template <class Particle, class Contact>
 void part(Contact& contact, Particle& a, Particle& b) {
-    const double mobility = a.inverse_mass + b.inverse_mass;
-    const auto move = [&](Vec3 way) {
-        a.at = beside_models(a, a.at - way * (a.inverse_mass / mobility), a.arrived);
-        b.at = beside_models(b, b.at + way * (b.inverse_mass / mobility), b.arrived);
-    };
+    const auto move = [&](Vec3 way) { shift(a, b, way, &Particle::at, &Particle::arrived); };
     const double overlap = a.radius + b.radius - dot(b.at - a.at, contact.normal);
     // What was too much is taken back, as far as this pair had parted.
     const double parting = std::clamp(overlap, -contact.parted, contact.most - contact.parted);
@@ -311,13 +324,18 @@ void part(Contact& contact, Particle& a, Particle& b) {
 template <class Particle, class Contact>
 void turn(Contact& contact, Particle& a, Particle& b) {
     if (contact.parted <= 0) return;
-    const double mobility = a.inverse_mass + b.inverse_mass;
+    const auto change = [&](Vec3 speed) { shift(a, b, speed, &Particle::velocity, &Particle::arrived_velocity); };
     const double parting = dot(b.velocity - a.velocity, contact.normal);
     const double push = std::max(contact.wanted - parting, -contact.pushed);
     contact.pushed += push;
-    const Vec3 change = contact.normal * (push / mobility);
-    a.velocity = beside_models(a, a.velocity - change * a.inverse_mass, a.arrived_velocity);
-    b.velocity = beside_models(b, b.velocity + change * b.inverse_mass, b.arrived_velocity);
+    change(contact.normal * push);
+    // Friction beside what changes velocities: with what has been parted it has come already.
+    const Vec3 apart = b.velocity - a.velocity, along = apart - contact.normal * dot(apart, contact.normal);
+    const double speed = length(along), hold = contact.friction * contact.pushed - contact.braked;
+    if (speed == 0 || hold <= 0) return;
+    const double held = std::min(speed, hold);
+    contact.braked += held;
+    change(along * (-held / speed));
 }
 
 /// visit(particle, its way) of those that contacts have moved.
@@ -385,11 +403,11 @@ void ParticleContacts::each_body(const Island& island, Vector<Body>& bodies, con
 }
 
 /// Whether there are any contacts.
-bool ParticleContacts::part_contacts(const Island& island, const Vector<Body>& bodies, double quiet) {
+bool ParticleContacts::part_contacts(const Island& island, const Vector<Body>& bodies, double quiet, double h) {
     const Range range = this->range(island);
     gather(range, bodies);
     if (!list_holds(range)) find_pairs(range, bodies);
-    find_contacts(range, bodies, quiet);
+    find_contacts(range, bodies, quiet, h);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (uint32_t i = 0; i < *range.contact_count; ++i) {
             Contact& contact = range.contacts[i];
@@ -402,7 +420,7 @@ bool ParticleContacts::part_contacts(const Island& island, const Vector<Body>& b
 void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
                             const Surroundings& around, Vec3 gravity, double h) {
     const double quiet = quiet_speed(gravity, h);
-    const bool any = part_contacts(island, bodies, quiet);
+    const bool any = part_contacts(island, bodies, quiet, h);
     const Range range = this->range(island);
     for (uint32_t i = 0; i < *range.pair_count; ++i) {
         for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b}) bodies[range.particles[p].body].near = true;
@@ -451,7 +469,7 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
 void ParticleContacts::settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
                               const Surroundings& around, Vec3 gravity, double h) {
     const double quiet = quiet_speed(gravity, h);
-    if (!part_contacts(island, bodies, quiet)) return;
+    if (!part_contacts(island, bodies, quiet, h)) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!moves_freely(body)) push_arrived(first, end, body, around, quiet);
     });

@@ -69,6 +69,7 @@ private:
         double rubbed;  // metres, by how much friction has held it back
         double most;    // metres, by how much it may be parted at most
         double pushed;  // m/s, by how much its speed of parting has been changed
+        double braked;  // m/s, by how much friction has held its speed back
     };
     /// Of an island: its parts of the arrays.
     struct Range {
@@ -90,8 +91,8 @@ private:
     void gather(const Range& range, const Vector<Body>& bodies) const;
     bool list_holds(const Range& range) const;
     void find_pairs(const Range& range, const Vector<Body>& bodies) const;
-    void find_contacts(const Range& range, const Vector<Body>& bodies, double quiet) const;
-    bool part_contacts(const Island& island, const Vector<Body>& bodies, double quiet);
+    void find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const;
+    bool part_contacts(const Island& island, const Vector<Body>& bodies, double quiet, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;

@@ -202,7 +202,6 @@ void JointSystem::assemble() {
             const Vec3 axis = axes[column];
             const Vec3 k = (axis - s.direction * s.direction[static_cast<int>(column)]) * s.stiffness;
             for (const Node* node : {&a, &b}) {
-                if (!node->free) continue;
                 diagonal_[node->scalar + column] += k[static_cast<int>(column)];
                 for (uint32_t row = 0; row < column; ++row) own(*node, column)[row] += k[static_cast<int>(row)];
             }
@@ -274,7 +273,7 @@ double JointSystem::advance() {
     const double most = reach(), fraction = longest > most ? most / longest : 1;
     for (Node& node : nodes_) {
         const double* x = &solution_[node.scalar];
-        if (node.free) node.position += Vec3{x[0], x[1], x[2]} * fraction;
+        node.position += Vec3{x[0], x[1], x[2]} * fraction;  // of pins, which nothing is coupled to, 0
     }
     return fraction;
 }
