@@ -1,12 +1,13 @@
-// gamephys_bench SUITE... [--quick] [--out=DIR]: times each case for each implementation with
-// Google Benchmark in interleaved repetitions, keeps the fastest, compares the answers with a
-// double-precision loop, and writes DIR/<suite>.csv.
+// gamephys_bench SUITE... [--quick] [--out=DIR] [--case=NAME] [--objects=N]: times each case for each
+// implementation with Google Benchmark in interleaved repetitions, keeps the fastest, compares the
+// answers with a double-precision loop, and writes DIR/<suite>.csv. NAME and N leave out all others.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <functional>
@@ -23,6 +24,11 @@ namespace {
 struct Options {
     bool quick = false;
     std::string directory = ".";
+    std::string only;      // case
+    uint32_t objects = 0;  // if not 0, only so many
+
+    bool wants(uint32_t n) const { return objects == 0 || n == objects; }
+    bool wants(const std::string& name, uint32_t n) const { return (only.empty() || name == only) && wants(n); }
 };
 
 struct Row {
@@ -86,6 +92,7 @@ public:
     std::vector<gphys_ray> camera_rays(float half_side) const {
         return options_.quick ? bench::camera_rays(half_side, 256, 192) : bench::camera_rays(half_side, 1024, 768);
     }
+    bool wants(uint32_t n) const { return options_.wants(n); }
     std::vector<uint32_t> sizes() const {
         return options_.quick ? std::vector<uint32_t>{1000, 10000}
                               : std::vector<uint32_t>{1000, 10000, 100000, 1000000};
@@ -95,6 +102,14 @@ public:
     /// once: noise is small beside it.
     void measure(const std::string& suite, const std::string& name, uint32_t n, std::vector<Entry>& entries,
                  const Task& task, const Check& check) {
+        if (!options_.wants(name, n)) {
+            // What the others ask has to be there.
+            const bool builds = name.rfind("build_", 0) == 0;
+            for (Entry& entry : entries) {
+                if (builds && entry.implementation) task(*entry.implementation);
+            }
+            return;
+        }
         Fastest fastest;
         std::vector<std::pair<Entry*, double>> taking_part;  // and the operations of a task
         for (Entry& entry : entries) {
@@ -279,6 +294,7 @@ void report_memory(Bench& bench, const std::string& suite, const std::string& na
 
 void scene_suite(Bench& bench) {
     for (const uint32_t n : bench.sizes()) {
+        if (!bench.wants(n)) continue;
         const float half = half_side(n);
         const std::vector<gphys_obb> content = boxes(n);
         std::vector<Entry> entries = everybody();
@@ -314,6 +330,7 @@ void scene_suite(Bench& bench) {
 void mesh_suite(Bench& bench) {
     for (const int level : bench.sizes().size() > 2 ? std::vector<int>{6, 8} : std::vector<int>{5}) {
         const Triangles mesh = bumpy_sphere(level);
+        if (!bench.wants(mesh.count())) continue;
         std::vector<Entry> entries = everybody();
         bench.measure(
             "mesh", "build_mesh", mesh.count(), entries,
@@ -340,7 +357,7 @@ Check same_count(const uint64_t& expected, const std::function<bool(Implementati
 
 void query_suite(Bench& bench) {
     for (const uint32_t n : bench.sizes()) {
-        if (n < 10000) continue;
+        if (n < 10000 || !bench.wants(n)) continue;
         const std::vector<gphys_obb> content = boxes(n);
         const float half = half_side(n);
         std::vector<Entry> entries = everybody();
@@ -515,6 +532,10 @@ int run(int argc, char** argv) {
             options.quick = true;
         } else if (!std::strncmp(argv[i], "--out=", 6)) {
             options.directory = argv[i] + 6;
+        } else if (!std::strncmp(argv[i], "--case=", 7)) {
+            options.only = argv[i] + 7;
+        } else if (!std::strncmp(argv[i], "--objects=", 10)) {
+            options.objects = static_cast<uint32_t>(std::strtoul(argv[i] + 10, nullptr, 10));
         } else {
             suites.emplace_back(argv[i]);
         }

@@ -194,6 +194,11 @@ TEST_CASE("quick tests raise no floating-point exception, however far the ray an
         for (const Isa isa : test::isas()) scene_kernels(isa).may_meet(lanes, 0, BoxLanes(quick_shape(box, world)));
     }
     denied += QuickPoint({})(quick_shape(box, world), infinity) == Verdict::no;
+    // As large as scenes hold boxes.
+    const gphys_transform unscaled{world.position, world.rotation, 1};
+    const QuickPlacedBox<gphys_aabb> placed{box, unscaled};
+    CHECK(QuickPoint({})(placed, infinity) != Verdict::no);
+    CHECK(QuickPoint({-1e15, 1e15, 1e15})(placed, 0) == Verdict::no);
     CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
     CHECK(denied < 9);
 }

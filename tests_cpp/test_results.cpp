@@ -26,6 +26,27 @@ TEST_CASE("Smallest keeps the smallest values in ascending order, whatever the o
     }
 }
 
+TEST_CASE("Smallest leaves out what it is told not to add") {
+    test::Random random(2);
+    for (uint32_t count = 0; count < 60; ++count) {
+        for (uint32_t capacity : {0u, 1u, 7u, 31u, 32u, 33u, 70u}) {
+            std::vector<uint32_t> added, out(capacity + 1, 12345);
+            Smallest<uint32_t> smallest(capacity ? out.data() : nullptr, capacity);
+            for (uint32_t i = 0; i < count; ++i) {
+                const uint32_t value = random.index(50);
+                const bool is_one = random.index(3) > 0;
+                smallest.add_if(is_one, value);
+                if (is_one) added.push_back(value);
+            }
+            std::sort(added.begin(), added.end());
+            REQUIRE(smallest.finish() == added.size());
+            const size_t kept = std::min<size_t>(added.size(), capacity);
+            REQUIRE(std::equal(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(kept), added.begin()));
+            REQUIRE(out[capacity] == 12345);
+        }
+    }
+}
+
 TEST_CASE("Smallest takes any order") {
     int out[3];
     Smallest<int, std::greater<int>> largest(out, 3);

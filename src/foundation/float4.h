@@ -19,6 +19,7 @@ inline Float4 narrow4(Vec3 v) {
 inline Float4 narrow4(Quat q) {
     return Float4{static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
 }
+inline Float4 load4(const gphys_vec3& p) { return Float4{p.x, p.y, p.z, 0}; }
 inline Float4 load4(const gphys_quat& q) {
     Float4 v;
     std::memcpy(&v, &q, sizeof v);

@@ -51,7 +51,8 @@ inline double max_component(Vec3 a) { return std::max(a.x, std::max(a.y, a.z)); 
 /// The axis of the largest component, the first of equal ones.
 inline int longest_axis(Vec3 a) {
     const Vec3 size = abs(a);
-    return size.z > std::max(size.x, size.y) ? 2 : size.y > size.x;
+    const int of_x_and_y = size.y > size.x, is_z = size.z > std::max(size.x, size.y);
+    return of_x_and_y + is_z * (2 - of_x_and_y);  // a branch would be the toss of a coin
 }
 
 /// a / |a|; a must not be zero. Scaled first, so that lengths from 1e-300 to 1e300 survive.

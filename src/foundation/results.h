@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <type_traits>
 
 namespace gphys {
 
@@ -29,6 +30,16 @@ public:
         if (total_ < std::numeric_limits<uint32_t>::max()) ++total_;
     }
 
+    /// The same if `is_one`, of which the processor is to foresee nothing.
+    void add_if(bool is_one, const T& value) {
+        if (total_ + 1 < capacity_) {
+            out_[total_] = value;
+            total_ += is_one;
+        } else if (is_one) {
+            add(value);
+        }
+    }
+
     bool full() const { return capacity_ > 0 && total_ >= capacity_; }
     /// The value that the next smaller one replaces; only when full.
     const T& largest() const { return out_[0]; }
@@ -36,11 +47,36 @@ public:
 
     /// Sort what was kept; returns how many were added (saturating).
     uint32_t finish() {
-        std::sort(out_, out_ + std::min(total_, capacity_), less_);
+        const uint32_t count = std::min(total_, capacity_);
+        if constexpr (std::is_integral_v<T> && std::is_same_v<Less, std::less<T>>) {
+            if (count <= few) {
+                sort_few(count);
+                return total_;
+            }
+        }
+        std::sort(out_, out_ + count, less_);
         return total_;
     }
 
 private:
+    static constexpr uint32_t few = 32;
+
+    /// Each goes behind all that are less, and those before it that are equal. That is more comparisons
+    /// than a sort takes, but side by side, and none that the processor would have to foresee.
+    void sort_few(uint32_t count) {
+        constexpr uint32_t at_once = 8;
+        T values[few];
+        std::fill_n(values, few, std::numeric_limits<T>::max());
+        std::copy_n(out_, count, values);
+        const uint32_t end = (count + at_once - 1) / at_once * at_once;
+        for (uint32_t i = 0; i < count; ++i) {
+            const T value = values[i];
+            uint32_t place = 0;
+            for (uint32_t j = 0; j < end; ++j) place += (values[j] < value) | ((values[j] == value) & (j < i));
+            out_[place] = value;
+        }
+    }
+
     T* out_;
     uint32_t capacity_;
     uint32_t total_ = 0;

@@ -105,13 +105,12 @@ bool enters(const Aabb& box, const Ray& ray, Entry& result) {
     for (int k = 0; k < 3; ++k) {
         const double origin = ray.origin[k], direction = ray.direction[k];
         if (direction == 0) return enters_exactly(box, ray, result);
-        const double faces[2] = {box.min[k], box.max[k]};
-        const int backward = direction < 0;
-        const double inverse = 1 / direction;
-        const double near = (faces[backward] - origin) * inverse, far = (faces[1 - backward] - origin) * inverse;
-        const bool below = origin<faces[0], above = origin> faces[1];
+        const double low = box.min[k], high = box.max[k], inverse = 1 / direction;
+        const double to_low = (low - origin) * inverse, to_high = (high - origin) * inverse;
+        const double near = std::min(to_low, to_high), far = std::max(to_low, to_high);
+        const bool below = origin<low, above = origin> high, backward = direction < 0;
         outside |= below | above;
-        behind |= backward ? below : above;
+        behind |= (below & backward) | (above & !backward);
         axis = near > latest ? k : axis;
         second = std::max(second, std::min(near, latest));
         latest = std::max(latest, near);
@@ -140,12 +139,15 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
     Entry entry;
     if (!enters(box, ray, entry)) return false;
     if (entry.axis < 0) return started_inside(ray, hit);
-    const double direction = ray.direction[entry.axis];
+    const Vec3 inside = max(box.min, min(box.max, ray.origin + ray.direction * entry.t));
+    const double faces[2] = {box.max[entry.axis], box.min[entry.axis]}, direction = ray.direction[entry.axis];
+    double point[3] = {inside.x, inside.y, inside.z}, normal[3] = {};
+    point[entry.axis] = faces[direction > 0];
+    normal[entry.axis] = -std::copysign(1.0, direction);
     hit = Hit{};
     hit.t = std::min(entry.t, ray.t_max);
-    hit.point = max(box.min, min(box.max, ray.origin + ray.direction * entry.t));
-    hit.point[entry.axis] = direction > 0 ? box.min[entry.axis] : box.max[entry.axis];
-    hit.normal[entry.axis] = direction > 0 ? -1 : 1;
+    hit.point = {point[0], point[1], point[2]};
+    hit.normal = {normal[0], normal[1], normal[2]};
     return true;
 }
 

@@ -173,13 +173,15 @@ void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v) {
 }
 
 ShearedRay::ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direction), t_max(ray.t_max) {
-    kz = longest_axis(direction);
-    const double along = direction[kz];
-    const int next = kz == 2 ? 0 : kz + 1, last = kz == 0 ? 2 : kz - 1;
-    kx = along < 0 ? last : next;  // keeps the sense of rotation
-    ky = along < 0 ? next : last;
-    sx = along != 0 ? direction[kx] / along : 0;
-    sy = along != 0 ? direction[ky] / along : 0;
+    kz = longest_axis(ray.direction);
+    const double along = ray.direction[kz];
+    // Keeps the sense of rotation, without a branch: of directions nothing is to be foreseen.
+    constexpr int others[2][3][2] = {{{1, 2}, {2, 0}, {0, 1}}, {{2, 1}, {0, 2}, {1, 0}}};
+    const int(&pair)[2] = others[along < 0][kz];
+    kx = pair[0];
+    ky = pair[1];
+    sx = along != 0 ? ray.direction[kx] / along : 0;
+    sy = along != 0 ? ray.direction[ky] / along : 0;
 }
 
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {

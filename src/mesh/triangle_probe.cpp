@@ -23,7 +23,7 @@ namespace gphys {
 // Nothing overflows: the root is within 2^53 of the beginning, coordinates stay below 2^55 and
 // volumes below 2^111.
 TriangleProbe::TriangleProbe(const ShearedRay& ray, const RayProbe& along, const Box& root)
-    : axis{ray.kx, ray.ky, ray.kz}, forward(ray.direction[ray.kz] >= 0) {
+    : axis{ray.kx, ray.ky, ray.kz}, ahead(ray.direction[ray.kz] >= 0), behind(1 - ahead) {
     if (ray.direction[ray.kz] == 0 || !along.excludes()) {  // nothing to shear along, or beyond floats
         for (int k = 0; k < 3; ++k) origin[k] = 0;
         slope[0] = slope[1] = 0;

@@ -11,11 +11,11 @@ struct TriangleProbe {
     /// `along` is the same ray's probe of boxes in `root`, and meets some of them.
     TriangleProbe(const ShearedRay& ray, const RayProbe& along, const Box& root);
 
-    int axis[3];      // kx, ky, kz of the sheared ray
-    float origin[3];  // on these axes
-    float slope[2];   // of the direction across, per step along
-    bool forward;     // the direction along is positive
-    float margin;     // by which a coordinate along may be off
+    int axis[3];          // kx, ky, kz of the sheared ray
+    float origin[3];      // on these axes
+    float slope[2];       // of the direction across, per step along
+    float ahead, behind;  // 1 and 0 if the direction along is positive, else 0 and 1
+    float margin;         // by which a coordinate along may be off
     // A volume of coordinates up to rx and ry may be off by error_slope . (rx, ry) + error.
     float error_slope[2];
     float error;

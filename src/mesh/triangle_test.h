@@ -18,7 +18,8 @@ inline uint32_t used_lanes(const TrianglePacket& packet) {
 class TriangleTest {
 public:
     explicit TriangleTest(const TriangleProbe& probe)
-        : forward_(probe.forward),
+        : ahead_(probe.ahead),
+          behind_(probe.behind),
           margin_(probe.margin),
           slope_x_(splat(probe.slope[0])),
           slope_y_(splat(probe.slope[1])),
@@ -47,8 +48,7 @@ public:
         const Float8 error = error_slope_x_ * reach(x) + error_slope_y_ * reach(y) + error_;
         // Off the ray if two volumes certainly differ in sign.
         const Mask8 around = (splat(0) - error <= lowest) | (highest <= error);
-        const float low = forward_ ? -margin_ : -limit - margin_;
-        const float high = forward_ ? limit + margin_ : margin_;
+        const float low = -(limit * behind_) - margin_, high = limit * ahead_ + margin_;
         const uint32_t hits =
             bits(around & (splat(low) <= max3(z[0], z[1], z[2])) & (min3(z[0], z[1], z[2]) <= splat(high)));
         return hits == 0 ? 0 : hits & used_lanes(packet);
@@ -60,8 +60,7 @@ private:
     static Float8 reach(const Float8 (&v)[3]) { return max(max3(v[0], v[1], v[2]), splat(0) - min3(v[0], v[1], v[2])); }
 
     int axis_[3];
-    bool forward_;
-    float margin_;
+    float ahead_, behind_, margin_;
     Float8 origin_[3];
     Float8 slope_x_, slope_y_, error_slope_x_, error_slope_y_, error_;
 };

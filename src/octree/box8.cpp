@@ -25,17 +25,17 @@ double rounding_slack(double w) { return 0x1p-48 * w + std::numeric_limits<float
 // and s = m t, so that |d| <= 1 and |d| = 1 on one axis, the main one. The origin is moved forward
 // to where the main axis enters the root box, which keeps all numbers as small as the tree.
 //
-// Let u = 2^-24. For d > 0 the entry into a box is (min - o) / d. With o moved up to a float and
-// 1 / d rounded to a float, the computed value is the quotient of a smaller difference times
-// (1 + e)^3 with |e| <= u: one rounding each of the difference, the inverse and the product. It
-// exceeds the true entry at most by the factor 1 + 3u + O(u^2). With o moved down, the exit
-// (max - o) / d falls short of the true one at most by the factor 1 - 3u - O(u^2). A ray that meets
-// the box has entry <= exit in truth; hence computed entry <= computed exit * (1 + 7u), where one
-// more u is the rounding of that product: the factor in hits() is 1 + 8u. For d < 0 the roles of the
-// two faces and the two roundings change places.
+// Let u = 2^-24, b the face of a box and E the largest coordinate of the root. For d > 0 the entry into
+// a box is (b - o) / d. Computed is (b - o') i, where i is a float that is 1 / d within a factor of 1 + u,
+// and o' is the origin as seen from the face. With the inverse there are three roundings of at most
+// (|b| + |o'|) / d: the result is off by less than 3.1 u (E + |o'|) / d, besides what is below the smallest
+// normal float and may be flushed to zero, three times. With o' that much ahead of the origin, another
+// u |o'| for its own rounding and the slack, the computed entry is no later than the true one; with o' as
+// far behind, the computed exit is no earlier. A ray that meets the box has entry <= exit in truth, and
+// so in what is computed. For d < 0 ahead is downward, and the rest is the same.
 //
-// An axis with |d| < 2^-68 has an inverse too large for float: differences of up to 2^57 are to be
-// multiplied by it. It is treated as d = 2^-68 with the same sign. On it the ray moves by less than 2^-68 span within
+// An axis with |d| < 2^-68 has an inverse too large for float: sums of up to 2^57 are to be multiplied
+// by it. It is treated as d = 2^-68 with the same sign. On it the ray moves by less than 2^-68 span within
 // the root, which is span long on the main axis: far less than the slack by which the origin is
 // widened, 2^-48 w, as span < 8 w. So if the ray meets the box, then to the float origins the box
 // is in front of the near one, entry < 0, and at least slack / 2 behind the far one: the exit is
@@ -67,17 +67,20 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
         const float* face[2] = {root.min, root.max};
         const int backward = direction[main] < 0;
         const double sense = 1 - 2 * backward;
-        start_ = std::max(0.0, (face[backward][main] - origin[main]) * sense - margin);
-        origin += d * start_;
-        span_ = (face[1 - backward][main] - origin[main]) * sense + margin;
+        const Vec3 given = origin;
+        start_ = std::max(0.0, (face[backward][main] - given[main]) * sense - margin);
+        const Vec3 moved = given + d * start_;
+        span_ = (face[1 - backward][main] - moved[main]) * sense + margin;
+        origin = moved;
     }
     // From further away the ray cannot come back to the root within its span.
     if (max_component(abs(origin)) > extent + span_ + margin) span_ = -1;
     if (span_ < 0) origin = {};
+    constexpr double rounding = 5 * unit_roundoff, flushed = 4.0 * std::numeric_limits<float>::min();
+    const double wide = margin + rounding * extent + flushed;
     const auto prepare = [&](int k, double from, double along, double component) {
         begin[k] = from;
-        // Widened by what rounding to float may take back.
-        const double width = std::copysign(margin + 0x1p-23 * (std::fabs(from) + margin), along);
+        const double width = std::copysign(wide + rounding * (std::fabs(from) + margin), along);
         const int backward = std::signbit(along);
         near_row[k] = k + 3 * backward;
         far_row[k] = k + 3 - 3 * backward;
@@ -92,9 +95,8 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
     prepare(2, origin.z, d.z, direction.z);
 }
 
-// A computed entry exceeds the true one by a factor of at most 1 + 4u. The rest of the 16u is for
-// t_max itself: where two triangles meet, one test may put the hit a little further than the other,
-// and both must be seen for the lower index to win.
+// The 16u are for t_max itself: where two triangles meet, one test may put the hit a little further than
+// the other, and both must be seen for the lower index to win.
 float RayProbe::limit(double t_max) const {
     if (t_max < 0 || span_ < 0) return -1;
     if (everything_) return 0x1p100f;

@@ -18,6 +18,8 @@ constexpr Box all_of_space{{-max_box_coordinate, -max_box_coordinate, -max_box_c
 struct alignas(32) Box8 {
     float row[6][8];  // min x, y, z, max x, y, z
 
+    /// Eight floats of which the first is that of row[i / 8][i % 8].
+    const float* from(uint32_t i) const { return reinterpret_cast<const float*>(this) + i; }
     Box lane(int i) const { return {{row[0][i], row[1][i], row[2][i]}, {row[3][i], row[4][i], row[5][i]}}; }
     void set_lane(int i, const Box& box) {
         for (int k = 0; k < 3; ++k) {
@@ -50,7 +52,7 @@ struct RayProbe {
     float limit(double t_max) const;
 
     // For each axis: the rows of the faces that the ray enters and leaves boxes by, the origin as
-    // seen from each, and one over the direction.
+    // seen from each, which has the margin for all rounding, and one over the direction.
     int near_row[3], far_row[3];
     float near_origin[3], far_origin[3], inverse[3];
     double begin[3];  // the origin, moved forward to the root box

@@ -6,32 +6,34 @@
 
 namespace gphys::GPHYS_ISA {
 
-constexpr float float_roundoff = 0x1p-24f;
-
 class RayTest {
 public:
+    RayTest() = default;
     explicit RayTest(const RayProbe& probe) {
         for (int k = 0; k < 3; ++k) {
-            near_row_[k] = probe.near_row[k];
-            far_row_[k] = probe.far_row[k];
-            near_origin_[k] = splat(probe.near_origin[k]);
-            far_origin_[k] = splat(probe.far_origin[k]);
-            inverse_[k] = splat(probe.inverse[k]);
+            near_face_[k] = 8 * static_cast<uint32_t>(probe.near_row[k]);
+            far_face_[k] = 8 * static_cast<uint32_t>(probe.far_row[k]);
+            near_origin_[k] = probe.near_origin[k];
+            far_origin_[k] = probe.far_origin[k];
+            back_[k] = -probe.inverse[k];
         }
     }
 
-    /// Lanes that the ray meets no later than at `limit`; `entry` is where, in the same unit.
+    /// Lanes that the ray meets no later than at `limit`; `entry` is where, in the same unit. Counted
+    /// from the boxes back to the origin, as what comes from memory is best subtracted.
     uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
-        const auto enters = [&](int k) { return (load(boxes.row[near_row_[k]]) - near_origin_[k]) * inverse_[k]; };
-        const auto leaves = [&](int k) { return (load(boxes.row[far_row_[k]]) - far_origin_[k]) * inverse_[k]; };
+        const Float8 back[3] = {splat(back_[0]), splat(back_[1]), splat(back_[2])};
+        const auto enters = [&](int k) { return (splat(near_origin_[k]) - load(boxes.from(near_face_[k]))) * back[k]; };
+        const auto leaves = [&](int k) { return (splat(far_origin_[k]) - load(boxes.from(far_face_[k]))) * back[k]; };
         entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
-        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), splat(limit)));
+        return bits(entry <= min(exit, splat(limit)));
     }
 
 private:
-    int near_row_[3], far_row_[3];
-    Float8 near_origin_[3], far_origin_[3], inverse_[3];
+    // As scalars, so that a ray fits a cache line: to spread one costs no more than to load eight.
+    uint32_t near_face_[3], far_face_[3];  // where their rows begin
+    float near_origin_[3], far_origin_[3], back_[3];
 };
 
 /// Rays that go much the same way: at once as a bundle, which meets what any of them meets, and each
@@ -78,7 +80,7 @@ public:
 
     /// Lanes that may be met by some ray. A quotient lies between those with the least and the
     /// greatest inverse, whatever its sign, and rounding keeps their order: so each ray's own entry
-    /// and exit, as RayTest computes them, lie between the two computed here.
+    /// and exit, as rays() computes them, lie between the two computed here.
     uint32_t hits(const Box8& boxes, Float8& entry) const {
         const auto enters = [&](int k) {
             const Float8 x = load(boxes.row[near_row_[k]]) - near_origin_[k];
@@ -90,7 +92,7 @@ public:
         };
         entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
-        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), splat(limit_)));
+        return bits(entry <= min(exit, splat(limit_)));
     }
 
     /// Of eight rays, those that meet the box of one lane.
@@ -104,7 +106,7 @@ public:
         };
         const Float8 entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
-        return bits(entry <= min(exit * splat(1 + 8 * float_roundoff), load(limits_ + first)));
+        return bits(entry <= min(exit, load(limits_ + first)));
     }
 
 private:

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "foundation/simd.h"
+#include "octree/lane_sets.h"
 #include "octree/octree_node.h"
 
 namespace gphys::GPHYS_ISA {
@@ -67,26 +67,10 @@ inline int push_by_insertion(KeyedChild* stack, int size, const uint32_t childre
 }
 
 #if GPHYS_ISA_IS(avx2)
-/// For each set of lanes the first four as bytes, -1 where there are no more.
-struct FirstLanes {
-    int8_t of[256][4];
-
-    constexpr FirstLanes() : of{} {
-        for (int set = 0; set < 256; ++set) {
-            int count = 0;
-            for (int8_t lane = 0; lane < 8; ++lane) {
-                if ((set >> lane & 1) != 0 && count < 4) of[set][count++] = lane;
-            }
-            for (; count < 4; ++count) of[set][count] = -1;
-        }
-    }
-};
-inline constexpr FirstLanes first_lanes;
-
 /// Up to four hits, without a branch that could not be foreseen.
 inline int push_by_network(KeyedChild* stack, int size, const uint32_t children[8], const Found& found, uint32_t mark) {
     int32_t packed;
-    std::memcpy(&packed, first_lanes.of[found.hits], sizeof packed);
+    std::memcpy(&packed, lane_lists.of[found.hits], sizeof packed);
     const __m128i lanes = _mm_cvtepi8_epi32(_mm_cvtsi32_si128(packed));
     const __m256 keys = _mm256_permutevar8x32_ps(_mm256_load_ps(found.keys), _mm256_castsi128_si256(lanes));
     const __m128i no_lane = _mm_set1_epi32(static_cast<int>(~lane_field));
@@ -106,6 +90,40 @@ inline int push_by_network(KeyedChild* stack, int size, const uint32_t children[
     _mm_storeu_si128(reinterpret_cast<__m128i*>(stack + size + 2), _mm_unpackhi_epi32(child, key));
     return size + __builtin_popcount(found.hits);
 }
+
+/// Any number of hits, in the same way (Batcher's odd-even merge sort, 1968).
+inline int push_by_large_network(KeyedChild* stack, int size, const uint32_t children[8], const Found& found,
+                                 uint32_t mark) {
+    const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+    const __m256i lane_bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i no_lane = _mm256_set1_epi32(static_cast<int>(~lane_field));
+    const __m256i hit = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(found.hits)), lane_bit);
+    const __m256i missed = _mm256_cmpeq_epi32(hit, _mm256_setzero_si256());
+    const __m256i bits = _mm256_and_si256(_mm256_load_si256(reinterpret_cast<const __m256i*>(found.keys)), no_lane);
+    __m256i sorted = _mm256_or_si256(_mm256_or_si256(bits, lanes), missed);
+    const auto exchange = [&sorted](int a, int b, int c, int d, int e, int f, int g, int h) {
+        const int partner[8] = {a, b, c, d, e, f, g, h};
+        const __m256i with = _mm256_setr_epi32(a, b, c, d, e, f, g, h);
+        const __m256i other = _mm256_permutevar8x32_epi32(sorted, with);
+        const auto later = [&](int i) { return partner[i] < i ? -1 : 0; };
+        const __m256i take_less =
+            _mm256_setr_epi32(later(0), later(1), later(2), later(3), later(4), later(5), later(6), later(7));
+        sorted = _mm256_blendv_epi8(_mm256_max_epi32(sorted, other), _mm256_min_epi32(sorted, other), take_less);
+    };
+    exchange(1, 0, 3, 2, 5, 4, 7, 6);
+    exchange(2, 3, 0, 1, 6, 7, 4, 5);
+    exchange(0, 2, 1, 3, 4, 6, 5, 7);
+    exchange(4, 5, 6, 7, 0, 1, 2, 3);
+    exchange(0, 1, 4, 5, 2, 3, 6, 7);
+    exchange(0, 2, 1, 4, 3, 6, 5, 7);
+    const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(children));
+    const __m256i child = _mm256_permutevar8x32_epi32(eight, sorted);
+    const __m256i key = _mm256_or_si256(_mm256_and_si256(sorted, no_lane), _mm256_set1_epi32(static_cast<int>(mark)));
+    const __m256i low = _mm256_unpacklo_epi32(child, key), high = _mm256_unpackhi_epi32(child, key);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack + size), _mm256_permute2x128_si256(low, high, 0x20));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(stack + size + 4), _mm256_permute2x128_si256(low, high, 0x31));
+    return size + __builtin_popcount(found.hits);
+}
 #endif
 
 /// Push the children that were found, furthest first.
@@ -113,8 +131,10 @@ inline int push_nearest_last(KeyedChild* stack, int size, const uint32_t childre
     const uint32_t mark = items ? item_mark : 0;
 #if GPHYS_ISA_IS(avx2)
     if (__builtin_popcount(found.hits) <= 4) return push_by_network(stack, size, children, found, mark);
-#endif
+    return push_by_large_network(stack, size, children, found, mark);
+#else
     return push_by_insertion(stack, size, children, found, mark);
+#endif
 }
 
 }  // namespace gphys::GPHYS_ISA

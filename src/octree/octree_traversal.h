@@ -19,8 +19,11 @@ inline void fetch_item(const ItemMemory& items, uint32_t item) {
 /// visits may move. It is at one node or item at a time, so that several walks can take turns.
 class NearestFirst {
 public:
+    using Stack = KeyedChild[stack_size];
+
     /// `limit` is not negative.
-    void begin(uint32_t root, float limit) {
+    void begin(uint32_t root, float limit, Stack& stack) {
+        stack_ = stack;
         limit_ = limit;
         at_ = root;
         stack_[0] = bottom;
@@ -61,14 +64,15 @@ private:
     KeyedChild at_;
     float limit_;
     int size_;
-    KeyedChild stack_[stack_size];
+    KeyedChild* stack_;
 };
 
 template <class Test, class Visit>
 void nearest_first(const OctreeNode* nodes, uint32_t root, const Test& test, float limit, const Visit& visit) {
     if (!(limit >= 0)) return;
+    NearestFirst::Stack stack;
     NearestFirst walk;
-    walk.begin(root, limit);
+    walk.begin(root, limit, stack);
     Found found;
     bool goes_on;
     do {
@@ -141,11 +145,12 @@ private:
 
         bool add(const uint32_t children[8], uint32_t lanes) {
             if (count_ > capacity - 8 && !pass_on()) return false;
-            for (; lanes != 0; lanes &= lanes - 1) {
-                const uint32_t item = children[__builtin_ctz(lanes)];
-                fetch_item(memory_, item);
-                items_[count_++] = item;
-            }
+            const uint32_t first = count_;
+            count_ += take_lanes(items_ + first, children, lanes);
+            // Mostly there are at most two; a loop that ran as often as there are would surprise the processor.
+            fetch_item(memory_, items_[first]);
+            fetch_item(memory_, items_[first + 1]);
+            for (uint32_t i = first + 2; i < count_; ++i) fetch_item(memory_, items_[i]);
             return true;
         }
         bool pass_on() {
@@ -181,28 +186,40 @@ private:
 /// else the youngest first, so that they do not become many.
 class Frontier {
 public:
+    explicit Frontier(uint32_t root) : size_(1) { refs_[0] = root; }
+
     bool empty() const { return size_ == 0; }
-    void push(uint32_t ref) { refs_[(first_ + size_++) % capacity] = ref; }
     uint32_t take() {
         const uint32_t at = size_ > few ? first_ + size_ - 1 : first_++;
         --size_;
         return refs_[at % capacity];
     }
+    /// Some lanes of a node, which are fetched.
+    void push(const OctreeNode* nodes, const OctreeNode& node, uint32_t lanes) {
+        const uint32_t first = (first_ + size_) % capacity, count = take_lanes(refs_ + first, node.child, lanes);
+        for (uint32_t i = 0; i < often; ++i) {
+            fetch_ahead(&node_at(nodes, refs_[first + (i < count ? i : 0)]), sizeof(OctreeNode));
+        }
+        for (uint32_t i = often; i < count; ++i) fetch_ahead(&node_at(nodes, refs_[first + i]), sizeof(OctreeNode));
+        for (uint32_t i = capacity; i < first + count; ++i) refs_[i - capacity] = refs_[i];  // around the end
+        size_ += count;
+    }
 
 private:
+    /// Mostly no more are pushed at once. As above, the processor is to foresee how often loops run.
+    static constexpr uint32_t often = 4;
     static constexpr uint32_t few = 64, capacity = 512;
     static_assert(capacity >= few + stack_size);
 
-    uint32_t first_ = 0, size_ = 0;
-    uint32_t refs_[capacity];
+    uint32_t first_ = 0, size_;
+    uint32_t refs_[capacity + 8];
 };
 
 /// All items that hits_of(boxes, inside) finds in leaves, of which some are wholly inside the query.
 template <class Hits>
 bool everything_met(const OctreeNode* nodes, uint32_t root, const Hits& hits_of, const OctreeListVisitor& to) {
     FoundItems found(to);
-    Frontier frontier;
-    frontier.push(root);
+    Frontier frontier(root);
     while (!frontier.empty()) {
         const uint32_t ref = frontier.take();
         const OctreeNode& node = node_at(nodes, ref);
@@ -213,11 +230,7 @@ bool everything_met(const OctreeNode* nodes, uint32_t root, const Hits& hits_of,
             if (!found.add(node.child, hits, inside)) return false;
             continue;
         }
-        for (uint32_t rest = hits & ~inside; rest != 0; rest &= rest - 1) {
-            const uint32_t child = node.child[__builtin_ctz(rest)];
-            fetch_ahead(&node_at(nodes, child), sizeof(OctreeNode));
-            frontier.push(child);
-        }
+        frontier.push(nodes, node, hits & ~inside);
         if (inside != 0 && !found.add_below(nodes, node, inside)) return false;
     }
     return found.finish();

@@ -19,6 +19,9 @@ enum class Verdict { no, yes, open };
 /// For a question of which only a "no" is of use.
 constexpr Verdict unless_no(Verdict verdict) { return verdict == Verdict::no ? Verdict::no : Verdict::open; }
 
+/// Without a branch, for a "yes" is the toss of a coin.
+constexpr Verdict verdict_of(bool is_no, bool is_yes) { return static_cast<Verdict>(is_yes | !(is_no | is_yes) << 1); }
+
 constexpr double slack = 0x1p-43;
 
 /// The same in float32. A rotation of a vector takes 23 roundings of 2^-24 at most; no test has more
@@ -171,13 +174,76 @@ Box quick_bounds(const Stored& stored, const gphys_transform& world) {
     return result;
 }
 
-/// A stored box and where it is: rays have a test of their own for it.
+/// A stored box and where it is: rays and points have tests of their own for it.
 template <class Stored>
 struct QuickPlacedBox {
     const Stored& box;
     const gphys_transform& world;
 
     operator QuickBox() const { return quick_shape(box, world); }
+};
+
+/// A point as two floats: their sum is within 2^-48 of it.
+struct SplitPoint {
+    explicit SplitPoint(Vec3 point)
+        : exact(point), head(narrow4(point)), rest(narrow4(point - Vec3{head[0], head[1], head[2]})) {}
+
+    Vec3 exact;
+    Float4 head, rest;
+};
+
+/// Half the sum and half the difference of the faces of a stored box.
+struct FloatBox {
+    Float4 center, half;
+};
+inline FloatBox float_box(const gphys_aabb& box) {
+    const Float4 low = load4(box.min), high = load4(box.max);
+    return {(low + high) * 0.5f, (high - low) * 0.5f};
+}
+inline FloatBox float_box(const gphys_obb& box) { return {load4(box.center), load4(box.half_extents)}; }
+
+/// A stored box as a point sees it, in float32: on the axes of the world and then, times `unit`, on its
+/// own. Where the point and what places the box are floats, as they mostly are, their difference is
+/// rounded once, and nothing of a place far away is lost.
+template <class Stored>
+class BoxInSight {
+public:
+    /// `magnitude` is that of the point.
+    BoxInSight(const QuickPlacedBox<Stored>& placed, const SplitPoint& point, double magnitude) : placed_(placed) {
+        const FloatBox box = float_box(placed.box);
+        const gphys_transform& world = placed.world;
+        const Float4 position = load4(world.position);
+        half = box.half * world.scale;
+        Float4 sums = abs(position) + half;
+        if (any(box.center != Float4{})) {
+            const CenterAndHalf exact = center_and_half(placed.box);
+            from = narrow4(point.exact - quick_point(exact.center, world));
+            sums += abs(box.center) * world.scale;
+        } else {
+            from = point.head - position + point.rest;
+        }
+        // What hosts flush to zero of the box is scaled, too.
+        const float rounding = static_cast<float>(slack * magnitude + smallest_slack * (1 + double{world.scale}));
+        margin = sum(float_slack * (abs(from) + half) + static_cast<float>(slack) * sums) + rounding;
+        from = turned_back(from);
+        unit = ScaledTurn(load4(world.rotation)).unit();
+        if constexpr (std::is_same_v<Stored, gphys_obb>) unit *= ScaledTurn(load4(placed.box.rotation)).unit();
+        half *= unit;
+        margin *= unit;
+    }
+
+    /// A vector of the world on the box's axes, times `unit`.
+    Float4 turned_back(Float4 v) const {
+        v = ScaledTurn(load4(placed_.world.rotation)).back(v);
+        if constexpr (std::is_same_v<Stored, gphys_obb>) v = ScaledTurn(load4(placed_.box.rotation)).back(v);
+        return v;
+    }
+
+    Float4 from, half, unit;  // the point from the centre
+    Float4 margin;            // of each coordinate
+
+private:
+    const QuickPlacedBox<Stored>& placed_;
 };
 
 /// The box of a mesh when asked for: rays are quicker with the sphere that holds the mesh.

@@ -7,9 +7,7 @@
 namespace gphys {
 
 /// By how much two amounts differ for certain; `error` covers both.
-inline Verdict at_most(double a, double b, double error) {
-    return a > b + error ? Verdict::no : a + error < b ? Verdict::yes : Verdict::open;
-}
+inline Verdict at_most(double a, double b, double error) { return verdict_of(a > b + error, a + error < b); }
 
 /// Whether a ray meets a shape by the time t_max.
 class QuickRay {
@@ -37,7 +35,7 @@ public:
     /// As one of many.
     void put(RayLanes& lanes, uint32_t lane, double t_max) const {
         for (int k = 0; k < 3; ++k) {
-            lanes.origin[k][lane] = origin_[k];
+            lanes.origin[k][lane] = origin_.exact[k];
             lanes.direction[k][lane] = unit_direction_[k];
         }
         lanes.direction_slack[lane] = unit_direction_slack_[0];
@@ -52,7 +50,7 @@ private:
     /// which side of the surface, and of the point closest to the centre, the ray is then.
     template <bool also_yes>
     Verdict verdict(const QuickSphere& sphere, double t_max) const {
-        const Vec3 from = origin_ - sphere.center;
+        const Vec3 from = origin_.exact - sphere.center;
         const double dd = direction_squared_, magnitude = origin_magnitude_ + sphere.magnitude;
         const double b = -dot(from, direction_), b_error = direction_slack_ * magnitude;
         const double c = length_squared(from) - sphere.radius * sphere.radius, c_error = slack * magnitude * magnitude;
@@ -70,29 +68,12 @@ private:
     /// The slabs of a box, with times left as fractions: a distance over the speed along the axis.
     /// Margins make distances and speeds such that the ray certainly misses, or certainly meets.
     ///
-    /// In float32, all axes at once: what is large is subtracted in double precision before.
+    /// In float32, all axes at once.
     template <bool also_yes, class Stored>
     Verdict verdict(const QuickPlacedBox<Stored>& placed, double t_max) const {
-        const CenterAndHalf box = center_and_half(placed.box);
-        const gphys_transform& world = placed.world;
-        Float4 from = narrow4(origin_ - quick_point(box.center, world)), along = unit_direction_;
-        Float4 half = narrow4(box.half * world.scale), unit = splat4(1);
-        const float rounding = static_cast<float>(slack * (origin_magnitude_ + box.magnitude(world)) + smallest_slack);
-        Float4 margin = float_slack * sum(abs(from) + half) + rounding, speed_margin = unit_direction_slack_;
-        const auto turn_back = [&](const gphys_quat& rotation) {
-            const ScaledTurn turn(load4(rotation));
-            from = turn.back(from);
-            along = turn.back(along);
-            unit *= turn.unit();
-        };
-        turn_back(world.rotation);
-        if constexpr (std::is_same_v<Stored, gphys_obb>) {
-            if (is_turned(placed.box.rotation)) turn_back(placed.box.rotation);
-        }
-        half *= unit;
-        margin *= unit;
-        speed_margin *= unit;
-
+        const BoxInSight<Stored> box(placed, origin_, origin_magnitude_);
+        const Float4 along = box.turned_back(unit_direction_), speed_margin = unit_direction_slack_ * box.unit;
+        const Float4 from = box.from, half = box.half, margin = box.margin;
         const Float4 to_center = along < Float4{} ? from : -from, speed = abs(along);
         const Float4 end = splat4(this->end(t_max));
         const Float4 slow = positive(speed - speed_margin), fast = speed + speed_margin;
@@ -120,7 +101,8 @@ private:
     /// met later than this.
     static double clipped(double t_max) { return std::min(t_max, 0x1p600); }
 
-    Vec3 origin_, direction_;
+    SplitPoint origin_;
+    Vec3 direction_;
     double direction_squared_, origin_magnitude_, direction_slack_;
     double direction_size_;  // its largest component
     Float4 unit_direction_;  // in parts of that
@@ -134,16 +116,35 @@ public:
 
     Verdict operator()(const QuickSphere& sphere, double reach) const {
         const double both = sphere.radius + reach, magnitude = magnitude_ + sphere.magnitude + reach;
-        return at_most(length_squared(point_ - sphere.center), both * both, slack * magnitude * magnitude);
+        return at_most(length_squared(point_.exact - sphere.center), both * both, slack * magnitude * magnitude);
     }
     Verdict operator()(const QuickBox& box, double reach) const {
-        const Vec3 outside = max(abs(box.local(point_)) - box.half * box.unit, {});
+        const Vec3 outside = max(abs(box.local(point_.exact)) - box.half * box.unit, {});
         const double scaled_reach = reach * box.unit, magnitude = box.unit * (magnitude_ + box.magnitude + reach);
         return at_most(length_squared(outside), scaled_reach * scaled_reach, slack * magnitude * magnitude);
     }
+    /// In float32: the margin is for distances on an axis, and what is squared has another eighteen
+    /// roundings of 2^-24; this stands for 64.
+    template <class Stored>
+    Verdict operator()(const QuickPlacedBox<Stored>& placed, double reach) const {
+        constexpr float roundings = 0x1p-18f;
+        const BoxInSight<Stored> box(placed, point_, magnitude_);
+        const Float4 outside = abs(box.from) - box.half;
+        const auto squared = [&](Float4 margin) {
+            const Float4 gap = positive(outside + margin);
+            return sum(gap * gap)[0];
+        };
+        // Beyond all boxes, and its square fits a float.
+        const float far = static_cast<float>(std::min(reach, 0x1p60)) * box.unit[0], limit = far * far;
+        return verdict_of(squared(-box.margin) > limit * (1 + roundings) + smallest_square,
+                          squared(box.margin) + smallest_square < limit * (1 - roundings));
+    }
 
 private:
-    Vec3 point_;
+    /// Squares may be flushed to zero below 2^-126.
+    static constexpr float smallest_square = 0x1p-120f;
+
+    SplitPoint point_;
     double magnitude_;
 };
 

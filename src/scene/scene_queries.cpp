@@ -1,6 +1,7 @@
 // Questions to the scene. Each walks the octree (and the few models that no octree can hold), asks
 // the exact shape of each candidate, and tells the octree what is not worth visiting any more.
 #include <cmath>
+#include <new>
 #include <optional>
 
 #include "scene/quick_tests.h"
@@ -65,6 +66,22 @@ Box box_around(const Frustum& frustum) {
 }
 
 }  // namespace
+
+/// Room for what is made later, of which nothing is written until then.
+template <class T>
+class Later {
+public:
+    template <class... Arguments>
+    void make(Arguments&&... arguments) {
+        new (room_) T(std::forward<Arguments>(arguments)...);
+    }
+    T& operator*() { return *std::launder(reinterpret_cast<T*>(room_)); }
+    T* operator->() { return &**this; }
+
+private:
+    static_assert(std::is_trivially_destructible_v<T>);
+    alignas(T) unsigned char room_[sizeof(T)];
+};
 
 /// The first hit of one ray, among candidates in any order.
 class Scene::FirstOfRay {
@@ -160,14 +177,17 @@ private:
 };
 
 void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
-    std::optional<FirstOfRay> first[rays_at_once];
+    Later<FirstOfRay> first[rays_at_once];
+    for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], layers, *out[i]);
+    // For those that go together, if any do.
     RayLanes lanes;
-    for (uint32_t i = 0; i < count; ++i) {
-        first[i].emplace(*this, rays[i], layers, *out[i]);
-        first[i]->quick().put(lanes, i, first[i]->rest().t_max);
-    }
-    const QuickRay nothing({{}, {}, 0});
-    for (uint32_t i = count; i < count + 8; ++i) nothing.put(lanes, i, 0);
+    bool in_lanes = false;
+    const auto put_in_lanes = [&] {
+        for (uint32_t i = 0; i < count; ++i) first[i]->quick().put(lanes, i, first[i]->rest().t_max);
+        const QuickRay nothing({{}, {}, 0});
+        for (uint32_t i = count; i < count + 8; ++i) nothing.put(lanes, i, 0);
+        in_lanes = true;
+    };
     BoxOfRays box(*this);
     const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
         FirstOfRay& of = *first[ray];
@@ -178,10 +198,11 @@ void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys
         }
         if (t_max == of.rest().t_max) return;
         t_max = of.rest().t_max;
-        lanes.end[ray] = of.quick().end(t_max);
+        if (in_lanes) lanes.end[ray] = of.quick().end(t_max);
     };
     const auto select = [&](uint32_t from, uint32_t of, uint32_t slot) {
         if (!(models_[slot].layers & layers)) return 0u;
+        if (!in_lanes) put_in_lanes();
         return box.hold(slot) ? kernels_.may_meet(lanes, from, box.quick()) & of : of;
     };
     octree_.raycast_many([&](uint32_t i) -> const Ray& { return first[i]->rest(); }, count, visit, model_memory(),
@@ -220,10 +241,10 @@ bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
 }
 
 uint64_t Scene::raycast_any_many(const Ray* rays, uint32_t count, uint32_t layers) const {
-    std::optional<AnyOfRay> any[rays_at_once];
+    Later<AnyOfRay> any[rays_at_once];
     // Those that are done already have no way to go.
     const Ray done{{}, {}, -1};
-    for (uint32_t i = 0; i < count; ++i) any[i].emplace(*this, rays[i], layers);
+    for (uint32_t i = 0; i < count; ++i) any[i].make(*this, rays[i], layers);
     const auto ray_of = [&](uint32_t i) -> const Ray& { return any[i]->met() ? done : any[i]->ray(); };
     const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
         if (t_max >= 0 && any[ray]->ask(slot)) t_max = -1;
@@ -258,7 +279,7 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
             using Query = std::decay_t<decltype(shape)>;
             const auto quick = quick_overlap(shape);
             const auto ask = [&](uint32_t slot) {
-                if ((models_[slot].layers & layers) && decide(slot, quick, exact)) out.add(ids_.id(slot));
+                out.add_if((models_[slot].layers & layers) && decide(slot, quick, exact), ids_.id(slot));
                 return true;
             };
             for (const uint32_t slot : unbounded_) ask(slot);

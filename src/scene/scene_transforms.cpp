@@ -62,7 +62,12 @@ const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) 
 /// into it, which nearly always is far within the range.
 const char* Scene::place(uint32_t slot, const gphys_transform& world) const {
     const bool within = with_stored(slot, [&](const auto& stored) {
-        if constexpr (has_quick_shape<std::decay_t<decltype(stored)>>) {
+        using Stored = std::decay_t<decltype(stored)>;
+        if constexpr (is_box<Stored>) {
+            const FloatBox box = float_box(stored);
+            const Float4 sums = abs(load4(world.position)) + (abs(box.center) + box.half) * world.scale;
+            return sum(sums)[0] < max_box_coordinate / 2;
+        } else if constexpr (has_quick_shape<Stored>) {
             return quick_shape(stored, world).magnitude < max_box_coordinate / 2;
         } else {
             return false;
