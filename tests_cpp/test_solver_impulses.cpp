@@ -384,3 +384,34 @@ TEST_CASE("Steps with all kinds of constraints and contacts allocate nothing, an
         world.solver = nullptr;
     }
 }
+
+TEST_CASE("Moments count from the model, wherever it is") {
+    World world(8);
+    const gphys_model_id model = ball(world, 5, 0, 2);
+    gphys_body_desc desc = World::body_desc();
+    desc.restitution = 1;
+    const gphys_body_id body = world.particles({{5, 0.061f, 2}}, desc);
+    world.set_velocity(body, 0, {0, -3, 0});
+    world.step(frame);
+    CHECK(linear(world, model).y < -5.9);  // 2 m v, through the middle of the ball
+    CHECK(length(angular(world, model)) < 1e-6);
+}
+
+TEST_CASE("What is attached gives its model what it is accelerated and pressed with") {
+    World world(8);
+    const gphys_model_id model = ball(world, 0, 0, 0);
+    gphys_body_desc desc = World::body_desc();
+    desc.mass = 2;
+    desc.layers = 0;
+    const gphys_body_id body = world.particles({{0, 0, 0}}, desc);
+    REQUIRE(gphys_solver_attach(world.solver, world.scene, body, 0, model, nullptr) == GPHYS_OK);
+    const gphys_vec3 force{7, 0, 0};
+    REQUIRE(gphys_solver_set_forces(world.solver, body, 0, 1, &force, 12) == GPHYS_OK);
+    world.step(frame);
+    const gphys_transform moved = placed(0, 0, 0.005f);  // from rest to 0.3 m/s
+    REQUIRE(gphys_scene_set_transform(world.scene, model, &moved) == GPHYS_OK);
+    world.step(frame);
+    const double second = static_cast<double>(frame);
+    const Vec3 expected{7 * second, -2 * g * second, -2 * 0.005 / second};
+    CHECK(length(linear(world, model) - expected) < 1e-5);
+}

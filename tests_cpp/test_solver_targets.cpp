@@ -122,3 +122,22 @@ TEST_CASE("steps with targets are part of a snapshot, and the same for any numbe
     CHECK(other.world.substeps(one.body) == one.world.substeps(one.body));
     CHECK(run(other) == run(one));
 }
+
+TEST_CASE("springs and slack strings have no strain that substeps could mend") {
+    const bool strings = GENERATE(true, false);
+    gphys_solver_desc desc = World::desc(8);
+    desc.max_strain = 0.01f;
+    World world(desc);
+    // A spring that its load stretches by half, or a string of twice the length that it is given: both at rest.
+    const gphys_body_id body = world.particles({{0, 0, 0}, {0, strings ? -0.5f : -1.5f, 0}});
+    world.pin(body, 0);
+    gphys_constraint_id id = 0;
+    if (strings) {
+        REQUIRE(gphys_solver_add_max_distance(world.solver, body, 0, 1, 1, 0, &id) == GPHYS_OK);
+        world.pin(body, 1);
+    } else {
+        REQUIRE(gphys_solver_add_distance(world.solver, body, 0, 1, 1, 0.5f / (0.5f * 9.81f), &id) == GPHYS_OK);
+    }
+    for (int i = 0; i < 240; ++i) world.step(1.0f / 60);
+    CHECK(world.substeps(body) == 1);
+}
