@@ -177,7 +177,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         give_attached(body, beginning, 1, {}, 0);
         substeps = std::max(substeps, substeps_of(body, state_.settings, dt));
         if (body.plan.method != GPHYS_SOLVE_GRAPH) return;
-        begin_cloth(body, whole, gravity);
+        begin_cloth(body, beginning, gravity);
         if (body.joined) begin_joined_cloth(body);
     });
     if (island.touching_count > 0) particle_contacts_.begin(island, state_.bodies, slots);

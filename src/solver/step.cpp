@@ -363,7 +363,9 @@ void Solver::look_around(const Scene& scene, double dt) {
         if (std::memcmp(&now, &seen.world, sizeof now) != 0) moved_.push_back(seen);
     }
     for (const Moving& moving : moving_) {
-        reserve_impulses(state_.bodies[moving.slot], moving.models_near + moved_.size());
+        Body& body = state_.bodies[moving.slot];
+        reserve_impulses(body, moving.models_near + moved_.size());
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth_contacts.movers.reserve(moved_.size());
     }
     find_disturbed(scene);
 }
@@ -428,7 +430,7 @@ void Solver::move_through(const Moving& moving, const Scene* scene, double dt) {
     const double h = dt / substeps;
     const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     give_attached(body, beginning, 1, {}, 0);
-    if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, whole, state_.settings.gravity);
+    if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, state_.settings.gravity);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
         const Surroundings around{scene, &moved_, dt, begin, end};

@@ -354,14 +354,15 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     cloth.velocity.swap(cloth.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
-    if (cloth.balance.closed) {
+    if (cloth.balance.closed && !(collides && body.cloth_contacts.pushed)) {
         gain += stored_energy(kernels, body) - cloth.balance.stored;
         if (gain > 0) take_back(cloth, gain);
     }
     body.touched = captured;
     if (collides) {
         body.touched = captured || body.cloth_contacts.touching;
-        turn_velocities(body, around, quiet_speed(gravity, h));
+        turn_velocities(body, around, quiet_speed(gravity, h), h);
+        if (body.cloth_contacts.pushed) ease_links(body);
         catch_escaped(body, around, gravity, h);
     }
     body.earlier_step = body.touched ? 0 : h;
@@ -369,7 +370,7 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
 
 void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const bool collides = gphys::collides(body, around);
-    if (collides) touch_walls(body, gravity, TimeScheme(h, body.earlier_step));
+    if (collides) touch_walls(body, around, gravity, TimeScheme(h, body.earlier_step));
     solve_cloth(body);
     finish_cloth(body, around, gravity, h);
 }

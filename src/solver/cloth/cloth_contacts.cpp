@@ -1,22 +1,13 @@
 #include "solver/cloth/cloth_contacts.h"
 
-#include "solver/contact/collision.h"
+#include "solver/cloth/lookout.h"
 
 namespace gphys {
 namespace {
 
-// Parts of models that a particle looks at; where a ball holds more it is made smaller.
-constexpr uint32_t most_parts = 64;
-
 Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
 void put(float* to, Vec3 v) {
     for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(v[k]);
-}
-
-/// How far cloth stays off: as `skin`, and 2^-21 of its coordinates, which is 4 times the rounding of
-/// float32.
-double clearance(const Body& body, uint32_t p, Vec3 at) {
-    return skin(body.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
 }
 
 /// What a particle has given to the model that it touched last.
@@ -28,139 +19,30 @@ void hand_over(Neighbour& n, Body& body, const Surroundings& around) {
     n.given = n.turning = {};
 }
 
-class Lookout {
-public:
-    Lookout(const Surroundings& around, Body& body, double step_length)
-        : around_(around), body_(body), step_length_(step_length) {}
-
-    /// Find the ball and the walls of a particle, which is pushed out of what it is in.
-    void look(uint32_t p, Vec3 gravity) {
-        ClothContacts& contacts = body_.cloth_contacts;
-        float* at = &body_.cloth.at[4 * size_t{p}];
-        const Vec3 velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
-        const double radius = body_.radius[p];
-        // As far as it comes in a step, and half as far again; but no further than to its neighbours, which a
-        // step seldom takes it, so that few parts are near.
-        double reach = std::min(1.5 * step_length_ * (length(velocity) + step_length_ * length(gravity)),
-                                std::max(body_.cloth.link_length, radius));
-        Neighbour found{};
-        found.particle = p;
-        uint32_t count = 0;
-        for (int halvings = 0; halvings < 4; ++halvings, reach /= 2) {
-            count = collect(body_.cloth.origin + get(at), radius + reach);
-            if (count <= most_parts) break;
-        }
-        if (count > most_parts) {  // on a mesh much finer than the particle: it is swept in each substep
-            count = most_parts;
-            reach = 0;
-        }
-        if (moves_beside(body_.cloth.origin + get(at), radius + reach)) reach = 0;
-        choose_walls(p, get(at), count, reach, found);
-        for (uint32_t i = 0; i < found.wall_count; ++i) {
-            const double depth = found.walls[i].offset - dot(found.walls[i].normal, get(at));
-            if (depth > 0) put(at, get(at) + found.walls[i].normal * depth);
-        }
-        float* ball = &contacts.balls[4 * size_t{p}];
-        put(ball, get(at));
-        ball[3] = static_cast<float>(reach * reach);
-        uint32_t& place = contacts.place[p];
-        if (found.wall_count == 0 && place == ClothContacts::nowhere) return;
-        if (place == ClothContacts::nowhere) {
-            place = static_cast<uint32_t>(contacts.neighbours.size());
-            contacts.neighbours.push_back(found);
-        } else {
-            record_touches(contacts.neighbours[place]);
-            contacts.neighbours[place] = found;
-        }
-    }
-
-    void record_touches(Neighbour& n) {
-        hand_over(n, body_, around_);
-        const Vec3 at = body_.cloth.origin + get(&body_.cloth.at[4 * size_t{n.particle}]);
+/// Walls of models that move, to where they are at the end of the substep.
+void carry_walls(ClothContacts& contacts) {
+    if (contacts.movers.empty()) return;
+    for (Neighbour& n : contacts.neighbours) {
         for (uint32_t i = 0; i < n.wall_count; ++i) {
-            const Wall& wall = n.walls[i];
-            if (n.touched >> i & 1) {
-                record_touch(body_, n.particle, *around_.scene, wall.model, at - wall.normal * body_.radius[n.particle],
-                             wall.normal);
-            }
+            Wall& wall = n.walls[i];
+            if (wall.mover == Wall::unmoved) continue;
+            const Ride& ride = contacts.movers[wall.mover].carry;
+            wall.normal = ride.rotation * wall.normal;
+            wall.offset += dot(wall.normal, ride.shift);
         }
     }
+}
 
-private:
-    bool find_moved(gphys_model_id model) const {
-        return std::binary_search(around_.moved->begin(), around_.moved->end(), PlacedModel{model, {}});
-    }
+/// Where the particle would be if it stayed at its place on the wall that it touches.
+Vec3 place_on_wall(const Neighbour& n, const ClothContacts& contacts, Vec3 start) {
+    const uint32_t mover = n.walls[n.touching].mover;
+    if (mover == Wall::unmoved) return start;
+    float rounded[3];
+    put(rounded, contacts.movers[mover].carry.apply(start));
+    return get(rounded);
+}
 
-    /// Whether a model that moves in this step may come near: then there is no ball, and the particle is
-    /// swept in each substep.
-    bool moves_beside(Vec3 at, double reach) const {
-        for (const PlacedModel& before : *around_.moved) {
-            if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
-            Box box;
-            if (!around_.scene->bounds(before.model, box)) return true;
-            // As seen from the model the particle comes from here; on an arc, if it turns.
-            const Vec3 from = around_.scene->world_transform(before.model).apply(widen(before.world).inverse_apply(at));
-            const double room = reach + distance(from, at);
-            if (touch(box, bounds(Sphere{at, room}))) return true;
-        }
-        return false;
-    }
-
-    uint32_t collect(Vec3 at, double reach) {
-        uint32_t count = 0;
-        around_.scene->for_each_in_box(bounds(Sphere{at, reach}), body_.settings.layers, [&](gphys_model_id model) {
-            if (find_moved(model)) return;
-            const uint32_t room = count < most_parts ? most_parts - count : 0;
-            const uint32_t more = around_.scene->parts_near(model, at, reach, parts_ + (most_parts - room), room);
-            for (uint32_t i = 0; i < std::min(more, room); ++i) models_[count + i] = model;
-            count += more;
-        });
-        return count;
-    }
-
-    /// Nearest first. Leaves parts out that are behind the wall of a nearer one; those for which there
-    /// is no room limit the reach.
-    void choose_walls(uint32_t p, Vec3 at, uint32_t count, double& reach, Neighbour& found) {
-        for (uint32_t i = 0; i < count; ++i) order_[i] = i;
-        std::sort(order_, order_ + count, [&](uint32_t a, uint32_t b) {
-            const double da = parts_[a].signed_distance, db = parts_[b].signed_distance;
-            return da != db ? da < db : a < b;
-        });
-        const double radius = body_.radius[p], off = radius + clearance(body_, p, at);
-        for (uint32_t i = 0; i < count; ++i) {
-            const NearPart& part = parts_[order_[i]];
-            if (is_behind(part, off, found)) continue;
-            if (found.wall_count == Neighbour::most_walls) {
-                reach = std::max(0.0, std::min(reach, part.signed_distance - off));
-                return;
-            }
-            Wall& wall = found.walls[found.wall_count++];
-            wall.normal = part.normal;
-            wall.offset = dot(part.normal, part.closest - body_.cloth.origin) + off;
-            wall.model = models_[order_[i]];
-        }
-    }
-
-    bool is_behind(const NearPart& part, double off, const Neighbour& found) const {
-        if (!part.is_triangle) return false;
-        for (uint32_t i = 0; i < found.wall_count; ++i) {
-            const Wall& wall = found.walls[i];
-            // Coplanar triangles share a wall: half of the clearance, or of the radius and it, is room
-            // for their rounding.
-            const double height = wall.offset - off + (off - body_.radius[found.particle]) / 2;
-            const auto below = [&](Vec3 corner) { return dot(wall.normal, corner - body_.cloth.origin) <= height; };
-            if (below(part.triangle.a) && below(part.triangle.b) && below(part.triangle.c)) return true;
-        }
-        return false;
-    }
-
-    const Surroundings& around_;
-    Body& body_;
-    double step_length_;
-    NearPart parts_[most_parts];
-    gphys_model_id models_[most_parts];
-    uint32_t order_[most_parts];
-};
+bool is_pushed(const Neighbour& n) { return n.touching >= 0 && n.walls[n.touching].mover != Wall::unmoved; }
 
 /// The wall that the place is most deep in, or nearest to.
 uint32_t deepest(const Neighbour& n, Vec3 at, double& depth) {
@@ -206,28 +88,31 @@ void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     contacts.neighbours.clear();
     std::fill(contacts.place.begin(), contacts.place.end(), ClothContacts::nowhere);
     std::fill(contacts.normals.begin(), contacts.normals.end(), 0.0f);
+    find_movers(body, around);
     Lookout lookout(around, body, around.step_time);
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (!body.pinned(p)) lookout.look(p, gravity);
     }
 }
 
-void touch_walls(Body& body, Vec3 gravity, const TimeScheme& scheme) {
+void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
     ClothState& cloth = body.cloth;
     const BodySettings& settings = body.settings;
     const double h = scheme.h, drag = scheme.drag(body.settings.damping);
     ClothContacts& contacts = body.cloth_contacts;
     contacts.touching = false;
+    contacts.pushed = false;
+    move_movers(body, around);
+    carry_walls(contacts);
     // What gravity moves a particle by in a substep is near enough to touch.
     const double near = length(gravity) * h * h;
     for (Neighbour& n : contacts.neighbours) {
         const size_t i = 4 * size_t{n.particle};
         float* at = &cloth.at[i];
-        const Vec3 start = get(&cloth.start[i]), moved = get(at) - start;
+        const Vec3 start = get(&cloth.start[i]);
         const double pressed_before = n.touching >= 0 ? n.total : 0;
         n.pressed = 0;
         n.total = 0;
-        n.held = false;
         n.touching = -1;
         if (n.wall_count == 0) continue;
         n.coming = (scheme.from_history(get(&cloth.velocity[i]), get(&cloth.velocity_before[i])) +
@@ -239,55 +124,36 @@ void touch_walls(Body& body, Vec3 gravity, const TimeScheme& scheme) {
         contacts.touching = true;
         n.touching = static_cast<int32_t>(wall);
         n.touched |= 1u << wall;
+        contacts.pushed = contacts.pushed || is_pushed(n);
         const Vec3 normal = n.walls[wall].normal;
+        const Vec3 place = place_on_wall(n, contacts, start), moved = get(at) - place;  // beside the wall
         n.approach = -dot(moved, normal) / h;
-        float* pull = &contacts.pulls[i];
         const Vec3 along = moved - normal * dot(moved, normal);
-        // What links will add to the pressure is known from the substep before. To find out whether friction
-        // holds the particle both count, as it is let go if not; but not to slow it by.
-        const double presses = std::max(pressed_before, depth), may_hold = pressed_before + std::max(0.0, depth);
-        n.still = settings.sticks() && rests(body, n.particle, get(&cloth.velocity[i]), gravity);
-        const double hold = n.still             ? settings.static_friction * may_hold
-                            : settings.sticks() ? settings.friction * presses
-                                                : settings.friction * may_hold;
+        const Vec3 sliding = get(&cloth.velocity[i]) - (place - start) / h;
+        n.crept = settings.sticks() && rests(body, n.particle, sliding, gravity) ? length(sliding) * h : -1;
+        put(&contacts.pulls[i], {});
+        put(&contacts.normals[i], normal);
+        // What links will add to the pressure is known from the substep before.
         const double way = length(along);
-        if (settings.friction > 0 && way <= hold && !n.slipping) {
-            n.held = true;
-            n.inverse_mass = at[3];
-            put(pull, moved / n.inverse_mass);
-            n.first_pull = get(pull);
-            put(at, start);
-            at[3] = 0;
-        } else {
-            put(pull, {});
-            n.first_pull = {};
-            put(&contacts.normals[i], normal);
-            n.slowed = std::min(way, settings.friction * presses);
-            if (way > 0) put(at, get(at) - along * (n.slowed / way));
-            n.slipping = false;
-            push_out(n, at);
-        }
+        n.slowed = std::min(way, settings.friction * std::max(pressed_before, depth));
+        if (way > 0) put(at, get(at) - along * (n.slowed / way));
+        push_out(n, at);
     }
 }
 
 namespace {
 
-/// A held particle is let go for the next substep if what pulls it leaves the cone of friction.
-void try_to_hold(Neighbour& n, const ClothContacts& contacts, double friction) {
-    const Vec3 normal = n.walls[n.touching].normal, pull = get(&contacts.pulls[4 * size_t{n.particle}]);
-    const double off = dot(pull, normal);
-    n.slipping = length(pull - normal * off) > friction * -off;
-    n.total = std::max(0.0, -off) * n.inverse_mass;
-}
-
-void slow_down(Neighbour& n, const ClothContacts& contacts, double friction, Vec3 start, float* at) {
-    const Vec3 normal = n.walls[n.touching].normal, moved = get(at) - start;
-    const double pulled = std::max(0.0, -dot(get(&contacts.pulls[4 * size_t{n.particle}]), normal)) * at[3];
-    n.total = n.pressed + pulled;
+/// Friction: as far back to the place on the wall as all that presses allows.
+void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& settings, Vec3 place, float* at) {
+    const Vec3 normal = n.walls[n.touching].normal, moved = get(at) - place;
+    n.total = n.pressed + std::max(0.0, -dot(get(&contacts.pulls[4 * size_t{n.particle}]), normal)) * at[3];
     const Vec3 along = moved - normal * dot(moved, normal);
-    const double way = length(along), hold = friction * n.total - n.slowed;
-    if (hold <= 0) return;
-    put(at, way > hold ? get(at) - along * (hold / way) : start);
+    const double way = length(along), hold = settings.friction * n.total - n.slowed;
+    if (way <= hold || (n.crept >= 0 && way - n.crept <= settings.static_friction * n.total - n.slowed)) {
+        put(at, place);
+    } else if (hold > 0) {
+        put(at, get(at) - along * (hold / way));
+    }
 }
 
 }  // namespace
@@ -299,26 +165,22 @@ void note_places(Body& body) {
 void leave_walls(Body& body) {
     ClothState& cloth = body.cloth;
     ClothContacts& contacts = body.cloth_contacts;
-    const double friction = body.settings.friction;
     for (Neighbour& n : contacts.neighbours) {
         const size_t i = 4 * size_t{n.particle};
         float* at = &cloth.at[i];
-        const Vec3 limited = get(at);
+        const Vec3 start = get(&cloth.start[i]), limited = get(at);
         const bool before = n.touching >= 0;
-        if (n.held) {
-            try_to_hold(n, contacts, n.still ? body.settings.static_friction : friction);
-            at[3] = static_cast<float>(n.inverse_mass);
-            if (!(get(at) == get(&cloth.start[i]))) push_out(n, at);  // a reach limit has moved it
-        } else if (n.wall_count > 0) {
+        if (n.wall_count > 0) {
             push_out(n, at);
             if (!before && n.touching >= 0) put(&contacts.pulls[i], {}), n.approach = 0;
-            if (n.touching >= 0) slow_down(n, contacts, friction, get(&cloth.start[i]), at);
+            if (n.touching >= 0) slow_down(n, contacts, body.settings, place_on_wall(n, contacts, start), at);
             put(&contacts.normals[i], {});
         }
         contacts.touching = contacts.touching || n.touching >= 0;
+        contacts.pushed = contacts.pushed || is_pushed(n);
         if (n.touching < 0) continue;
         // As metres: what chains and limits have moved it by, or what walls have.
-        n.moved = before ? (get(&contacts.pulls[i]) - n.first_pull) * at[3] + (limited - n.chained) : limited - get(at);
+        n.moved = before ? get(&contacts.pulls[i]) * at[3] + (limited - n.chained) : limited - get(at);
         n.chained_touching = before;
     }
 }
@@ -348,23 +210,53 @@ void count_contacts(Body& body, const Surroundings& around, double rate) {
     }
 }
 
-void turn_velocities(Body& body, const Surroundings& around, double quiet) {
+void turn_velocities(Body& body, const Surroundings& around, double quiet, double h) {
     ClothState& cloth = body.cloth;
     for (Neighbour& n : body.cloth_contacts.neighbours) {
         if (n.touching < 0) continue;
         const size_t i = 4 * size_t{n.particle};
         float* velocity = &cloth.velocity[i];
-        if (get(&cloth.at[i]) == get(&cloth.start[i])) {
-            lose(n, body, around, get(velocity));
-            put(velocity, {});
+        const Vec3 start = get(&cloth.start[i]), place = place_on_wall(n, body.cloth_contacts, start);
+        const Vec3 of_wall = (place - start) / h;
+        if (get(&cloth.at[i]) == place) {
+            lose(n, body, around, get(velocity) - of_wall);
+            put(velocity, of_wall);
             continue;
         }
         const Vec3 normal = n.walls[n.touching].normal;
-        const double away = dot(get(velocity), normal);
+        const double away = dot(get(velocity) - of_wall, normal);
         const double wanted = n.approach > quiet ? body.settings.restitution * n.approach : 0;
         if (away >= wanted) continue;
         lose(n, body, around, normal * (away - wanted));
         put(velocity, get(velocity) + normal * (wanted - away));
+    }
+}
+
+void ease_links(Body& body) {
+    // In parts of the length: what nobody sees is left alone.
+    constexpr double slack = 5e-3;
+    ClothState& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth_contacts;
+    const auto shift = [&](uint32_t p, Vec3 way) {
+        float* const at = &cloth.at[4 * size_t{p}];
+        put(at, get(at) + way);
+        push_out(contacts.neighbours[contacts.place[p]], at);
+    };
+    const auto touches = [&](uint32_t p) {
+        const uint32_t place = contacts.place[p];
+        return place != ClothContacts::nowhere && contacts.neighbours[place].touching >= 0;
+    };
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        const DistanceConstraint& link = body.constraints[slot];
+        if (!body.constraint_ids.live(slot) || link.compliance > 0 || !touches(link.a) || !touches(link.b)) continue;
+        const float *a = &cloth.at[4 * size_t{link.a}], *b = &cloth.at[4 * size_t{link.b}];
+        const Vec3 along = get(b) - get(a);
+        const double length = gphys::length(along), error = length - link.rest, mobility = double{a[3]} + b[3];
+        if (std::fabs(error) <= slack * link.rest || length == 0 || mobility == 0) continue;
+        if (link.limit && error < 0) continue;
+        const Vec3 correction = along * (error / (length * mobility));
+        shift(link.a, correction * a[3]);
+        shift(link.b, correction * -b[3]);
     }
 }
 
@@ -420,9 +312,20 @@ void stay_outside(Body& body, uint32_t particle) {
     }
 }
 
+void finish_neighbour(Neighbour& n, Body& body, const Surroundings& around) {
+    hand_over(n, body, around);
+    const Vec3 at = body.cloth.origin + get(&body.cloth.at[4 * size_t{n.particle}]);
+    for (uint32_t i = 0; i < n.wall_count; ++i) {
+        const Wall& wall = n.walls[i];
+        if (n.touched >> i & 1) {
+            record_touch(body, n.particle, *around.scene, wall.model, at - wall.normal * body.radius[n.particle],
+                         wall.normal);
+        }
+    }
+}
+
 void record_touches(Body& body, const Surroundings& around) {
-    Lookout lookout(around, body, around.step_time);
-    for (Neighbour& n : body.cloth_contacts.neighbours) lookout.record_touches(n);
+    for (Neighbour& n : body.cloth_contacts.neighbours) finish_neighbour(n, body, around);
 }
 
 }  // namespace gphys

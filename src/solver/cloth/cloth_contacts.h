@@ -8,26 +8,33 @@
 // in it before and after a substep has touched nothing on its way. Only one that leaves the ball is
 // swept against the scene, and looks around again.
 //
-// Contacts are part of the chains' equations. A particle that touches moves along the wall or off
-// (Surfaces in cloth_kernels.cpp); one that friction holds, because it touches and has no speed, does
-// not move at all, until what the links pull it with leaves the cone of friction. What slides is slowed
-// by friction times all that the wall has pushed it with in the substep.
+// The walls of a model that moves go with it, from substep to substep; a particle looks as far for them as the model
+// comes in the step. Friction and speed are relative to it.
+//
+// Contacts are part of the chains' equations: a particle that touches moves along the wall or off (Surfaces in
+// cloth_kernels.cpp). After the chains friction takes it back, at most by friction times all that the wall has pushed
+// it with in the substep and at most to its place on the wall. Taking it for immovable while friction holds it would
+// leave what strains the links between two such particles to stay.
 #pragma once
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
-#include "gamephys_c.h"
+#include "solver/cloth/movers.h"
 
 namespace gphys {
 
 struct Body;
 struct Surroundings;
 
-/// A particle stays where dot(normal, its position) >= offset; relative to the cloth's origin.
+/// A particle stays where dot(normal, its position) >= offset; relative to the cloth's origin, at the end of the
+/// substep.
 struct Wall {
+    static constexpr uint32_t unmoved = 0xffffffff;
+
     Vec3 normal;
     double offset;
     gphys_model_id model;
+    uint32_t mover;  // its number in ClothContacts::movers, or unmoved
 };
 
 /// A particle that may touch something in this step.
@@ -37,20 +44,16 @@ struct Neighbour {
     uint32_t particle;
     uint32_t wall_count;
     Wall walls[most_walls];
-    uint32_t touched;     // bit by wall: in this step
-    int32_t touching;     // the wall that pressed it most in this substep, or -1
-    bool held;            // by friction, in this substep
-    bool still;           // it had no speed, where that makes a difference
-    double inverse_mass;  // relative, while it is held
-    double pressed;       // metres, by how much walls have moved it in this substep
-    double total;         // the same with what links pulled it against them by
-    double slowed;        // metres, by how much friction has slowed it before the links pulled
-    bool slipping;        // what pulled it in the substep before was more than friction holds
-    double approach;      // speed towards the wall before it touched
+    uint32_t touched;  // bit by wall: in this step
+    int32_t touching;  // the wall that pressed it most in this substep, or -1
+    double crept;      // metres, which its speed alone takes it, where that counts as none; else -1
+    double pressed;    // metres, by how much walls have moved it in this substep
+    double total;      // the same with what links pulled it against them by
+    double slowed;     // metres, by how much friction has slowed it before the links pulled
+    double approach;   // speed towards the wall before it touched
     // For what models get from it:
     bool chained_touching;   // whether it touched before the chains were solved
     Vec3 coming;             // the velocity predicted for the end of this substep
-    Vec3 first_pull;         // what `pulls` began with
     Vec3 chained;            // where the chains have left it, before limits
     Vec3 moved;              // metres, by chains and limits; against what walls did, if it touched after them
     gphys_model_id getting;  // the model that gets the next two:
@@ -59,16 +62,24 @@ struct Neighbour {
 
 struct ClothContacts {
     explicit ClothContacts(std::pmr::memory_resource* memory)
-        : neighbours(memory), place(memory), balls(memory), normals(memory), pulls(memory), escaped(memory) {}
+        : movers(memory),
+          neighbours(memory),
+          place(memory),
+          balls(memory),
+          normals(memory),
+          pulls(memory),
+          escaped(memory) {}
 
     static constexpr uint32_t nowhere = 0xffffffff;
 
+    Vector<Mover> movers;
     Vector<Neighbour> neighbours;
     Vector<uint32_t> place;        // by particle: in neighbours, or nowhere
     Vector<float> balls;           // four floats a particle: centre, square of the radius
     Vector<float> normals, pulls;  // four floats a particle, as ClothSurfaces takes them
     Vector<uint32_t> escaped;      // of this substep
     bool touching = false;         // whether any particle is, in this substep
+    bool pushed = false;           // whether it is by a model that moves
 };
 
 }  // namespace gphys

@@ -146,9 +146,6 @@ struct Surfaces {
     // A link finds at least this part of the inverse masses of its ends even if it goes along the
     // normals of both. What it pulls off the surface moves freely, by twice the error at most.
     static constexpr float least_mobility = 0.5f;
-    // Of a link between two held particles, which move not at all: a quarter of what average ones have, so that
-    // friction yields to a quarter of the strain.
-    static constexpr float held_mobility = 0.5f;
 
     const ClothSurfaces& arrays;
 
@@ -158,8 +155,7 @@ struct Surfaces {
                            const Direction& n) {
         const Float8 off_a = along(n, at_a), off_b = along(n, at_b), sum = a.w + b.w;
         const Float8 free = sum - a.w * off_a * off_a - b.w * off_b * off_b;
-        const Float8 held = max(splat(0), splat(held_mobility) - sum * splat(1e30f));
-        return max(free, sum * splat(least_mobility)) + sum * splat(regularisation) + held;
+        return max(free, sum * splat(least_mobility)) + sum * splat(regularisation);
     }
     static Float8 coupling(const Quads8& a, const Normals& at_a, const Row& before, const Direction& n) {
         const Float8 straight = before.x * n.x + before.y * n.y + before.z * n.z;

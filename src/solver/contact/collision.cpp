@@ -24,6 +24,10 @@ bool touch(const Box& a, const Box& b) {
     return true;
 }
 
+bool has_moved(const Surroundings& around, gphys_model_id model) {
+    return std::binary_search(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
+}
+
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {
     const double rest = 1 - fraction;
     const Quat a = widen(from.rotation), b = widen(to.rotation);
@@ -50,7 +54,7 @@ bool way_of(const Scene& scene, const PlacedModel& before, Box& out) {
 
 Collider::Collider(const Surroundings& around, const Body& body, const Box& box) : around_(around), body_(body) {
     around.scene->for_each_in_box(box, body.settings.layers, [&](gphys_model_id model) {
-        if (has_moved(model)) return;
+        if (has_moved(around_, model)) return;
         if (count_ == most_listed) {
             listed_ = false;
             return;
@@ -72,10 +76,6 @@ void Collider::list_moving(const Box& box) {
         if (moving_count_ < most_listed) moving_[moving_count_] = i;
         ++moving_count_;
     }
-}
-
-bool Collider::has_moved(gphys_model_id model) const {
-    return std::binary_search(around_.moved->begin(), around_.moved->end(), PlacedModel{model, {}});
 }
 
 void Collider::meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const {
@@ -136,7 +136,7 @@ void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, Im
     } else {
         around_.scene->for_each_in_box(path_box(moving, displacement), body_.settings.layers,
                                        [&](gphys_model_id model) {
-                                           if (!has_moved(model)) meet(model, moving, displacement, first);
+                                           if (!has_moved(around_, model)) meet(model, moving, displacement, first);
                                        });
     }
 }

@@ -29,6 +29,9 @@ struct Surroundings {
     double begin = 0, end = 1;                   // fractions of the step
 };
 
+/// Whether the model has moved since the last step.
+bool has_moved(const Surroundings& around, gphys_model_id model);
+
 /// A placement between two others: positions and scales linearly, rotations along the shorter arc.
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction);
 
@@ -98,7 +101,6 @@ private:
         FlatModel flat;
     };
 
-    bool has_moved(gphys_model_id model) const;
     void note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const;
     void list_moving(const Box& box);
     void meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
@@ -195,13 +197,18 @@ inline bool collides(const Body& body, const Surroundings& around) { return arou
 /// cloth_contacts.cpp: by turns before and after the chains of a substep.
 void reserve_cloth_contacts(Body& body);
 void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity);
-void touch_walls(Body& body, Vec3 gravity, const TimeScheme& scheme);
+void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
 void note_places(Body& body);
 void leave_walls(Body& body);
 void count_contacts(Body& body, const Surroundings& around, double rate);
-void turn_velocities(Body& body, const Surroundings& around, double quiet);
+void turn_velocities(Body& body, const Surroundings& around, double quiet, double h);
+/// A model that moves carries particles further in a substep than friction should: links between two that touch
+/// something get their lengths back.
+void ease_links(Body& body);
 void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void record_touches(Body& body, const Surroundings& around);
+/// What the particle has touched and given to models, before its neighbour is replaced.
+void finish_neighbour(Neighbour& neighbour, Body& body, const Surroundings& around);
 /// A particle that something else has moved, out of the walls that were near it.
 void stay_outside(Body& body, uint32_t particle);
 

@@ -47,7 +47,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const S
     const auto end = std::lower_bound(begin, joined.all_tethers.end(), Tether{slot + 1, 0, 0, 0});
     Vector<float>& pulls = body.cloth_contacts.pulls;
     const bool collides = gphys::collides(body, around);
-    if (collides) touch_walls(body, gravity, TimeScheme(h, body.earlier_step));
+    if (collides) touch_walls(body, around, gravity, TimeScheme(h, body.earlier_step));
     const auto moves = [&](const Tether& tether) { return body.cloth.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
         hang_on(body, *tether, joined.all_systems[tether->system]);
