@@ -235,7 +235,7 @@ TEST_CASE("cloth that falls on a ball keeps its threads' lengths") {
     const gphys_sphere ball{{0, 0, 0}, 0.5f};
     world.model(GPHYS_SHAPE_PLANE, &floor);
     world.model(GPHYS_SHAPE_SPHERE, &ball);
-    drape(world, 61, 1.8, 0.02f, 180, 0.12, 0.02);
+    drape(world, 61, 1.8, 0.02f, 180, 0.05, 0.015);
 }
 
 TEST_CASE("cloth that falls on a mesh keeps its threads' lengths and lets nothing through") {
@@ -244,7 +244,7 @@ TEST_CASE("cloth that falls on a mesh keeps its threads' lengths and lets nothin
     world.model(GPHYS_SHAPE_PLANE, &floor);
     const MeshHandle mesh = bumpy_ball(40);
     world.model(GPHYS_SHAPE_MESH, mesh.mesh);
-    drape(world, 41, 1.6, 0.01f, 120, 0.2, 0.12);
+    drape(world, 41, 1.6, 0.01f, 120, 0.08, 0.02);
 }
 
 TEST_CASE("a sheet of 100 x 100 falls on 70 000 triangles", "[.long]") {
@@ -253,7 +253,7 @@ TEST_CASE("a sheet of 100 x 100 falls on 70 000 triangles", "[.long]") {
     world.model(GPHYS_SHAPE_PLANE, &floor);
     const MeshHandle mesh = bumpy_ball(133);
     world.model(GPHYS_SHAPE_MESH, mesh.mesh);
-    drape(world, 100, 2, 0.01f, 600, 0.2, 0.12);
+    drape(world, 100, 2, 0.01f, 600, 0.15, 0.06);
 }
 
 TEST_CASE("cloth of points, without any radius, lies on a mesh, a box and a plane") {
