@@ -3,7 +3,8 @@
 # Installs what it needs, builds with the flags that users get, writes build/bench/<suite>.csv with
 # a plot beside each, the machine's description and ratios.md. --peers measures Embree, Bullet and
 # FCL in the same run; --quick is a few seconds of smaller work; --docs puts the results into
-# docs/benchmarks.md, those of the accuracy suite into docs/accuracy.md.
+# docs/benchmarks.md, those of the accuracy suite into docs/accuracy.md, those of the solver into
+# docs/solver_figures.md.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -97,7 +98,7 @@ set format y "%.0e"
 set key outside
 set grid
 set xlabel "ms per frame"
-do for [case in system("awk -F, 'NR>1 {print \$2}' ".csv." | uniq")] {
+do for [case in system("awk -F, '\$6>0 {print \$2}' ".csv." | uniq")] {
     set output "build/bench/solver_".case.".png"
     set title case
     set ylabel case eq "chain_30" ? "distance from the reference, m" : "largest stretch"
@@ -132,5 +133,8 @@ plot of("embree", "random") using 1:2 with linespoints lw 2 lc 2 title "Embree, 
     of("embree", "camera") using 1:2 with linespoints lw 2 lc 2 dt 2 title "Embree, camera rays", \
     of("gamephys", "camera") using 1:2 with linespoints lw 2 lc 1 dt 2 title "gamephys, camera rays"
 PLOT
+fi
+if [ $docs = ON ] && [ $solver = ON ]; then
+    python3 bench/report.py build/bench --docs-solver >docs/solver_figures.md
 fi
 ls build/bench

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Ratios of a benchmark run: report.py DIRECTORY [--docs]
+"""Ratios of a benchmark run: report.py DIRECTORY [--docs | --docs-solver]
 
 Reads the CSV files of gamephys_bench and machine.txt in DIRECTORY and prints Markdown: for each
 suite a table of ratios, time of gamephys / time of the other. --docs puts the page of
-docs/benchmarks.md around it. Every number comes from those files.
+docs/benchmarks.md around it. --docs-solver prints docs/solver_figures.md alone: the rows of solver.csv.
+Every number comes from those files.
 """
 import csv
 import pathlib
@@ -22,6 +23,15 @@ Written by `./bench.sh scene mesh query update --peers --docs`, which measures e
 A ratio is the time of gamephys divided by that of the other: below 1, gamephys is faster. † marks those whose answers are not those of a loop over everything in double precision. [What limits the speed](limits_of_speed.md) has the profiles of rows in which gamephys is not as far ahead as was aimed for.
 
 ![Time of a ray against the number of boxes](images/growth.png)
+
+"""
+
+
+SOLVER_PAGE = """# Figures of the solver
+
+{machine}
+
+Written by `./bench.sh solver --peers --docs`. A row is a case moved by a method in so many substeps a 60 Hz frame (iterations, of Bullet and Jakobsen). A frame is the median of processor time, by the clock for cases of several threads; strain is of rigid links, over the whole run for those that begin in free space. [solver.md](solver.md) says what the cases are. `free_...` are particles that rain on boxes: all fly, land, or lie, and the mean of three seconds; their error is how deep the deepest is in a box or the ground at the end.
 
 """
 
@@ -91,8 +101,24 @@ def within(suites):
     return table(["gamephys beside itself", "objects", "ratio"], rows) if rows else ""
 
 
+def solver_page(directory):
+    def percent(text):
+        return f"{100 * float(text):.2g} %" if text else ""
+
+    with (directory / "solver.csv").open(newline="") as file:
+        rows = [[f"`{row['case']}`", row["method"], row["substeps"], number(float(row["ms"])),
+                 percent(row["strain_max"]), percent(row["strain_rms"]), row["position_error"]]
+                for row in csv.DictReader(file)]
+    machine = "  \n".join((directory / "machine.txt").read_text().splitlines())
+    head = ["case", "method", "substeps", "ms a frame", "largest strain", "rms", "error, m"]
+    return SOLVER_PAGE.format(machine=machine) + table(head, rows).rstrip() + "\n"
+
+
 def main():
     directory = pathlib.Path(sys.argv[1])
+    if "--docs-solver" in sys.argv[2:]:
+        print(solver_page(directory), end="")
+        return
     suites = read(directory)
     if "--docs" in sys.argv[2:]:
         machine = (directory / "machine.txt").read_text().splitlines()

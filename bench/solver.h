@@ -51,12 +51,41 @@ std::unique_ptr<Method> make_bullet_soft(const System& system, uint32_t iteratio
 /// Processor time of this thread.
 double seconds_of_thread();
 
-/// What a body among models takes; strain at the end.
-struct SceneResult {
-    double seconds, strain_max, strain_rms;
+// Bodies among models.
+
+/// Boxes on the ground y = 0, and particles above them in clouds of a thousand, as an emitter makes them, each cloud
+/// a body.
+struct Rain {
+    std::vector<gphys_aabb> boxes;
+    std::vector<gphys_vec3> particles;
 };
-SceneResult rain_on_boxes(uint32_t particles, uint32_t boxes, double seconds);
-/// A square sheet, two metres wide, without diagonals, onto a bumpy ball of 70 000 triangles.
-SceneResult drape_over_mesh(uint32_t columns, uint32_t substeps, double seconds);
+constexpr uint32_t cloud_size = 1000;
+Rain make_rain(uint32_t particles, uint32_t boxes);
+
+/// A square sheet without diagonals, two metres wide, above a ball of 70 000 triangles with bumps.
+struct Drape {
+    std::vector<float> vertices;
+    std::vector<uint32_t> indices;
+    System sheet;
+};
+Drape make_drape(uint32_t columns);
+
+std::unique_ptr<Method> make_gamephys_rain(const Rain& rain);
+std::unique_ptr<Method> make_gamephys_drape(const Drape& drape, uint32_t substeps);
+#ifdef GAMEPHYS_BENCH_PEERS
+std::unique_ptr<Method> make_bullet_rain(const Rain& rain);
+#endif
+
+/// Of the frames of some part of the time.
+struct RainResult {
+    const char* when;
+    double seconds;  // of a frame
+};
+/// Three seconds, after which all lie; `depth` gets how deep the deepest centre is in a box or the ground, metres.
+std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& depth);
+/// Seconds of a frame: the median.
+double measure_drape(Method& method, double seconds);
+/// How deep the deepest particle is in the ball, metres.
+double depth_in_ball(const std::vector<gphys_vec3>& positions);
 
 }  // namespace bench

@@ -1,6 +1,7 @@
 // Bodies that collide: a rain of free particles on boxes, and a sheet over a fine mesh.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -10,40 +11,64 @@ namespace bench {
 
 namespace {
 
+constexpr double pi = 3.14159265358979;
+
 void check(gphys_status status) {
     if (status != GPHYS_OK) throw std::runtime_error(gphys_last_error());
 }
 
-struct World {
-    explicit World(uint32_t substeps) {
+class GamephysInScene final : public Method {
+public:
+    explicit GamephysInScene(uint32_t substeps) {
         gphys_solver_desc desc;
         check(gphys_solver_desc_init(&desc, sizeof desc));
         desc.substeps = substeps;
+        desc.gravity = {0, -static_cast<float>(gravity), 0};
         check(gphys_solver_create(&desc, &solver));
         check(gphys_scene_create(nullptr, &scene));
     }
-    World(const World&) = delete;
-    ~World() {
+    ~GamephysInScene() override {
         gphys_solver_destroy(solver);
         gphys_scene_destroy(scene);
         gphys_mesh_destroy(mesh);
+    }
+    void step() override { check(gphys_solver_step(solver, scene, static_cast<float>(frame))); }
+    std::vector<gphys_vec3> positions() const override { return read(gphys_solver_get_positions); }
+    std::vector<gphys_vec3> velocities() const override { return read(gphys_solver_get_velocities); }
+
+    void add(gphys_shape_type type, const void* shape) {
+        gphys_model_id model = 0;
+        check(gphys_scene_add(scene, type, shape, nullptr, nullptr, &model));
     }
 
     gphys_solver* solver = nullptr;
     gphys_scene* scene = nullptr;
     gphys_mesh* mesh = nullptr;
+    std::vector<std::pair<gphys_body_id, uint32_t>> bodies;
+
+private:
+    template <class Get>
+    std::vector<gphys_vec3> read(Get&& get) const {
+        std::vector<gphys_vec3> out;
+        for (const auto& [body, size] : bodies) {
+            out.resize(out.size() + size);
+            check(get(solver, body, 0, size, &out[out.size() - size], 12));
+        }
+        return out;
+    }
 };
 
-/// A ball of 4 rings^2 triangles, less those at its poles, with bumps.
-gphys_mesh* bumpy_ball(uint32_t rings) {
-    constexpr double pi = 3.14159265358979;
-    std::vector<float> vertices;
-    std::vector<uint32_t> indices;
+double radius_of_ball(double down, double around) {
+    return 0.5 * (1 + 0.12 * std::sin(3 * down) * std::sin(4 * around));
+}
+
+/// 4 rings^2 triangles, less those at the poles.
+void make_bumpy_ball(uint32_t rings, std::vector<float>& vertices, std::vector<uint32_t>& indices) {
     const uint32_t columns = 2 * rings;
     for (uint32_t ring = 0; ring <= rings; ++ring) {
         for (uint32_t column = 0; column < columns; ++column) {
             const double down = pi * ring / rings, around = 2 * pi * column / columns;
-            const double radius = 0.5 * (1 + 0.12 * std::sin(3 * down) * std::sin(4 * around));
+            const double radius = radius_of_ball(down, around);
             for (const double x :
                  {std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around)}) {
                 vertices.push_back(static_cast<float>(radius * x));
@@ -54,68 +79,131 @@ gphys_mesh* bumpy_ball(uint32_t rings) {
             if (ring < rings) indices.insert(indices.end(), {above + right, below + right, below + column});
         }
     }
-    gphys_mesh* mesh = nullptr;
-    check(gphys_mesh_create(nullptr, vertices.data(), 0, static_cast<uint32_t>(vertices.size() / 3), indices.data(),
-                            static_cast<uint32_t>(indices.size()), &mesh));
-    return mesh;
 }
 
-double median_step(const World& world, double seconds) {
+std::vector<double> time_steps(Method& method, double seconds) {
     std::vector<double> times;
     for (int i = 0; i < std::lround(seconds / frame); ++i) {
         const double start = seconds_of_thread();
-        check(gphys_solver_step(world.solver, world.scene, static_cast<float>(frame)));
+        method.step();
         times.push_back(seconds_of_thread() - start);
     }
+    return times;
+}
+
+double median(std::vector<double> times) {
     std::nth_element(times.begin(), times.begin() + static_cast<long>(times.size() / 2), times.end());
     return times[times.size() / 2];
 }
 
+/// How far a point is inside the box, or 0.
+double depth_in(const gphys_aabb& box, gphys_vec3 p) {
+    const float depth = std::min(
+        {p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y, p.z - box.min.z, box.max.z - p.z});
+    return std::max(0.0, static_cast<double>(depth));
+}
+
 }  // namespace
 
-SceneResult rain_on_boxes(uint32_t particles, uint32_t boxes, double seconds) {
-    World world(1);
+Rain make_rain(uint32_t particles, uint32_t boxes) {
+    Rain rain;
     std::mt19937 random(1);
     const auto uniform = [&](double low, double high) {
         return static_cast<float>(std::uniform_real_distribution<double>(low, high)(random));
     };
     for (uint32_t i = 0; i < boxes; ++i) {
         const float x = uniform(0, 100), z = uniform(0, 100), height = uniform(0.5, 5);
-        const gphys_aabb box{{x - 1, 0, z - 1}, {x + 1, height, z + 1}};
-        gphys_model_id model = 0;
-        check(gphys_scene_add(world.scene, GPHYS_SHAPE_AABB, &box, nullptr, nullptr, &model));
+        rain.boxes.push_back({{x - 1, 0, z - 1}, {x + 1, height, z + 1}});
     }
-    const gphys_plane ground{{0, 1, 0}, 0};
-    gphys_model_id model = 0;
-    check(gphys_scene_add(world.scene, GPHYS_SHAPE_PLANE, &ground, nullptr, nullptr, &model));
-    // A body is a cloud of a thousand, as an emitter makes them.
-    constexpr uint32_t cloud = 1000;
-    std::vector<gphys_vec3> points(cloud);
-    for (uint32_t first = 0; first < particles; first += cloud) {
-        const float x = uniform(0, 98), y = uniform(3, 20), z = uniform(0, 98);
-        for (gphys_vec3& p : points) p = {x + uniform(0, 2), y + uniform(0, 2), z + uniform(0, 2)};
-        gphys_body_id body = 0;
-        check(gphys_solver_add_particles(world.solver, nullptr, points.data(), 0, cloud, &body));
+    for (uint32_t first = 0; first < particles; first += cloud_size) {
+        const float x = uniform(0, 98), y = uniform(6, 20), z = uniform(0, 98);
+        for (uint32_t i = 0; i < cloud_size; ++i) {
+            rain.particles.push_back({x + uniform(0, 2), y + uniform(0, 2), z + uniform(0, 2)});
+        }
     }
-    return {median_step(world, seconds), 0, 0};
+    return rain;
 }
 
-SceneResult drape_over_mesh(uint32_t columns, uint32_t substeps, double seconds) {
-    World world(substeps);
-    world.mesh = bumpy_ball(133);
-    gphys_model_id model = 0;
-    check(gphys_scene_add(world.scene, GPHYS_SHAPE_MESH, world.mesh, nullptr, nullptr, &model));
+Drape make_drape(uint32_t columns) {
+    Drape drape;
+    make_bumpy_ball(133, drape.vertices, drape.indices);
+    System& sheet = drape.sheet;
+    sheet.body_size = columns * columns;
+    sheet.columns = columns;
+    sheet.damping = 1;
+    const double spacing = 2.0 / (columns - 1);
+    for (uint32_t i = 0; i < sheet.body_size; ++i) {
+        const uint32_t column = i % columns, row = i / columns;
+        sheet.positions.push_back(
+            {static_cast<float>(column * spacing - 1), 0.6f, static_cast<float>(row * spacing - 1)});
+        if (column > 0) sheet.links.push_back({i - 1, i, spacing, 0});
+        if (row > 0) sheet.links.push_back({i - columns, i, spacing, 0});
+    }
+    sheet.masses.assign(sheet.body_size, 1.0f / static_cast<float>(sheet.body_size));
+    return drape;
+}
+
+std::unique_ptr<Method> make_gamephys_rain(const Rain& rain) {
+    auto world = std::make_unique<GamephysInScene>(1);
+    for (const gphys_aabb& box : rain.boxes) world->add(GPHYS_SHAPE_AABB, &box);
+    const gphys_plane ground{{0, 1, 0}, 0};
+    world->add(GPHYS_SHAPE_PLANE, &ground);
+    for (size_t first = 0; first < rain.particles.size(); first += cloud_size) {
+        gphys_body_id body = 0;
+        check(gphys_solver_add_particles(world->solver, nullptr, &rain.particles[first], 0, cloud_size, &body));
+        world->bodies.emplace_back(body, cloud_size);
+    }
+    return world;
+}
+
+std::unique_ptr<Method> make_gamephys_drape(const Drape& drape, uint32_t substeps) {
+    auto world = std::make_unique<GamephysInScene>(substeps);
+    check(gphys_mesh_create(nullptr, drape.vertices.data(), 12, static_cast<uint32_t>(drape.vertices.size() / 3),
+                            drape.indices.data(), static_cast<uint32_t>(drape.indices.size()), &world->mesh));
+    world->add(GPHYS_SHAPE_MESH, world->mesh);
     gphys_body_desc desc;
     check(gphys_body_desc_init(&desc, sizeof desc));
-    desc.damping = 1;
+    desc.damping = drape.sheet.damping;
     desc.cloth_flags = 0;
-    const gphys_vec3 corner{-1, 0.6f, -1}, u{2, 0, 0}, v{0, 0, 2};
+    const std::vector<gphys_vec3>& at = drape.sheet.positions;
+    const uint32_t n = drape.sheet.columns;
+    const auto edge = [&](uint32_t to) {
+        return gphys_vec3{at[to].x - at[0].x, at[to].y - at[0].y, at[to].z - at[0].z};
+    };
+    const gphys_vec3 u = edge(n - 1), v = edge(n * (n - 1));
     gphys_body_id body = 0;
-    check(gphys_solver_add_cloth(world.solver, &desc, &corner, &u, &v, columns, columns, &body));
-    const double step = median_step(world, seconds);
-    gphys_solver_stats stats;
-    check(gphys_solver_get_stats(world.solver, body, &stats));
-    return {step, stats.strain_max, stats.strain_rms};
+    check(gphys_solver_add_cloth(world->solver, &desc, &at[0], &u, &v, n, n, &body));
+    world->bodies.emplace_back(body, n * n);
+    return world;
+}
+
+std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& depth) {
+    const std::vector<double> times = time_steps(method, 3);
+    // Clouds are 6 to 22 m above the ground and fall for 0.5 to 2.1 s.
+    const auto between = [&](double from, double to) {
+        return median({times.begin() + std::lround(from / frame), times.begin() + std::lround(to / frame)});
+    };
+    depth = 0;
+    for (const gphys_vec3& p : method.positions()) {
+        depth = std::max(depth, -static_cast<double>(p.y));
+        for (const gphys_aabb& box : rain.boxes) depth = std::max(depth, depth_in(box, p));
+    }
+    const double sum = std::accumulate(times.begin(), times.end(), 0.0);
+    return {{"flying", between(0.1, 0.4)},
+            {"landing", between(1.5, 2)},
+            {"lying", between(2.5, 3)},
+            {"all", sum / static_cast<double>(times.size())}};
+}
+
+double measure_drape(Method& method, double seconds) { return median(time_steps(method, seconds)); }
+
+double depth_in_ball(const std::vector<gphys_vec3>& positions) {
+    double depth = 0;
+    for (const gphys_vec3& p : positions) {
+        const double x = p.x, y = p.y, z = p.z, away = std::sqrt(x * x + y * y + z * z);
+        if (away > 0) depth = std::max(depth, radius_of_ball(std::acos(y / away), std::atan2(z, x)) - away);
+    }
+    return depth;
 }
 
 }  // namespace bench

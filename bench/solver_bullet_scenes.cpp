@@ -1,0 +1,87 @@
+// Bullet's soft bodies among its collision objects. Not the sheet over a mesh: a soft body makes a field of
+// distances for each triangle that it comes near, which takes seconds a frame.
+#include <BulletSoftBody/btSoftBody.h>
+#include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
+#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
+
+#include <btBulletDynamicsCommon.h>
+
+#include "solver.h"
+
+namespace bench {
+
+namespace {
+
+class BulletScene final : public Method {
+public:
+    BulletScene() {
+        world_.setGravity({0, -static_cast<btScalar>(gravity), 0});
+        world_.getWorldInfo().m_gravity = world_.getGravity();
+        world_.getWorldInfo().m_sparsesdf.Initialize();
+    }
+    ~BulletScene() override {
+        for (const auto& body : bodies_) world_.removeSoftBody(body.get());
+        for (const auto& object : objects_) world_.removeCollisionObject(object.get());
+    }
+    void step() override { world_.stepSimulation(static_cast<btScalar>(frame), 0); }
+    std::vector<gphys_vec3> positions() const override { return read(&btSoftBody::Node::m_x); }
+    std::vector<gphys_vec3> velocities() const override { return read(&btSoftBody::Node::m_v); }
+
+    void add(std::unique_ptr<btCollisionShape> shape, const btVector3& at) {
+        auto object = std::make_unique<btCollisionObject>();
+        object->setCollisionShape(shape.get());
+        object->setWorldTransform(btTransform(btQuaternion::getIdentity(), at));
+        world_.addCollisionObject(object.get());
+        shapes_.push_back(std::move(shape));
+        objects_.push_back(std::move(object));
+    }
+    /// Of the particles from `first` on, without links.
+    void add(const gphys_vec3* first, uint32_t count) {
+        std::vector<btVector3> nodes;
+        for (uint32_t i = 0; i < count; ++i) nodes.emplace_back(first[i].x, first[i].y, first[i].z);
+        const std::vector<btScalar> masses(count, btScalar(1) / static_cast<btScalar>(count));
+        bodies_.push_back(
+            std::make_unique<btSoftBody>(&world_.getWorldInfo(), static_cast<int>(count), nodes.data(), masses.data()));
+        btSoftBody& body = *bodies_.back();
+        body.m_cfg.kDF = btScalar(0.5);
+        world_.addSoftBody(&body);
+    }
+
+private:
+    std::vector<gphys_vec3> read(btVector3 btSoftBody::Node::*member) const {
+        std::vector<gphys_vec3> out;
+        for (const auto& body : bodies_) {
+            for (int i = 0; i < body->m_nodes.size(); ++i) {
+                const btVector3& v = body->m_nodes[i].*member;
+                out.push_back({static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())});
+            }
+        }
+        return out;
+    }
+
+    btSoftBodyRigidBodyCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_{&configuration_};
+    btDbvtBroadphase broadphase_;
+    btSequentialImpulseConstraintSolver solver_;
+    btSoftRigidDynamicsWorld world_{&dispatcher_, &broadphase_, &solver_, &configuration_};
+    std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+    std::vector<std::unique_ptr<btCollisionObject>> objects_;
+    std::vector<std::unique_ptr<btSoftBody>> bodies_;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_bullet_rain(const Rain& rain) {
+    auto scene = std::make_unique<BulletScene>();
+    for (const gphys_aabb& box : rain.boxes) {
+        const btVector3 low(box.min.x, box.min.y, box.min.z), high(box.max.x, box.max.y, box.max.z);
+        scene->add(std::make_unique<btBoxShape>((high - low) / 2), (low + high) / 2);
+    }
+    scene->add(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)), {0, 0, 0});
+    for (size_t first = 0; first < rain.particles.size(); first += cloud_size) {
+        scene->add(&rain.particles[first], cloud_size);
+    }
+    return scene;
+}
+
+}  // namespace bench
