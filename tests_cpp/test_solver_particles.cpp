@@ -239,6 +239,47 @@ TEST_CASE("particles fall, bounce, slide and lie with the same bits alone and in
     }
 }
 
+TEST_CASE("on level ground, under gravity from the side, swarms lie or slide as Coulomb says") {
+    for (const double tangent : {0.0, 0.45, 0.49, 0.51, 0.8}) {
+        const double g = 9.81f, angle = std::atan(tangent);
+        World world(1, narrow(Vec3{std::sin(angle), -std::cos(angle), 0} * g));
+        const gphys_aabb slab{{-50, -1, -50}, {50, 0, 50}};
+        const gphys_model_id ground = world.model(GPHYS_SHAPE_AABB, &slab);
+        std::vector<gphys_vec3> points;
+        for (int i = 0; i < 40; ++i) points.push_back({0.3f * static_cast<float>(i), 0.1f + 2e-5f, 0});
+        const gphys_body_id body = world.particles(points, particle_desc(0.1f, 0.5f, 0));
+        world.step(1.0f / 60);
+        const std::vector<gphys_vec3> start = world.positions(body), speed = world.velocities(body);
+        constexpr int steps = 60;
+        const double t = steps * static_cast<double>(1.0f / 60), along = g * (std::sin(angle) - 0.5 * std::cos(angle));
+        for (int i = 0; i < steps; ++i) world.step(1.0f / 60);
+        const std::vector<gphys_vec3> end = world.positions(body);
+        for (size_t p = 0; p < points.size(); ++p) {
+            const double moved = distance(widen(end[p]), widen(start[p]));
+            CAPTURE(tangent, p, moved);
+            if (tangent <= 0.5) {
+                REQUIRE(moved == 0);
+            } else {
+                // The start is a float32 of some metres.
+                REQUIRE(std::fabs(moved - (speed[p].x * t + along * t * t / 2)) <= 1e-4 * moved + 1e-6);
+            }
+        }
+        gphys_impulse impulse{};
+        uint32_t count = 0;
+        REQUIRE(gphys_solver_get_impulses(world.solver, &impulse, 1, &count) == GPHYS_OK);
+        REQUIRE(count == 1);
+        CHECK(impulse.model == ground);
+        const double pressed = g * std::cos(angle) * static_cast<double>(1.0f / 60);  // of a kilogram
+        CHECK(std::fabs(impulse.linear.y + pressed) <= 1e-6 * pressed);
+        CHECK(std::fabs(impulse.linear.x - std::min(0.5, tangent) * pressed) <= 1e-5 * pressed);
+        if (tangent > 0.5) continue;
+        // All have the same mass, so it is as if the middle of them were pressed.
+        double middle = 0;
+        for (const gphys_vec3& p : end) middle += static_cast<double>(p.x) / 40;
+        CHECK(std::fabs(impulse.angular.z + middle * pressed) <= 1e-4 * middle * pressed);
+    }
+}
+
 namespace {
 
 struct Shots {
@@ -246,13 +287,13 @@ struct Shots {
 };
 
 /// `count` shots at 1000 m/s from either side at a wall of a millimetre, which is 100 m wide: a box, a plane, a mesh
-/// of two triangles, or a box that comes at 5 m/s to meet them and turns. From up to 12 m away; each is followed for
+/// of two triangles, or a box that comes at 5 m/s to meet them. From up to 12 m away; each is followed for
 /// 25 ms, in which it may bounce.
 Shots shoot(int kind, uint32_t count, uint64_t seed) {
     const test::MeshHandle sheet({0, -50, -50, 0, 50, -50, 0, 50, 50, 0, -50, 50}, {0, 1, 2, 0, 2, 3});
     const gphys_aabb box{{-0.0005f, -50, -50}, {0.0005f, 50, 50}};
     const gphys_plane plane{{1, 0, 0}, 0};
-    constexpr float dt = 1.0f / 120, wall_speed = 5, turning = 0.3f;
+    constexpr float dt = 1.0f / 120, wall_speed = 5;
     test::Random random(seed);
     Shots result;
     for (uint32_t done = 0; done < count;) {
@@ -275,17 +316,13 @@ Shots shoot(int kind, uint32_t count, uint64_t seed) {
         world.step(1e-6f);  // which notes where the wall stands
         std::vector<uint8_t> crossed(together, 0);
         for (int i = 1; i <= 3; ++i) {
-            const double angle = kind == 3 ? static_cast<double>(turning * dt) * i : 0;
-            const gphys_transform at{
-                {kind == 3 ? side * wall_speed * dt * static_cast<float>(i) : 0, 0, 0},
-                {0, 0, static_cast<float>(std::sin(angle / 2)), static_cast<float>(std::cos(angle / 2))},
-                1};
+            const float moved = kind == 3 ? side * wall_speed * dt * static_cast<float>(i) : 0;
+            const gphys_transform at{{moved, 0, 0}, {0, 0, 0, 1}, 1};
             if (kind == 3) REQUIRE(gphys_scene_set_transform(world.scene, wall, &at) == GPHYS_OK);
             world.step(dt);
-            const Transform placed = widen(at);
             const std::vector<gphys_vec3> positions = world.positions(body);
             for (uint32_t p = 0; p < together; ++p) {
-                if (placed.inverse_apply(widen(positions[p])).x * static_cast<double>(side) <= 0) crossed[p] = 1;
+                if ((positions[p].x - moved) * side <= 0) crossed[p] = 1;
             }
         }
         for (const uint8_t one : crossed) result.crossings += one;
@@ -350,10 +387,7 @@ void pour_into_bowl(uint32_t count, int seconds) {
 
 }  // namespace
 
-TEST_CASE("nothing passes through a wall of one millimetre at 1000 m/s") { check_shots(2500); }
-TEST_CASE("a million shots at 1000 m/s do not pass through a wall of one millimetre", "[.long]") {
-    check_shots(250000);
-}
+TEST_CASE("nothing passes through a wall of one millimetre at 1000 m/s, in a million shots") { check_shots(250000); }
 
 TEST_CASE("particles poured into a bowl of triangles stay in it and come to rest") { pour_into_bowl(500, 8); }
 TEST_CASE("10 000 particles poured into a bowl of triangles stay in it and come to rest", "[.long]") {
