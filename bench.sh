@@ -98,7 +98,7 @@ set format y "%.0e"
 set key outside
 set grid
 set xlabel "ms per frame"
-do for [case in system("awk -F, '\$6>0 {print \$2}' ".csv." | uniq")] {
+do for [case in system("awk -F, 'NR>1 && \$6>0 {print \$2}' ".csv." | uniq")] {
     set output "build/bench/solver_".case.".png"
     set title case
     set ylabel case eq "chain_30" ? "distance from the reference, m" : "largest stretch"
