@@ -357,8 +357,8 @@ int run(int argc, char** argv) {
             return std::make_unique<Gamephys>(system, substeps, workers);
         };
     };
-    const std::vector<Contender> one_and_two{{"1 thread", on_threads(1), {8}, true},
-                                             {"2 threads", on_threads(2), {8}, true}};
+    const std::vector<Contender> one_and_two{{"1_thread", on_threads(1), {8}, true},
+                                             {"2_threads", on_threads(2), {8}, true}};
     table.run("ropes_threads", ropes(1000, 30, 0.1f, 1), 0.5, one_and_two);
     table.run("cloth_300_threads", cloth(300, false), 0.5, one_and_two);
     // Bullet takes too long for a million.
