@@ -107,6 +107,24 @@ struct MeshHandle {
     ~MeshHandle() { gphys_mesh_destroy(mesh); }
 };
 
+inline gphys_body_desc point_mass(float radius, float friction, float restitution) {
+    gphys_body_desc desc = World::body_desc();
+    desc.radius = radius;
+    desc.friction = friction;
+    desc.restitution = restitution;
+    return desc;
+}
+
+/// `count` points, each a step from the one before.
+inline std::vector<gphys_vec3> line(gphys_vec3 from, gphys_vec3 step, uint32_t count) {
+    std::vector<gphys_vec3> points;
+    for (uint32_t i = 0; i < count; ++i) {
+        const float n = static_cast<float>(i);
+        points.push_back({from.x + n * step.x, from.y + n * step.y, from.z + n * step.z});
+    }
+    return points;
+}
+
 /// What a case measured, for the record.
 inline void figure(const char* what, double value, const char* unit) {
     std::printf("    %s: %.4g %s\n", what, value, unit);

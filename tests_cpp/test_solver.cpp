@@ -6,20 +6,12 @@
 
 using namespace gphys;
 using test::figure;
+using test::line;
 using test::World;
 
 namespace {
 
 constexpr double g = 9.81f;  // as the solver is given it
-
-std::vector<gphys_vec3> line(gphys_vec3 from, gphys_vec3 step, uint32_t count) {
-    std::vector<gphys_vec3> points;
-    for (uint32_t i = 0; i < count; ++i) {
-        const float n = static_cast<float>(i);
-        points.push_back({from.x + n * step.x, from.y + n * step.y, from.z + n * step.z});
-    }
-    return points;
-}
 
 double length_between(const std::vector<gphys_vec3>& p, size_t a, size_t b) {
     return distance(widen(p[a]), widen(p[b]));

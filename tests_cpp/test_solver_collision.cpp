@@ -6,20 +6,13 @@
 using namespace gphys;
 using test::figure;
 using test::MeshHandle;
+using test::point_mass;
 using test::World;
 
 namespace {
 
 constexpr double g = 9.81f;
 constexpr gphys_quat no_turn{0, 0, 0, 1};
-
-gphys_body_desc point_mass(float radius, float friction, float restitution) {
-    gphys_body_desc desc = World::body_desc();
-    desc.radius = radius;
-    desc.friction = friction;
-    desc.restitution = restitution;
-    return desc;
-}
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 
 using namespace gphys;
 using test::figure;
+using test::line;
 using test::World;
 
 namespace {
@@ -23,20 +24,11 @@ float frame_time(test::Random& random) {
     return static_cast<float>(luck < 5 ? usual * random.uniform(2, 3) : usual);
 }
 
-std::vector<gphys_vec3> level(gphys_vec3 from, gphys_vec3 step, uint32_t count) {
-    std::vector<gphys_vec3> points;
-    for (uint32_t i = 0; i < count; ++i) {
-        const float n = static_cast<float>(i);
-        points.push_back({from.x + n * step.x, from.y + n * step.y, from.z + n * step.z});
-    }
-    return points;
-}
-
 }  // namespace
 
 TEST_CASE("frames of unequal length, spikes included, stretch nothing and add no energy") {
     World world(8);
-    const gphys_body_id rope = world.rope(level({0, 0, 0}, {0.05f, 0, 0}, 41), 0.05f);
+    const gphys_body_id rope = world.rope(line({0, 0, 0}, {0.05f, 0, 0}, 41), 0.05f);
     gphys_body_desc desc = World::body_desc();
     desc.cloth_flags = GPHYS_CLOTH_SHEAR;
     desc.damping = 0.5f;
@@ -73,7 +65,7 @@ TEST_CASE("a rope over a sharp edge slides as friction lets it, and keeps its le
         desc.radius = 0.03f;
         desc.friction = friction;
         desc.damping = 1;
-        std::vector<gphys_vec3> points = level({-0.7f, 0.0301f, 0}, {0.02f, 0, 0}, 36);
+        std::vector<gphys_vec3> points = line({-0.7f, 0.0301f, 0}, {0.02f, 0, 0}, 36);
         for (int i = 1; i <= 25; ++i) points.push_back({0.0301f, 0.0301f - 0.02f * static_cast<float>(i), 0});
         const gphys_body_id rope = world.rope(points, 0.02f, desc);
         double peak = 0;

@@ -4,6 +4,7 @@
 
 using gphys::Vec3;
 using test::figure;
+using test::line;
 using test::World;
 
 namespace {
@@ -36,15 +37,6 @@ uint32_t asleep(const World& world) {
     uint32_t total = 0;
     gphys_solver_get_sleeping(world.solver, nullptr, 0, &total);
     return total;
-}
-
-std::vector<gphys_vec3> line(gphys_vec3 from, gphys_vec3 step, uint32_t count) {
-    std::vector<gphys_vec3> points;
-    for (uint32_t i = 0; i < count; ++i) {
-        const float n = static_cast<float>(i);
-        points.push_back({from.x + n * step.x, from.y + n * step.y, from.z + n * step.z});
-    }
-    return points;
 }
 
 gphys_body_desc of_mass(float mass) {

@@ -11,6 +11,7 @@
 
 using namespace gphys;
 using test::figure;
+using test::point_mass;
 using test::World;
 
 namespace {
@@ -25,14 +26,6 @@ gphys_model_id add(Scene& scene, gphys_shape_type type, const void* shape, const
     gphys_model_id model = 0;
     REQUIRE(scene.add(type, shape, 0, &at, 0, 1, desc, &model) == GPHYS_OK);
     return model;
-}
-
-gphys_body_desc particle_desc(float radius, float friction, float restitution) {
-    gphys_body_desc desc = World::body_desc();
-    desc.radius = radius;
-    desc.friction = friction;
-    desc.restitution = restitution;
-    return desc;
 }
 
 }  // namespace
@@ -206,7 +199,7 @@ TEST_CASE("particles fall, bounce, slide and lie with the same bits alone and in
             const gphys_vec3 p = random.point(0.1f);
             points.push_back({middle.x + p.x, 3 + middle.y / 2 + p.y, middle.z + p.z});
         }
-        gphys_body_desc desc = particle_desc(0.02f, 0.4f, restitution);
+        gphys_body_desc desc = point_mass(0.02f, 0.4f, restitution);
         const gphys_body_id cloud = together.particles(points, desc);
         desc.mass /= static_cast<float>(points.size());
         for (const gphys_vec3& p : points) alone.push_back(apart.particles({p}, desc));
@@ -247,7 +240,7 @@ TEST_CASE("on level ground, under gravity from the side, swarms lie or slide as 
         const gphys_model_id ground = world.model(GPHYS_SHAPE_AABB, &slab);
         std::vector<gphys_vec3> points;
         for (int i = 0; i < 40; ++i) points.push_back({0.3f * static_cast<float>(i), 0.1f + 2e-5f, 0});
-        const gphys_body_id body = world.particles(points, particle_desc(0.1f, 0.5f, 0));
+        const gphys_body_id body = world.particles(points, point_mass(0.1f, 0.5f, 0));
         world.step(1.0f / 60);
         const std::vector<gphys_vec3> start = world.positions(body), speed = world.velocities(body);
         constexpr int steps = 60;
@@ -311,7 +304,7 @@ Shots shoot(int kind, uint32_t count, uint64_t seed) {
             const Vec3 target{0, random.uniform(-9, 9), random.uniform(-9, 9)};
             speed.push_back(narrow(normalized(target - widen(from.back())) * 1000));
         }
-        const gphys_body_id body = world.particles(from, particle_desc(0.01f, 0.3f, random.index(2) ? 1.0f : 0.0f));
+        const gphys_body_id body = world.particles(from, point_mass(0.01f, 0.3f, random.index(2) ? 1.0f : 0.0f));
         REQUIRE(gphys_solver_set_velocities(world.solver, body, 0, together, speed.data(), 12) == GPHYS_OK);
         world.step(1e-6f);  // which notes where the wall stands
         std::vector<uint8_t> crossed(together, 0);
@@ -373,7 +366,7 @@ void pour_into_bowl(uint32_t count, int seconds) {
         points.push_back(
             {random.uniform_float(-1.2f, 1.2f), random.uniform_float(0, 4), random.uniform_float(-1.2f, 1.2f)});
     }
-    const gphys_body_id body = world.particles(points, particle_desc(0.02f, 0.5f, 0.3f));
+    const gphys_body_id body = world.particles(points, point_mass(0.02f, 0.5f, 0.3f));
     for (int i = 0; i < 60 * seconds; ++i) world.step(1.0f / 60);
     int leaks = 0;
     for (const gphys_vec3& p : world.positions(body)) leaks += length(widen(p)) > 2 || p.y > 0;

@@ -8,6 +8,7 @@
 // displacements and velocities of their own: positions of a sheet of two metres are rounded to
 // 6e-8 m wherever it is.
 #include "solver/contact/collision.h"
+#include "solver/quads.h"
 #include "solver/rope/damping.h"
 
 namespace gphys {
@@ -25,7 +26,6 @@ float to_float(double value, double limit) { return static_cast<float>(std::clam
 void put(float* to, Vec3 value, double limit) {
     for (int k = 0; k < 3; ++k) to[k] = to_float(value[k], limit);
 }
-Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
 
 ClothMotion motion_of(ClothState& cloth) {
     return {static_cast<uint32_t>(cloth.at.size()),

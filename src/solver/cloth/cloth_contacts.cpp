@@ -1,14 +1,10 @@
 #include "solver/cloth/cloth_contacts.h"
 
 #include "solver/cloth/lookout.h"
+#include "solver/quads.h"
 
 namespace gphys {
 namespace {
-
-Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
-void put(float* to, Vec3 v) {
-    for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(v[k]);
-}
 
 /// What a particle has given to the model that it touched last.
 void hand_over(Neighbour& n, Body& body, const Surroundings& around) {

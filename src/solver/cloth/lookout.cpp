@@ -1,12 +1,9 @@
 #include "solver/cloth/lookout.h"
 
+#include "solver/quads.h"
+
 namespace gphys {
 namespace {
-
-Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
-void put(float* to, Vec3 v) {
-    for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(v[k]);
-}
 
 /// How far cloth stays off: as `skin`, and 2^-21 of its coordinates, which is 4 times the rounding of
 /// float32.

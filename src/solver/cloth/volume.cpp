@@ -1,6 +1,7 @@
 #include "solver/cloth/volume.h"
 
 #include "solver/body.h"
+#include "solver/quads.h"
 
 namespace gphys {
 namespace {
@@ -14,8 +15,6 @@ double six_volumes(const Body& body, At&& at) {
     }
     return sum;
 }
-
-Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
 
 void add(float* to, Vec3 v) {
     for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(to[k] + v[k]);

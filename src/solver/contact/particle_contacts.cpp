@@ -1,6 +1,7 @@
 #include "solver/contact/particle_contacts.h"
 
 #include "solver/contact/collision.h"
+#include "solver/quads.h"
 
 namespace gphys {
 namespace {
@@ -22,11 +23,6 @@ constexpr double near = 0.02;
 // Pairs that overlap from the beginning are parted by this much in a substep, in sums of their radii: all at once
 // would shoot them apart.
 constexpr double most_parting = 0.1;
-
-Vec3 get(const float* from) { return {from[0], from[1], from[2]}; }
-void put(float* to, Vec3 value) {
-    for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(value[k]);
-}
 
 bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
 

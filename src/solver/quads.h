@@ -1,0 +1,13 @@
+// Places and velocities as the kernels of cloth hold them: four floats a particle.
+#pragma once
+
+#include "foundation/math.h"
+
+namespace gphys {
+
+inline Vec3 get(const float* quad) { return {quad[0], quad[1], quad[2]}; }
+inline void put(float* quad, Vec3 v) {
+    for (int k = 0; k < 3; ++k) quad[k] = static_cast<float>(v[k]);
+}
+
+}  // namespace gphys
