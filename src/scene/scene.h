@@ -32,14 +32,6 @@ struct FirstHit {
     bool operator()(const gphys_hit& a, const gphys_hit& b) const { return a.t != b.t ? a.t < b.t : a.model < b.model; }
 };
 
-/// A convex part of a model, near a point.
-struct NearPart {
-    Vec3 closest, normal;  // as those of closest_point_model
-    double signed_distance;
-    bool is_triangle;
-    Triangle triangle;  // in world space
-};
-
 class Scene {
 public:
     /// World transforms have a scale from 1 / max_scale to max_scale, so that their inverses are as
@@ -128,10 +120,8 @@ public:
     /// surface. signed_distance: < 0 inside a solid, and `out` is the nearest point of its surface.
     /// False only for a mesh without triangles.
     bool closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal, double& signed_distance) const;
-    /// The same for every part of the model within `reach` of the point, in no particular order: a
-    /// primitive is one convex part, a mesh has its triangles. Returns how many there are, of which
-    /// `out` gets the first `capacity`.
-    uint32_t parts_near(gphys_model_id model, Vec3 point, double reach, NearPart* out, uint32_t capacity) const;
+    /// Null if it is a primitive.
+    const Mesh* mesh(gphys_model_id model) const;
 
 private:
     static constexpr uint32_t none = 0xffffffff;
@@ -315,5 +305,8 @@ void Scene::for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) cons
     octree_.overlap_box(
         box, [&](uint32_t slot, bool) { return offer(slot); }, model_memory(), model_memory());
 }
+
+/// As Scene::closest_point_model, of a triangle in world space.
+void closest_point_triangle(const Triangle& triangle, Vec3 point, Vec3& out, Vec3& normal, double& distance);
 
 }  // namespace gphys

@@ -91,40 +91,6 @@ bool find_contact(const MeshInstance& instance, Vec3 point, Contact& out) {
     return true;
 }
 
-/// Takes in parts while there is room, and counts the others.
-class PartList {
-public:
-    PartList(NearPart* out, uint32_t capacity) : out_(out), capacity_(capacity) {}
-
-    void add(const Contact& contact, const Triangle* triangle) {
-        if (count_ < capacity_) {
-            out_[count_] = {contact.point, contact.normal, contact.signed_distance, triangle != nullptr,
-                            triangle ? *triangle : Triangle{}};
-        }
-        ++count_;
-    }
-    uint32_t count() const { return count_; }
-
-private:
-    NearPart* out_;
-    uint32_t capacity_, count_ = 0;
-};
-
-template <class Primitive>
-void find_parts(const Primitive& shape, Vec3 point, double reach, PartList& parts) {
-    const Contact contact = contact_of(shape, point);
-    if (contact.signed_distance <= reach) parts.add(contact, nullptr);
-}
-
-void find_parts(const MeshInstance& instance, Vec3 point, double reach, PartList& parts) {
-    const Sphere around{instance.world.inverse_apply(point), reach / instance.world.scale};
-    instance.mesh.for_each_overlap(around, [&](uint32_t index) {
-        const Triangle triangle = transformed(instance.mesh.triangle(index), instance.world);
-        parts.add(contact_of(triangle, point), &triangle);
-        return true;
-    });
-}
-
 }  // namespace
 
 bool Scene::closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec3& normal,
@@ -138,10 +104,16 @@ bool Scene::closest_point_model(gphys_model_id model, Vec3 point, Vec3& out, Vec
     return true;
 }
 
-uint32_t Scene::parts_near(gphys_model_id model, Vec3 point, double reach, NearPart* out, uint32_t capacity) const {
-    PartList parts(out, capacity);
-    with_shape(IdTable::slot_of(model), [&](const auto& shape) { find_parts(shape, point, reach, parts); });
-    return parts.count();
+const Mesh* Scene::mesh(gphys_model_id model) const {
+    const uint32_t slot = IdTable::slot_of(model);
+    return models_[slot].type() == GPHYS_SHAPE_MESH ? stored<const Mesh*>(slot) : nullptr;
+}
+
+void closest_point_triangle(const Triangle& triangle, Vec3 point, Vec3& out, Vec3& normal, double& distance) {
+    const Contact contact = contact_of(triangle, point);
+    out = contact.point;
+    normal = contact.normal;
+    distance = contact.signed_distance;
 }
 
 bool Scene::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const {

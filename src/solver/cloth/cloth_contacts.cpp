@@ -85,10 +85,11 @@ void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     std::fill(contacts.place.begin(), contacts.place.end(), ClothContacts::nowhere);
     std::fill(contacts.normals.begin(), contacts.normals.end(), 0.0f);
     find_movers(body, around);
-    Lookout lookout(around, body, around.step_time);
+    uint32_t count = 0;
     for (uint32_t p = 0; p < body.size(); ++p) {
-        if (!body.pinned(p)) lookout.look(p, gravity);
+        if (!body.pinned(p)) contacts.escaped[count++] = p;
     }
+    Lookout(around, body, gravity, around.step_time).look(contacts.escaped.data(), count);
 }
 
 void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
@@ -284,21 +285,18 @@ void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double 
     const double room = 2 * radius + std::sqrt(longest);
     const Collider collider(around, body,
                             bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}}));
-    Lookout lookout(around, body, around.step_time * (1 - around.end) + h);
-    for (uint32_t k = 0; k < count; ++k) {
+    for (uint32_t k = 0; k < count && !collider.idle(); ++k) {
         const uint32_t p = contacts.escaped[k];
         const size_t i = 4 * size_t{p};
-        if (!collider.idle()) {
-            body.held[p] = 0;
-            const Vec3 at = body.position[p];
-            collider.slide(body, p, body.start[p], at - body.start[p], quiet_speed(gravity, h));
-            if (body.held[p]) {
-                put(&cloth.at[i], body.position[p] - cloth.origin);
-                put(&cloth.velocity[i], body.velocity[p]);
-            }
+        body.held[p] = 0;
+        const Vec3 at = body.position[p];
+        collider.slide(body, p, body.start[p], at - body.start[p], quiet_speed(gravity, h));
+        if (body.held[p]) {
+            put(&cloth.at[i], body.position[p] - cloth.origin);
+            put(&cloth.velocity[i], body.velocity[p]);
         }
-        lookout.look(p, gravity);
     }
+    Lookout(around, body, gravity, around.step_time * (1 - around.end) + h).look(contacts.escaped.data(), count);
 }
 
 void stay_outside(Body& body, uint32_t particle) {

@@ -77,7 +77,7 @@ struct ClothContacts {
     Vector<uint32_t> place;        // by particle: in neighbours, or nowhere
     Vector<float> balls;           // four floats a particle: centre, square of the radius
     Vector<float> normals, pulls;  // four floats a particle, as ClothSurfaces takes them
-    Vector<uint32_t> escaped;      // of this substep
+    Vector<uint32_t> escaped;      // of this substep; at its beginning all that move
     bool touching = false;         // whether any particle is, in this substep
     bool pushed = false;           // whether it is by a model that moves
 };

@@ -11,40 +11,138 @@ double clearance(const Body& body, uint32_t p, Vec3 at) {
     return skin(body.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
 }
 
-/// As it is at the end of the step, taken back to the time of the ride.
-void take_back(NearPart& part, const Ride& ride, Vec3 origin) {
-    const auto moved = [&](Vec3 p) { return origin + ride.apply(p - origin); };
-    part.closest = moved(part.closest);
-    part.normal = ride.rotation * part.normal;
-    part.triangle = {moved(part.triangle.a), moved(part.triangle.b), moved(part.triangle.c)};
+Vec3 place_of(const Body& body, uint32_t p) { return get(&body.cloth.at[4 * size_t{p}]); }
+
+Box around(const Aabb& places, double room, Vec3 origin) {
+    const Vec3 r{room, room, room};
+    return bounds(Aabb{origin + places.min - r, origin + places.max + r});
 }
 
 }  // namespace
 
-void Lookout::look(uint32_t p, Vec3 gravity) {
-    ClothContacts& contacts = body_.cloth_contacts;
-    float* const at = &body_.cloth.at[4 * size_t{p}];
-    const Vec3 velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
-    const double radius = body_.radius[p];
-    // As far as it comes by itself and with what may push it, and half as far again; but no further than to its
-    // neighbours, which a step seldom takes it, so that few parts are near.
-    const double farthest = std::max(body_.cloth.link_length, radius);
-    find_movers_near(get(at), radius + farthest);
+void Lookout::look(const uint32_t* particles, uint32_t count) {
+    for (uint32_t first = 0, together; first < count; first += together) {
+        together = count_together(particles + first, count - first);
+        if (look_together(particles + first, together)) continue;
+        for (uint32_t i = 0; i < together; ++i) look_alone(particles[first + i]);
+    }
+}
+
+/// A particle looks no further than to its neighbours, which a step seldom takes it, so that few parts are near.
+double Lookout::farthest(uint32_t p) const { return std::max(body_.cloth.link_length, body_.radius[p]); }
+
+/// Those that follow the first one within a box of eight times the size of what it may see.
+uint32_t Lookout::count_together(const uint32_t* particles, uint32_t count) const {
+    const double size = 16 * (body_.radius[particles[0]] + farthest(particles[0]));
+    Aabb places{place_of(body_, particles[0]), place_of(body_, particles[0])};
+    uint32_t together = 1;
+    for (; together < std::min(count, most_points); ++together) {
+        const Vec3 at = place_of(body_, particles[together]);
+        places = {min(places.min, at), max(places.max, at)};
+        if (max_component(places.max - places.min) > size) break;
+    }
+    return together;
+}
+
+/// False, and nothing is done, if there is too much around.
+bool Lookout::look_together(const uint32_t* particles, uint32_t count) {
+    Aabb places{place_of(body_, particles[0]), place_of(body_, particles[0])};
+    double range = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t p = particles[i];
+        places = {min(places.min, place_of(body_, p)), max(places.max, place_of(body_, p))};
+        range = std::max(range, body_.radius[p] + farthest(p));
+    }
+    if (!find_movers_near(places, range)) return false;
+    for (uint32_t i = 0; i < count; ++i) reach_[i] = wanted_reach(particles[i]);
+    if (!collect(particles, count)) return false;
+    for (uint32_t i = 0; i < count; ++i) settle(particles[i], i);
+    return true;
+}
+
+/// Among too much it sees less far, and at last as far as is swept in each substep anyway.
+void Lookout::look_alone(uint32_t p) {
+    const Vec3 at = place_of(body_, p);
+    const bool follows_all = find_movers_near({at, at}, body_.radius[p] + farthest(p));
+    reach_[0] = wanted_reach(p);
+    bool complete = collect(&p, 1);
+    for (int halvings = 0; !complete && halvings < 3; ++halvings) {
+        reach_[0] /= 2;
+        complete = collect(&p, 1);
+    }
+    if (!complete || !follows_all) reach_[0] = 0;
+    settle(p, 0);
+}
+
+/// False if there are too many, or some turn too fast to follow.
+bool Lookout::find_movers_near(const Aabb& places, double range) {
+    mover_count_ = 0;
+    bool all = true;
+    const Vector<Mover>& movers = body_.cloth_contacts.movers;
+    if (movers.empty()) return true;
+    const Box box = around(places, range, body_.cloth.origin);
+    for (uint32_t i = 0; i < movers.size(); ++i) {
+        if (movers[i].bounded && !touch(movers[i].way, box)) continue;
+        if (mover_count_ == most_movers || !movers[i].is_rigid) {
+            all = false;
+        } else {
+            near_movers_[mover_count_++] = i;
+        }
+    }
+    return all;
+}
+
+/// As far as it comes by itself and with what may push it, and half as far again.
+double Lookout::wanted_reach(uint32_t p) const {
+    const Vec3 at = place_of(body_, p), velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
     double pushed = 0;
     for (uint32_t i = 0; i < mover_count_; ++i) {
-        pushed = std::max(pushed, contacts.movers[near_movers_[i]].travel(get(at)));
+        pushed = std::max(pushed, body_.cloth_contacts.movers[near_movers_[i]].travel(at));
     }
-    double reach = std::min(1.5 * (time_ * (length(velocity) + time_ * length(gravity)) + pushed), farthest);
+    return std::min(1.5 * (time_ * (length(velocity) + time_ * length(gravity_)) + pushed), farthest(p));
+}
+
+/// Parts within reach, and those of models that move if they may come as near in the rest of the step. False if
+/// there are too many.
+bool Lookout::collect(const uint32_t* particles, uint32_t count) {
+    const Vec3 origin = body_.cloth.origin;
+    const Vector<Mover>& movers = body_.cloth_contacts.movers;
+    parts_.clear(count);
+    Box all;
+    for (uint32_t i = 0; i < count; ++i) {
+        const Vec3 at = place_of(body_, particles[i]);
+        const double range = body_.radius[particles[i]] + reach_[i];
+        balls_[i] = {origin + at, range};
+        const Box box = bounds(balls_[i]);
+        for (int k = 0; k < 3; ++k) {
+            all.min[k] = i > 0 ? std::min(all.min[k], box.min[k]) : box.min[k];
+            all.max[k] = i > 0 ? std::max(all.max[k], box.max[k]) : box.max[k];
+        }
+        for (uint32_t m = 0; m < mover_count_; ++m) {
+            const Mover& mover = movers[near_movers_[m]];
+            moving_balls_[m][i] = {origin + mover.from_end.inverse_apply(at), mover.range(range, at)};
+        }
+    }
+    bool complete = true;
+    around_.scene->for_each_in_box(all, body_.settings.layers, [&](gphys_model_id model) {
+        if (!has_moved(around_, model)) complete &= parts_.add(*around_.scene, model, Wall::unmoved, balls_);
+    });
+    for (uint32_t m = 0; m < mover_count_; ++m) {
+        const uint32_t number = near_movers_[m];
+        complete &= parts_.add(*around_.scene, movers[number].model, number, moving_balls_[m]);
+    }
+    return complete;
+}
+
+/// The ball and the walls of a particle from what was collected around it.
+void Lookout::settle(uint32_t p, uint32_t point) {
+    ClothContacts& contacts = body_.cloth_contacts;
+    float* const at = &body_.cloth.at[4 * size_t{p}];
     Neighbour found{};
     found.particle = p;
-    uint32_t count = 0;
-    for (int halvings = 0; halvings < 4; ++halvings, reach /= 2) {
-        count = collect(get(at), radius + reach);
-        if (count <= most_parts) break;
-    }
-    if (count > most_parts) count = most_parts, reach = 0;  // on a mesh much finer than the particle
-    if (!follows_all_) reach = 0;                           // without a ball it is swept in each substep
-    choose_walls(p, get(at), count, reach, found);
+    double reach = reach_[point];
+    parts_.look_from(point);
+    choose_walls(p, get(at), reach, found);
     for (uint32_t i = 0; i < found.wall_count; ++i) {
         const double depth = found.walls[i].offset - dot(found.walls[i].normal, get(at));
         if (depth > 0) put(at, get(at) + found.walls[i].normal * depth);
@@ -63,91 +161,39 @@ void Lookout::look(uint32_t p, Vec3 gravity) {
     }
 }
 
-void Lookout::find_movers_near(Vec3 at, double reach) {
-    mover_count_ = 0;
-    follows_all_ = true;
-    const Vector<Mover>& movers = body_.cloth_contacts.movers;
-    const Box around = bounds(Sphere{body_.cloth.origin + at, reach});
-    for (uint32_t i = 0; i < movers.size(); ++i) {
-        if (movers[i].bounded && !touch(movers[i].way, around)) continue;
-        if (mover_count_ == most_movers || !movers[i].is_rigid) {
-            follows_all_ = false;
-        } else {
-            near_movers_[mover_count_++] = i;
-        }
-    }
-}
-
-/// Parts within reach, and those of models that move if they may come as near in the rest of the step.
-uint32_t Lookout::collect(Vec3 at, double reach) {
-    const Vec3 origin = body_.cloth.origin;
-    uint32_t count = 0;
-    const auto add = [&](gphys_model_id model, uint32_t mover, Vec3 from, double range) {
-        const uint32_t first = std::min(count, most_parts), room = most_parts - first;
-        const uint32_t more = around_.scene->parts_near(model, from, range, parts_ + first, room);
-        std::fill_n(models_ + first, std::min(more, room), model);
-        std::fill_n(movers_ + first, std::min(more, room), mover);
-        count += more;
-    };
-    around_.scene->for_each_in_box(bounds(Sphere{origin + at, reach}), body_.settings.layers,
-                                   [&](gphys_model_id model) {
-                                       if (!has_moved(around_, model)) add(model, Wall::unmoved, origin + at, reach);
-                                   });
-    for (uint32_t i = 0; i < mover_count_; ++i) {
-        const Mover& mover = body_.cloth_contacts.movers[near_movers_[i]];
-        const uint32_t first = std::min(count, most_parts);
-        add(mover.model, near_movers_[i], origin + mover.from_end.inverse_apply(at), mover.range(reach, at));
-        for (uint32_t k = first; k < std::min(count, most_parts); ++k) take_back(parts_[k], mover.from_end, origin);
-    }
-    return count;
-}
-
 /// Nearest first. Leaves parts out that are behind the wall of a nearer one; those for which there
 /// is no room limit the reach.
-void Lookout::choose_walls(uint32_t p, Vec3 at, uint32_t count, double& reach, Neighbour& found) {
-    for (uint32_t i = 0; i < count; ++i) order_[i] = i;
-    std::sort(order_, order_ + count, [&](uint32_t a, uint32_t b) {
-        const double da = parts_[a].signed_distance, db = parts_[b].signed_distance;
-        return da != db ? da < db : a < b;
-    });
+void Lookout::choose_walls(uint32_t p, Vec3 at, double& reach, Neighbour& found) {
+    const Vec3 origin = body_.cloth.origin;
     const double off = body_.radius[p] + clearance(body_, p, at);
-    for (uint32_t i = 0; i < count; ++i) {
-        const uint32_t k = order_[i];
-        const NearPart& part = parts_[k];
-        if (is_behind(k, off, found)) continue;
-        if (found.wall_count == Neighbour::most_walls) {
-            reach = std::max(0.0, std::min(reach, nearest_in_step(k, at) - off));
-            continue;
+    for (NearPart part; found.wall_count < Neighbour::most_walls && parts_.take_nearest(part);) {
+        // Coplanar triangles share a wall: half of the clearance, or of the radius and it, is room for their
+        // rounding. What moves in another way will not stay behind.
+        const double height = dot(part.normal, part.closest) + (off - body_.radius[p]) / 2;
+        parts_.leave_out_behind(part.normal, height, part.tag);
+        if (part.tag != Wall::unmoved) {
+            // From the end of the step back to the time of the ride.
+            const Ride& ride = body_.cloth_contacts.movers[part.tag].from_end;
+            part.closest = origin + ride.apply(part.closest - origin);
+            part.normal = ride.rotation * part.normal;
         }
         Wall& wall = found.walls[found.wall_count++];
         wall.normal = part.normal;
-        wall.offset = dot(part.normal, part.closest - body_.cloth.origin) + off;
-        wall.model = models_[k];
-        wall.mover = movers_[k];
+        wall.offset = dot(part.normal, part.closest - origin) + off;
+        wall.model = part.model;
+        wall.mover = part.tag;
     }
+    if (found.wall_count < Neighbour::most_walls) return;
+    parts_.for_each_left([&](uint32_t mover, double distance) {
+        reach = std::max(0.0, std::min(reach, nearest_in_step(mover, distance, at) - off));
+    });
 }
 
-/// How near the part comes to the place until the end of the step, at least.
-double Lookout::nearest_in_step(uint32_t part, Vec3 at) const {
-    const double away = parts_[part].signed_distance;
-    if (movers_[part] == Wall::unmoved) return away;
-    const Mover& mover = body_.cloth_contacts.movers[movers_[part]];
-    return away - mover.travel(at) - (mover.turn + mover.bulge) * std::fabs(away);
-}
-
-bool Lookout::is_behind(uint32_t k, double off, const Neighbour& found) const {
-    const NearPart& part = parts_[k];
-    if (!part.is_triangle) return false;
-    for (uint32_t i = 0; i < found.wall_count; ++i) {
-        const Wall& wall = found.walls[i];
-        if (wall.mover != movers_[k]) continue;  // it will not stay behind
-        // Coplanar triangles share a wall: half of the clearance, or of the radius and it, is room
-        // for their rounding.
-        const double height = wall.offset - off + (off - body_.radius[found.particle]) / 2;
-        const auto below = [&](Vec3 corner) { return dot(wall.normal, corner - body_.cloth.origin) <= height; };
-        if (below(part.triangle.a) && below(part.triangle.b) && below(part.triangle.c)) return true;
-    }
-    return false;
+/// How near a part so far away now comes to the place until the end of the step, at least.
+double Lookout::nearest_in_step(uint32_t mover, double distance, Vec3 at) const {
+    if (mover == Wall::unmoved) return distance;
+    const Mover& moving = body_.cloth_contacts.movers[mover];
+    return distance - moving.travel(at) - (moving.turn + moving.bulge) * std::fabs(distance);
 }
 
 }  // namespace gphys

@@ -1,0 +1,161 @@
+#include "mesh/near_kernels.h"
+
+#include "foundation/simd.h"
+#include "mesh/triangle_test.h"
+#include "octree/box8_tests.h"
+
+namespace gphys::GPHYS_ISA {
+
+namespace {
+
+// Corners are taken relative to the point and divided by the packet's extent, a bound E of the sum of their
+// coordinates' magnitudes. That takes three roundings of 2^-24 of E, a product with a vector of length 1 three more
+// and one of the vector itself: 7 * 2^-24. The extent has room for its own roundings.
+constexpr float height_error = 0x1p-20f;
+// A vector that was made to have length 1 is longer by at most 5 * 2^-24.
+constexpr float shortened = 1 - 0x1p-20f;
+// What is smaller, in parts of the extent, is nothing: a division by it, or by its square, is not a large number.
+constexpr float tiny = 1e-30f;
+
+struct Vector8 {
+    Float8 x, y, z;
+};
+Vector8 operator-(const Vector8& a, const Vector8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vector8 operator+(const Vector8& a, const Vector8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vector8 operator*(const Vector8& a, Float8 s) { return {a.x * s, a.y * s, a.z * s}; }
+Float8 dot(const Vector8& a, const Vector8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vector8 cross(const Vector8& a, const Vector8& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Vector8 choose(Mask8 mask, const Vector8& a, const Vector8& b) {
+    return {choose(mask, a.x, b.x), choose(mask, a.y, b.y), choose(mask, a.z, b.z)};
+}
+
+struct Corners {
+    Vector8 a, b, c;
+
+    /// Relative to the point, times `scale`.
+    Corners(const TrianglePacket& packet, const NearProbe& probe, float scale)
+        : a(corner(packet, probe, scale, 0)), b(corner(packet, probe, scale, 1)), c(corner(packet, probe, scale, 2)) {}
+
+private:
+    static Vector8 corner(const TrianglePacket& packet, const NearProbe& probe, float scale, int k) {
+        const auto relative = [&](int axis) {
+            return (load(packet.corner[k][axis]) - splat(probe.base[axis]) - splat(probe.offset[axis])) * splat(scale);
+        };
+        return {relative(0), relative(1), relative(2)};
+    }
+};
+
+/// The point of an edge that is nearest to the origin, and its squared distance.
+Vector8 nearest_on_edge(const Vector8& from, const Vector8& along, Float8& squared) {
+    const Float8 t = (splat(0) - dot(from, along)) / max(dot(along, along), splat(tiny));
+    const Vector8 nearest = from + along * min(max(t, splat(0)), splat(1));
+    squared = dot(nearest, nearest);
+    return nearest;
+}
+
+/// Whatever was found for the nearest point q, up to rounding, and however thin the triangle is: it is beyond the
+/// plane across q through the corner that comes nearest along q.
+Float8 distance_at_least(const Corners& t) {
+    const Vector8 ab = t.b - t.a, ac = t.c - t.a;
+    Float8 squared, other;
+    Vector8 nearest = nearest_on_edge(t.a, ab, squared);
+    const auto take_nearer = [&](const Vector8& candidate) {
+        nearest = choose(other <= squared, candidate, nearest);
+        squared = min(other, squared);
+    };
+    take_nearer(nearest_on_edge(t.a, ac, other));
+    take_nearer(nearest_on_edge(t.b, t.c - t.b, other));
+    // Within the face, if the origin is above it: seen along the normal it is then on the same side of all edges.
+    const Vector8 normal = cross(ab, ac);
+    const Float8 square = dot(normal, normal);
+    const Float8 inside =
+        min(min(dot(normal, cross(t.a, t.b)), dot(normal, cross(t.b, t.c))), dot(normal, cross(t.c, t.a)));
+    const Vector8 foot = normal * (dot(normal, t.a) / max(square, splat(tiny)));
+    nearest = choose((splat(0) <= inside) & (splat(tiny) <= square), foot, nearest);
+    const Float8 along = min(min(dot(nearest, t.a), dot(nearest, t.b)), dot(nearest, t.c));
+    return along / sqrt(max(dot(nearest, nearest), splat(tiny))) * splat(shortened) - splat(height_error);
+}
+
+/// Of eight boxes.
+Float8 extents(const Box8& boxes, const NearProbe& probe) {
+    Float8 sum = splat(0);
+    for (int k = 0; k < 3; ++k) {
+        const Float8 base = splat(probe.base[k]);
+        sum =
+            sum + max(abs(load(boxes.row[k]) - base), abs(load(boxes.row[3 + k]) - base)) + abs(splat(probe.offset[k]));
+    }
+    return max(sum * splat(1 + 0x1p-20f), splat(tiny));
+}
+
+void drop_lanes(NearPacket& packet, uint32_t lanes) {
+    for (; lanes != 0; lanes &= lanes - 1) packet.distance[__builtin_ctz(lanes)] = __builtin_inff();
+}
+
+uint32_t find(const Box8* boxes, const TrianglePacket* const* packets, uint32_t count, const NearProbe& probe,
+              NearPacket* out) {
+    const BoxTest test(probe.box);
+    uint32_t found = 0;
+    for (uint32_t first = 0; first < count; first += 8) {
+        uint32_t hits = test.hits(boxes[first / 8]);
+        if (count - first < 8) hits &= (1u << (count - first)) - 1;
+        if (hits == 0) continue;
+        float extent[8];
+        store(extent, extents(boxes[first / 8], probe));
+        for (; hits != 0; hits &= hits - 1) {
+            const uint32_t i = static_cast<uint32_t>(__builtin_ctz(hits));
+            const TrianglePacket& packet = *packets[first + i];
+            const Float8 distance =
+                max(distance_at_least(Corners(packet, probe, 1 / extent[i])), splat(0)) * splat(extent[i] * shortened);
+            const uint32_t lanes = bits(distance <= splat(probe.radius)) & used_lanes(packet);
+            if (lanes == 0) continue;
+            NearPacket& near = out[found++];
+            near.packet = &packet;
+            near.error = extent[i] * height_error;
+            store(near.distance, distance);
+            drop_lanes(near, ~lanes & 0xff);
+        }
+    }
+    return found;
+}
+
+bool leave_out(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
+               uint32_t* open) {
+    const Vector8 normal{splat(plane.normal[0]), splat(plane.normal[1]), splat(plane.normal[2])};
+    bool any = false;
+    for (uint32_t k = 0; k < count; ++k) {
+        NearPacket& near = packets[k];
+        const Corners t(*near.packet, probe, 1);
+        const Float8 height = max(max(dot(normal, t.a), dot(normal, t.b)), dot(normal, t.c));
+        const Float8 distance = load(near.distance);
+        const uint32_t there = bits(distance <= splat(probe.radius));
+        const uint32_t behind = there & bits(height <= splat(plane.lowest - near.error));
+        open[k] = there & ~behind & bits(height <= splat(plane.highest + near.error));
+        any = any || open[k] != 0;
+        drop_lanes(near, behind);
+    }
+    return any;
+}
+
+float nearest(const NearPacket* packets, uint32_t count, uint32_t& place) {
+    Float8 least = splat(__builtin_inff());
+    for (uint32_t k = 0; k < count; ++k) least = min(least, load(packets[k].distance));
+    float lanes[8];
+    store(lanes, least);
+    float best = lanes[0];
+    for (const float lane : lanes) best = lane < best ? lane : best;
+    for (uint32_t k = 0; k < count; ++k) {
+        const uint32_t equal = bits(load(packets[k].distance) <= splat(best));
+        if (equal == 0) continue;
+        place = 8 * k + static_cast<uint32_t>(__builtin_ctz(equal));
+        break;
+    }
+    return best;
+}
+
+}  // namespace
+
+const NearKernels near_kernels = {find, leave_out, nearest};
+
+}  // namespace gphys::GPHYS_ISA

@@ -1,0 +1,32 @@
+// Which triangles of some packets are near a point, and which are behind a plane: eight at once, in float
+// arithmetic that errs on the side of what is asked for.
+#pragma once
+
+#include "foundation/isa.h"
+#include "mesh/near_probe.h"
+#include "mesh/triangle_packet.h"
+
+namespace gphys {
+
+/// A packet with triangles near the point.
+struct NearPacket {
+    const TrianglePacket* packet;
+    float error;        // of the heights of its corners above a plane through the point
+    float distance[8];  // of each triangle, at least; infinity for those that are left out
+};
+
+struct NearKernels {
+    /// Packets in `boxes`, eight in each, of which triangles may touch the ball; returns how many there are in `out`.
+    uint32_t (*find)(const Box8* boxes, const TrianglePacket* const* packets, uint32_t count, const NearProbe& probe,
+                     NearPacket* out);
+    /// Leaves out the triangles that are certainly behind the plane. Bit i of open[k] is set if triangle i of
+    /// packet k may be; returns whether there are any such.
+    bool (*leave_out)(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
+                      uint32_t* open);
+    /// The least of all distances, and where it is: 8 * packet + triangle. Infinity if all are left out.
+    float (*nearest)(const NearPacket* packets, uint32_t count, uint32_t& place);
+};
+
+GPHYS_DECLARE_KERNELS(NearKernels, near_kernels)
+
+}  // namespace gphys

@@ -1,0 +1,26 @@
+// A ball and a half-space in a mesh's coordinates, prepared in float arithmetic, so that kernels can test the
+// triangles of a packet together (near_kernels.cpp). The derivations are there.
+#pragma once
+
+#include "octree/box8.h"
+
+namespace gphys {
+
+struct NearProbe {
+    NearProbe() = default;
+    NearProbe(Vec3 center, double ball_radius);
+
+    float base[3], offset[3];  // the centre is their sum
+    float radius;              // at least
+    Box box;                   // holds the ball
+};
+
+/// What is no further than `height` along a unit vector from the centre of a ball.
+struct HalfSpaceProbe {
+    HalfSpaceProbe(Vec3 unit, double height);
+
+    float normal[3];
+    float lowest, highest;  // the height is between them
+};
+
+}  // namespace gphys
