@@ -290,7 +290,7 @@ void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double 
         const size_t i = 4 * size_t{p};
         body.held[p] = 0;
         const Vec3 at = body.position[p];
-        collider.slide(body, p, body.start[p], at - body.start[p], quiet_speed(gravity, h));
+        collider.slide(body, p, body.start[p], at - body.start[p], around.begin, quiet_speed(gravity, h));
         if (body.held[p]) {
             put(&cloth.at[i], body.position[p] - cloth.origin);
             put(&cloth.velocity[i], body.velocity[p]);

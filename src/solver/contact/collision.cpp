@@ -6,15 +6,6 @@ namespace {
 // A particle slides along this many models in one substep; in a corner it meets three.
 constexpr int most_contacts = 6;
 
-Box path_box(const Sphere& moving, Vec3 displacement) {
-    const Vec3 r{moving.radius, moving.radius, moving.radius}, end = moving.center + displacement;
-    return bounds(Aabb{min(moving.center, end) - r, max(moving.center, end) + r});
-}
-
-void keep_first(gphys_model_id model, const Hit& hit, Impact& first, const Impact& candidate) {
-    if (hit.t < first.t || (hit.t == first.t && model < first.model)) first = candidate;
-}
-
 }  // namespace
 
 bool touch(const Box& a, const Box& b) {
@@ -24,35 +15,13 @@ bool touch(const Box& a, const Box& b) {
     return true;
 }
 
-bool has_moved(const Surroundings& around, gphys_model_id model) {
-    return std::binary_search(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
-}
-
-Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {
-    const double rest = 1 - fraction;
-    const Quat a = widen(from.rotation), b = widen(to.rotation);
-    const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0 ? -1 : 1;
-    const Quat q{a.x * rest + sign * b.x * fraction, a.y * rest + sign * b.y * fraction,
-                 a.z * rest + sign * b.z * fraction, a.w * rest + sign * b.w * fraction};
-    return {widen(from.position) * rest + widen(to.position) * fraction, rotation_matrix(q),
-            from.scale * rest + to.scale * fraction};
-}
-
-bool way_of(const Scene& scene, const PlacedModel& before, Box& out) {
-    Box now;
-    if (!scene.bounds(before.model, now)) return false;
-    // No part of it was further from its place than now, but by its scale.
-    const gphys_transform& after = scene.world(before.model);
-    const Vec3 at = widen(after.position), was = widen(before.world.position);
-    double reach = 0;
-    for (int k = 0; k < 3; ++k) reach += std::max(now.max[k] - at[k], at[k] - now.min[k]);
-    reach *= std::max(1.0, static_cast<double>(before.world.scale) / after.scale);
-    const Vec3 room{reach, reach, reach};
-    out = bounds(Aabb{min(at, was) - room, max(at, was) + room});
-    return true;
-}
-
-Collider::Collider(const Surroundings& around, const Body& body, const Box& box) : around_(around), body_(body) {
+Collider::Collider(const Surroundings& around, const Body& body, const Box& paths) : around_(around), body_(body) {
+    Box box = paths;
+    list_moving(box);
+    if (moving_count_ > 0) {
+        box = way_of_struck(paths);
+        list_moving(box);
+    }
     around.scene->for_each_in_box(box, body.settings.layers, [&](gphys_model_id model) {
         if (has_moved(around_, model)) return;
         if (count_ == most_listed) {
@@ -64,51 +33,13 @@ Collider::Collider(const Surroundings& around, const Body& body, const Box& box)
         near.bounded = around.scene->bounds(model, near.box);
         near.is_flat = near.flat.prepare(*around.scene, model);
     });
-    list_moving(box);
-}
-
-void Collider::list_moving(const Box& box) {
-    for (uint32_t i = 0; i < around_.moved->size(); ++i) {
-        const PlacedModel& before = (*around_.moved)[i];
-        Box way;
-        if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
-        if (way_of(*around_.scene, before, way) && !touch(way, box)) continue;
-        if (moving_count_ < most_listed) moving_[moving_count_] = i;
-        ++moving_count_;
-    }
 }
 
 void Collider::meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const {
     Hit hit;
     if (!around_.scene->sweep_model(model, moving, displacement, hit)) return;
-    keep_first(model, hit, first,
-               {hit.t, model, (hit.flags & GPHYS_HIT_INSIDE) != 0, false, moving.center + displacement * hit.t,
-                hit.point, hit.normal, Vec3{}});
-}
-
-/// As seen from the model, which moves during the substep as well: both ends of the path are taken
-/// into its coordinates, each at its own time, and from there to where the scene has the model now.
-void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, bool at_the_end,
-                          Impact& first) const {
-    const gphys_transform& after = around_.scene->world(before.model);
-    const Transform now = widen(after);
-    const Transform at_begin = interpolate(before.world, after, around_.begin);
-    const Transform at_end = interpolate(before.world, after, around_.end);
-    const Transform& at_start = at_the_end ? at_end : at_begin;
-    const Vec3 from = now.apply(at_start.inverse_apply(moving.center));
-    const Vec3 to = now.apply(at_end.inverse_apply(moving.center + displacement));
-    const Sphere seen{from, moving.radius};
-    Box box;
-    if (around_.scene->bounds(before.model, box) && !touch(box, path_box(seen, to - from))) return;
-    Hit hit;
-    if (!around_.scene->sweep_model(before.model, seen, to - from, hit)) return;
-    const auto placed = [&](Vec3 p) { return at_end.apply(now.inverse_apply(p)); };
-    const Vec3 point = placed(hit.point);
-    const double time = around_.step_time * (around_.end - around_.begin);
-    keep_first(before.model, hit, first,
-               {hit.t, before.model, (hit.flags & GPHYS_HIT_INSIDE) != 0, true, placed(from + (to - from) * hit.t),
-                point, at_end.rotation * transpose_times(now.rotation, hit.normal),
-                (point - at_begin.apply(at_end.inverse_apply(point))) / time});
+    keep_first(first, {hit.t, model, (hit.flags & GPHYS_HIT_INSIDE) != 0, false, 0,
+                       moving.center + displacement * hit.t, hit.point, hit.normal, Vec3{}});
 }
 
 void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const {
@@ -117,9 +48,8 @@ void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displace
         const Verdict verdict = near.flat.sweep(moving, displacement, hit);
         if (verdict == Verdict::no) return;
         if (verdict == Verdict::yes) {
-            keep_first(
-                near.model, hit, first,
-                {hit.t, near.model, false, false, moving.center + displacement * hit.t, hit.point, hit.normal, Vec3{}});
+            keep_first(first, {hit.t, near.model, false, false, 0, moving.center + displacement * hit.t, hit.point,
+                               hit.normal, Vec3{}});
             return;
         }
     } else if (near.bounded && !touch(near.box, path_box(moving, displacement))) {
@@ -141,38 +71,16 @@ void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, Im
     }
 }
 
-void Collider::meet_moving(const Sphere& moving, Vec3 displacement, bool at_the_end, Impact& first) const {
-    if (moving_count_ > most_listed) {
-        for (const PlacedModel& before : *around_.moved) {
-            if (around_.scene->layers(before.model) & body_.settings.layers) {
-                meet_moved(before, moving, displacement, at_the_end, first);
-            }
-        }
-        return;
-    }
-    for (uint32_t i = 0; i < moving_count_; ++i) {
-        meet_moved((*around_.moved)[moving_[i]], moving, displacement, at_the_end, first);
-    }
-}
-
-bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first, bool at_the_end) const {
+bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, double time, Impact& first) const {
     sweep_unmoved(particle, from, displacement, first);
-    meet_moving({from, body_.radius[particle]}, displacement, at_the_end, first);
+    meet_moving({from, body_.radius[particle]}, displacement, time, first);
     return first.model != 0;
-}
-
-Vec3 Collider::carried(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
-    const Vec3 way = impact.carried + impact.normal * skin(body.radius[particle], at) - at;
-    Impact stopped;
-    sweep_unmoved(particle, at, way, stopped);
-    return at + way * (stopped.model != 0 ? stop_short(body, particle, at, way, stopped) : 1);
 }
 
 Vec3 Collider::pushed_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
     // The scene has models that move where they stand at the end of the step.
-    const gphys_transform& after = around_.scene->world(impact.model);
-    const auto before = std::lower_bound(around_.moved->begin(), around_.moved->end(), PlacedModel{impact.model, {}});
-    const Transform now = widen(after), then = interpolate(impact.moves ? before->world : after, after, around_.end);
+    const Transform now = widen(around_.scene->world(impact.model));
+    const Transform then = impact.moves ? place_of(impact.model, impact.time) : now;
     const Vec3 seen = impact.moves ? now.apply(then.inverse_apply(at)) : at;
     Vec3 point, normal;
     double distance = 0;
@@ -236,7 +144,8 @@ void Collider::note(Body& body, uint32_t particle, gphys_model_id model, Vec3 po
 }
 
 void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
-    note(body, particle, impact.model, impact.point, impact.normal);
+    const Impact there = impact.moves ? carried(impact) : impact;
+    note(body, particle, impact.model, there.point, there.normal);
 }
 
 Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, double friction) {
@@ -293,7 +202,8 @@ void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, doubl
     Vec3& velocity = body.velocity[particle];
     const Vec3 before = velocity;
     velocity = after_impact(velocity, impact, restitution, friction);
-    give(body, around_, impact.model, impact.carried - impact.normal * body.radius[particle],
+    const Impact there = impact.moves ? carried(impact) : impact;
+    give(body, around_, impact.model, there.center - there.normal * body.radius[particle],
          (before - velocity) * body.mass[particle]);
 }
 
@@ -332,33 +242,35 @@ void Collider::press(Body& body, uint32_t first, uint32_t count, uint32_t obstac
     give(body, around_, near.model, middle / mass, velocity * mass);
 }
 
-void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet) const {
+void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet) const {
     Impact impact;
-    if (sweep(particle, from, displacement, impact)) {
+    if (sweep(particle, from, displacement, time, impact)) {
         record(body, particle, impact);
-        slide(body, particle, from, displacement, quiet, impact);
+        slide(body, particle, from, displacement, time, quiet, impact);
     } else {
         body.position[particle] = from + displacement;
     }
 }
 
-void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet, Impact impact) const {
+void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet,
+                     Impact impact) const {
     Vec3 at = from;
     const Vec3& velocity = body.velocity[particle];
-    bool at_the_end = false;
     for (int contact = 1;; ++contact) {
         if (impact.inside) {
             at = pushed_out(body, particle, at, impact);
-        } else if (impact.moves && !at_the_end) {
+        } else if (impact.moves && time < around_.end) {
             // Along with the model to the end of the substep; what is left is motion beside it.
-            const Vec3 hit = at + displacement * impact.t, then = carried(body, particle, hit, impact);
-            displacement = displacement * (1 - impact.t) - (then - hit);
-            at = then;
-            at_the_end = true;
+            const Vec3 hit = at + displacement * impact.t;
+            impact = carried(impact);
+            at = beside(body, particle, hit, impact);
+            displacement = displacement * (1 - impact.t) - (at - hit);
+            time = around_.end;
         } else {
             const double t = stop_short(body, particle, at, displacement, impact);
             at += displacement * t;
             displacement *= 1 - t;
+            time += (around_.end - time) * t;
         }
         const double approach = -dot(velocity - impact.surface_velocity, impact.normal);
         const bool was_stuck = body.settings.sticks() && body.stuck[particle];
@@ -370,12 +282,14 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
             const Vec3 along = displacement + impact.normal * into;
             const double way = length(along);
             const double hold = (stays ? body.settings.static_friction : body.settings.friction) * into;
-            if (way <= hold) break;
-            displacement = along * (1 - hold / way);
+            displacement = way <= hold ? Vec3{} : along * (1 - hold / way);
         }
-        if (contact == most_contacts) break;
+        if (contact > most_contacts) break;
+        if (contact == most_contacts) displacement = {};
+        // What stays where it is may still be met by what moves.
+        if (displacement == Vec3{} && (moving_count_ == 0 || time == around_.end)) break;
         impact = {};
-        if (!sweep(particle, at, displacement, impact, at_the_end)) {
+        if (!sweep(particle, at, displacement, time, impact)) {
             at += displacement;
             break;
         }
@@ -404,7 +318,7 @@ void Collider::shift(Body& body, uint32_t particle, Vec3 way) const {
     }
     Vec3& at = body.position[particle];
     Impact impact;
-    const bool free = !sweep(particle, at, way, impact);
+    const bool free = !sweep(particle, at, way, around_.end, impact);
     if (!impact.inside) at += free ? way : way * stop_short(body, particle, at, way, impact);
 }
 
@@ -471,7 +385,8 @@ void collide(Body& body, const Surroundings& around, double quiet) {
     std::fill(body.held.begin(), body.held.end(), uint8_t{0});
     body.solved = body.position;
     for (uint32_t p = 0; p < body.size(); ++p) {
-        if (!body.pinned(p)) collider.slide(body, p, body.start[p], body.position[p] - body.start[p], quiet);
+        if (!body.pinned(p))
+            collider.slide(body, p, body.start[p], body.position[p] - body.start[p], around.begin, quiet);
     }
 }
 
@@ -489,7 +404,7 @@ void collide_again(Body& body, const Surroundings& around, double quiet, const S
         if (body.pinned(p) || body.held[p]) continue;
         const Vec3 way = body.position[p] - body.start[p];
         body.velocity[p] += way * again.rate;
-        collider.slide(body, p, body.start[p], way, quiet);
+        collider.slide(body, p, body.start[p], way, around.end, quiet);
     }
 }
 

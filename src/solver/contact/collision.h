@@ -42,22 +42,35 @@ inline double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * ma
 /// coordinates, of which a hundredth of a skin is 2^6 at least.
 inline double largest_gap(double skin) { return 1.01 * skin; }
 
+/// What a particle meets, as it is at that moment.
 struct Impact {
     double t = infinity;  // fraction of the path
     gphys_model_id model = 0;
     bool inside = false;    // touching or within at the start
     bool moves = false;     // the model does
-    Vec3 carried;           // where the centre is at the impact, if it then stays with the model to the end
+    double time = 0;        // fraction of the step, if it does
+    Vec3 center;            // of the particle
     Vec3 point;             // on the model
     Vec3 normal;            // unit, from the model to the particle
     Vec3 surface_velocity;  // m/s
 };
 
+/// The first of two; the lowest id of those at once.
+inline void keep_first(Impact& first, const Impact& other) {
+    if (other.t < first.t || (other.t == first.t && other.model < first.model)) first = other;
+}
+
+/// Around a sphere on its way.
+inline Box path_box(const Sphere& moving, Vec3 displacement) {
+    const Vec3 r{moving.radius, moving.radius, moving.radius}, end = moving.center + displacement;
+    return bounds(Aabb{min(moving.center, end) - r, max(moving.center, end) + r});
+}
+
 /// The models near one body during one substep.
 class Collider {
 public:
-    /// The box holds every path that will be asked for.
-    Collider(const Surroundings& around, const Body& body, const Box& box);
+    /// The box holds every path that will be asked for, but for those of what models strike that move.
+    Collider(const Surroundings& around, const Body& body, const Box& paths);
 
     /// Whether there is nothing at all.
     bool idle() const { return listed_ && count_ == 0 && moving_count_ == 0; }
@@ -66,9 +79,9 @@ public:
     template <class Visit>
     bool for_each_obstacle(double radius, const Aabb& region, Visit&& visit) const;
 
-    /// The first model that the particle would meet; the lowest id of those met at once. At the end of the
-    /// substep, models that move stand still.
-    bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, Impact& impact, bool at_the_end = false) const;
+    /// The first model that the particle would meet; the lowest id of those met at once. The particle sets out at a
+    /// time, a fraction of the step, and arrives at the end of the substep; models that move do so meanwhile.
+    bool sweep(uint32_t particle, Vec3 from, Vec3 displacement, double time, Impact& impact) const;
     /// Whether a particle at rest stays, held by friction on the obstacle that it lies on and the only one that it
     /// can reach: when that lets it go, it would go that way and have that velocity. If so that is recorded, and
     /// the model gets what it is pressed with.
@@ -77,10 +90,14 @@ public:
     void press(Body& body, uint32_t first, uint32_t count, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const;
     /// Take the particle from one place as far along as it can go, sliding along what it meets with
     /// friction, and change the velocity that it would arrive with accordingly. Speeds of approach
-    /// below `quiet` do not bounce. Records what was touched.
-    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet) const;
+    /// below `quiet` do not bounce. Records what was touched. The time is that of the sweep.
+    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet) const;
     /// The same of a particle whose first impact on that path is known, and recorded.
-    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double quiet, Impact impact) const;
+    void slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet,
+               Impact impact) const;
+    /// Beside a model that moves, where the particle has met it: a skin away, unless something that does not move
+    /// is in the way from where it is.
+    Vec3 beside(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
     /// Out of a model that the particle is in.
     Vec3 pushed_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
     /// As far along the path as leaves the skin to what it ends at.
@@ -103,16 +120,20 @@ private:
 
     void note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const;
     void list_moving(const Box& box);
+    /// visit(model's former place), of those near, or if they are too many of all.
+    template <class Visit>
+    void for_each_moving(Visit&& visit) const;
+    Box way_of_struck(const Box& paths) const;
     void meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
     void meet_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
-    void meet_moving(const Sphere& moving, Vec3 displacement, bool at_the_end, Impact& first) const;
-    void meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, bool at_the_end,
+    void meet_moving(const Sphere& moving, Vec3 displacement, double time, Impact& first) const;
+    void meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
                     Impact& first) const;
     /// Of models that have not moved.
     void sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first) const;
-    /// Where a particle that has met a moving model is at the end of the substep, unless something that does
-    /// not move is in the way.
-    Vec3 carried(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
+    Transform place_of(gphys_model_id moved, double time) const;
+    /// As it is at the end of the substep if the particle stays with the model.
+    Impact carried(const Impact& impact) const;
 
     const Surroundings& around_;
     const Body& body_;

@@ -373,8 +373,9 @@ void push_arrived(const Particle* first, const Particle* end, Body& body, const 
     if (longest > 0 && collides(body, around)) {
         const Collider collider(around, body, swept_box(body, body.position, body.position, std::sqrt(longest)));
         if (!collider.idle()) {
-            each_moved(first, end,
-                       [&](uint32_t p, Vec3 way) { collider.slide(body, p, body.position[p], way, quiet); });
+            each_moved(first, end, [&](uint32_t p, Vec3 way) {
+                collider.slide(body, p, body.position[p], way, around.end, quiet);
+            });
             return;
         }
     }

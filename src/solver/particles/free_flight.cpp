@@ -87,10 +87,13 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
     const double quiet = length(flight.acceleration) * 2 * h_;
     double left = h_;
     FlightTime ahead = whole_;
+    // Paths are straight and passed evenly as far as models that move are concerned, or there would be gaps
+    // between them: this is their clock.
+    double time = around_.begin;
     for (int bounce = 0;; ++bounce) {
         const Vec3 displacement = flight.displacement(velocity, ahead);
         Impact impact;
-        if (!collider.sweep(p, at, displacement, impact)) {
+        if (!collider.sweep(p, at, displacement, time, impact)) {
             at += displacement;
             velocity = flight.velocity(velocity, ahead);
             return;
@@ -98,18 +101,22 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
         collider.record(body_, p, impact);
         if (impact.inside || bounce == most_bounces) {
             velocity = flight.velocity(velocity, ahead);
-            collider.slide(body_, p, at, displacement, quiet, impact);
+            collider.slide(body_, p, at, displacement, time, quiet, impact);
             return;
         }
         const Vec3 towards = -impact.normal;
-        const double t = collider.stop_short(body_, p, at, displacement, impact);
+        const double t = impact.moves ? impact.t : collider.stop_short(body_, p, at, displacement, impact);
         if (t > 0) {  // otherwise within the skin already: it has arrived
-            const double s = flight.time_to(velocity, towards, dot(displacement, towards) * impact.t, left);
+            const double s = impact.moves
+                                 ? left * t
+                                 : flight.time_to(velocity, towards, dot(displacement, towards) * impact.t, left);
             at += displacement * t;
             velocity = flight.velocity(velocity, FlightTime(damping, s));
             left -= s;
             ahead = FlightTime(damping, left);
+            time += (around_.end - time) * t;
         }
+        if (impact.moves) at = collider.beside(body_, p, at, impact);
         // A bounce that is over within two substeps is none: the particle has come to rest.
         const double approach = dot(velocity - impact.surface_velocity, towards);
         const double pressing = dot(flight.acceleration, towards) * h_;
@@ -117,13 +124,13 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
         const Vec3 arrival = velocity;
         collider.bounce(body_, p, impact, bounces ? restitution : 0);
         if (bounces) continue;
-        const bool unchanged = t <= 0 && velocity == arrival;
+        const bool unchanged = t <= 0 && !impact.moves && velocity == arrival;
         const Vec3 rest = flight.displacement(velocity, ahead);
         velocity = flight.velocity(velocity, ahead);
         if (unchanged) {
-            collider.slide(body_, p, at, rest, quiet, impact);
+            collider.slide(body_, p, at, rest, time, quiet, impact);
         } else {
-            collider.slide(body_, p, at, rest, quiet);
+            collider.slide(body_, p, at, rest, time, quiet);
         }
         return;
     }

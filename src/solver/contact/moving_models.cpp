@@ -1,0 +1,186 @@
+// Models that move during a step, as particles meet them.
+//
+// A particle's path and a model's motion have one clock, so that a path that begins where another ended begins when
+// that ended as well: as seen from the model there are no gaps between them, and nothing gets past it.
+#include "solver/contact/collision.h"
+
+namespace gphys {
+
+bool has_moved(const Surroundings& around, gphys_model_id model) {
+    return std::binary_search(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
+}
+
+Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {
+    const double rest = 1 - fraction;
+    const Quat a = widen(from.rotation), b = widen(to.rotation);
+    const double sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0 ? -1 : 1;
+    const Quat q{a.x * rest + sign * b.x * fraction, a.y * rest + sign * b.y * fraction,
+                 a.z * rest + sign * b.z * fraction, a.w * rest + sign * b.w * fraction};
+    return {widen(from.position) * rest + widen(to.position) * fraction, rotation_matrix(q),
+            from.scale * rest + to.scale * fraction};
+}
+
+bool way_of(const Scene& scene, const PlacedModel& before, Box& out) {
+    Box now;
+    if (!scene.bounds(before.model, now)) return false;
+    // No part of it was further from its place than now, but by its scale.
+    const gphys_transform& after = scene.world(before.model);
+    const Vec3 at = widen(after.position), was = widen(before.world.position);
+    double reach = 0;
+    for (int k = 0; k < 3; ++k) reach += std::max(now.max[k] - at[k], at[k] - now.min[k]);
+    reach *= std::max(1.0, static_cast<double>(before.world.scale) / after.scale);
+    const Vec3 room{reach, reach, reach};
+    out = bounds(Aabb{min(at, was) - room, max(at, was) + room});
+    return true;
+}
+
+template <class Visit>
+void Collider::for_each_moving(Visit&& visit) const {
+    if (moving_count_ <= most_listed) {
+        for (uint32_t i = 0; i < moving_count_; ++i) visit((*around_.moved)[moving_[i]]);
+        return;
+    }
+    for (const PlacedModel& before : *around_.moved) {
+        if (around_.scene->layers(before.model) & body_.settings.layers) visit(before);
+    }
+}
+
+/// What a model strikes is carried as far as that moves, and as far again if it bounces.
+Box Collider::way_of_struck(const Box& paths) const {
+    const Aabb all = widen(paths);
+    double furthest = 0;
+    for_each_moving([&](const PlacedModel& before) {
+        const gphys_transform& after = around_.scene->world(before.model);
+        const Transform begin = interpolate(before.world, after, around_.begin);
+        for (const double part : {0.5, 1.0}) {
+            const Transform then =
+                interpolate(before.world, after, around_.begin + (around_.end - around_.begin) * part);
+            for (int corner = 0; corner < 8; ++corner) {  // further than what is between them
+                const Vec3 at{corner & 1 ? all.min.x : all.max.x, corner & 2 ? all.min.y : all.max.y,
+                              corner & 4 ? all.min.z : all.max.z};
+                furthest = std::max(furthest, distance(at, then.apply(begin.inverse_apply(at))));
+            }
+        }
+    });
+    const Vec3 room = Vec3{1, 1, 1} * (2 * furthest);
+    return bounds(Aabb{all.min - room, all.max + room});
+}
+
+void Collider::list_moving(const Box& box) {
+    moving_count_ = 0;
+    for (uint32_t i = 0; i < around_.moved->size(); ++i) {
+        const PlacedModel& before = (*around_.moved)[i];
+        Box way;
+        if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
+        if (way_of(*around_.scene, before, way) && !touch(way, box)) continue;
+        if (moving_count_ < most_listed) moving_[moving_count_] = i;
+        ++moving_count_;
+    }
+}
+
+namespace {
+
+/// In how many parts a path is straight enough as seen from a model that turns or grows. There it is
+/// y = R^T (x - c) / s with a second derivative of at most
+/// (|x - c| (w^2 + w' + 2 w s' / s + 2 (s' / s)^2) + 2 |x' - c'| (w + s' / s)) / s,
+/// and of n parts none is further from its chord than that over 8 n^2. A fourth of the radius is little enough:
+/// what the center passes through, its sphere then meets on the chord.
+uint32_t parts_of_path(const Transform& begin, const Transform& end, Vec3 from, Vec3 displacement, double turn,
+                       double radius, double& bulge) {
+    constexpr uint32_t most = 64;  // of points, which have no radius
+    const Vec3 relative = displacement - (end.position - begin.position);
+    const double least = std::min(begin.scale, end.scale), growth = std::fabs(end.scale - begin.scale) / least;
+    const double away = length(from - begin.position) + length(relative);
+    const double tangent = std::tan(turn / 4), speed = 4 * tangent, change = 16 * tangent * tangent * tangent;
+    bulge = (away * (speed * speed + change + 2 * speed * growth + 2 * growth * growth) +
+             2 * length(relative) * (speed + growth)) /
+            (8 * least);
+    const double most_bulge = radius / (4 * std::max(begin.scale, end.scale));
+    if (bulge <= most_bulge) return 1;
+    return bulge < most * most * most_bulge ? static_cast<uint32_t>(std::sqrt(bulge / most_bulge)) + 1 : most;
+}
+
+/// Radians between two rotations.
+double angle_between(const Mat3& a, const Mat3& b) {
+    // |a.x - b.x|^2 + ... = 4 (1 - cos)
+    const double square = length_squared(a.x - b.x) + length_squared(a.y - b.y) + length_squared(a.z - b.z);
+    return std::acos(std::max(-1.0, 1 - square / 4));
+}
+
+}  // namespace
+
+Transform Collider::place_of(gphys_model_id moved, double time) const {
+    const auto before = std::lower_bound(around_.moved->begin(), around_.moved->end(), PlacedModel{moved, {}});
+    return interpolate(before->world, around_.scene->world(moved), time);
+}
+
+/// As seen from the model, which moves during the substep as well: the places of the path are taken into its
+/// coordinates, each at its own time, and from there to where the scene has the model now.
+void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
+                          Impact& first) const {
+    const gphys_transform& after = around_.scene->world(before.model);
+    const Transform now = widen(after);
+    const Transform at_begin = interpolate(before.world, after, time);
+    const Transform at_end = interpolate(before.world, after, around_.end);
+    const Vec3 last = now.apply(at_end.inverse_apply(moving.center + displacement));
+    Vec3 from = now.apply(at_begin.inverse_apply(moving.center));
+    double bulge = 0;
+    const uint32_t parts = parts_of_path(at_begin, at_end, moving.center, displacement,
+                                         angle_between(at_begin.rotation, at_end.rotation), moving.radius, bulge);
+    Box box;
+    const bool bounded = around_.scene->bounds(before.model, box);
+    const Sphere widest{from, moving.radius + bulge * now.scale};
+    if (bounded && !touch(box, path_box(widest, last - from))) return;
+    for (uint32_t i = 1; i <= parts; ++i) {
+        const double part = static_cast<double>(i) / parts;
+        const Transform then = interpolate(before.world, after, time + (around_.end - time) * part);
+        const Vec3 to = i == parts ? last : now.apply(then.inverse_apply(moving.center + displacement * part));
+        const Sphere seen{from, moving.radius};
+        const Vec3 way = to - from;
+        Hit hit;
+        if ((!bounded || touch(box, path_box(seen, way))) && around_.scene->sweep_model(before.model, seen, way, hit)) {
+            hit.t = (i - 1 + hit.t) / parts;
+            const double when = time + (around_.end - time) * hit.t;
+            const Transform there = interpolate(before.world, after, when);
+            const auto placed = [&](Vec3 p) { return there.apply(now.inverse_apply(p)); };
+            const Vec3 on_model = now.inverse_apply(hit.point);
+            const Vec3 gone = at_end.apply(on_model) - interpolate(before.world, after, around_.begin).apply(on_model);
+            const double seconds = around_.step_time * (around_.end - around_.begin);
+            keep_first(first, {hit.t, before.model, i == 1 && (hit.flags & GPHYS_HIT_INSIDE) != 0, true, when,
+                               placed(from + way * (hit.t * parts - (i - 1))), placed(hit.point),
+                               there.rotation * transpose_times(now.rotation, hit.normal), gone / seconds});
+            return;
+        }
+        from = to;
+    }
+}
+
+Impact Collider::carried(const Impact& impact) const {
+    const Transform then = place_of(impact.model, impact.time), end = place_of(impact.model, around_.end);
+    Impact carried = impact;
+    carried.time = around_.end;
+    carried.center = end.apply(then.inverse_apply(impact.center));
+    carried.point = end.apply(then.inverse_apply(impact.point));
+    carried.normal = end.rotation * transpose_times(then.rotation, impact.normal);
+    return carried;
+}
+
+void Collider::meet_moving(const Sphere& moving, Vec3 displacement, double time, Impact& first) const {
+    for_each_moving([&](const PlacedModel& before) { meet_moved(before, moving, displacement, time, first); });
+}
+
+Vec3 Collider::beside(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
+    Vec3 way = impact.center + impact.normal * skin(body.radius[particle], at) - at;
+    for (int contact = 0; contact < 3; ++contact) {  // as many as make a corner
+        Impact stopped;
+        sweep_unmoved(particle, at, way, stopped);
+        if (stopped.model == 0) return at + way;
+        const double t = stopped.inside ? 0 : stop_short(body, particle, at, way, stopped);
+        at += way * t;
+        way *= 1 - t;
+        way += stopped.normal * std::max(0.0, -dot(way, stopped.normal));
+    }
+    return at;
+}
+
+}  // namespace gphys
