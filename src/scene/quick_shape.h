@@ -146,24 +146,51 @@ inline QuickBox quick_shape(const Mesh* mesh, const gphys_transform& world) {
     return quick_box(center_and_half(low, high), world);
 }
 
-/// A component of a rotated half size takes 11 roundings of 2^-24 of what it is summed from, the unit
+/// Half the sum and half the difference of the faces of a stored box.
+struct FloatBox {
+    Float4 center, half;
+};
+inline FloatBox float_box(const gphys_aabb& box) {
+    const Float4 low = load4(box.min), high = load4(box.max);
+    return {(low + high) * 0.5f, (high - low) * 0.5f};
+}
+inline FloatBox float_box(const gphys_obb& box) { return {load4(box.center), load4(box.half_extents)}; }
+
+/// About the origin of its model, for which the position alone places it: told by its bits, as hosts may
+/// take subnormal numbers for zero.
+inline bool is_centered(const gphys_aabb& box) {
+    constexpr Mask4 signs{INT32_MIN, INT32_MIN, INT32_MIN, 0};
+    return !any(reinterpret_cast<Mask4>(load4(box.min)) ^ reinterpret_cast<Mask4>(load4(box.max)) ^ signs);
+}
+inline bool is_centered(const gphys_obb& box) { return !any(reinterpret_cast<Mask4>(load4(box.center))); }
+
+/// A component of a rotated half size takes 13 roundings of 2^-24 of what it is summed from, the unit
 /// six; this stands for 32.
 constexpr float reach_slack = 0x1p-19f;
 
 /// A float box that holds a stored one where it is.
 template <class Stored>
 Box quick_bounds(const Stored& stored, const gphys_transform& world) {
-    const CenterAndHalf box = center_and_half(stored);
     Float4 rotation = load4(world.rotation);
     if constexpr (std::is_same_v<Stored, gphys_obb>) {
         if (is_turned(stored.rotation)) rotation = narrow4(widen(world.rotation) * widen(stored.rotation));
     }
     const ScaledTurn turn(rotation);
-    const Float4 half = narrow4(box.half * world.scale);
+    const Float4 half = float_box(stored).half * world.scale;
     const Float4 reach4 = turn.reach(half) / turn.unit() + reach_slack * sum(half);
-    const double error = slack * box.magnitude(world);
-    const Vec3 center = quick_point(box.center, world), reach{reach4[0] + error, reach4[1] + error, reach4[2] + error};
-    const Float4 low = narrow4(center - reach), high = narrow4(center + reach);
+    Float4 low, high;
+    if (is_centered(stored)) {
+        const Float4 position = load4(world.position);
+        low = position - reach4;
+        high = position + reach4;
+    } else {
+        const CenterAndHalf box = center_and_half(stored);
+        const double error = slack * box.magnitude(world);
+        const Vec3 center = quick_point(box.center, world);
+        const Vec3 reach{reach4[0] + error, reach4[1] + error, reach4[2] + error};
+        low = narrow4(center - reach);
+        high = narrow4(center + reach);
+    }
     // Two more roundings, and what underflow may have taken.
     const Float4 below = abs(low) * 0x1p-23f + 0x1p-126f, above = abs(high) * 0x1p-23f + 0x1p-126f;
     Box result;
@@ -191,16 +218,6 @@ struct SplitPoint {
     Vec3 exact;
     Float4 head, rest;
 };
-
-/// Half the sum and half the difference of the faces of a stored box.
-struct FloatBox {
-    Float4 center, half;
-};
-inline FloatBox float_box(const gphys_aabb& box) {
-    const Float4 low = load4(box.min), high = load4(box.max);
-    return {(low + high) * 0.5f, (high - low) * 0.5f};
-}
-inline FloatBox float_box(const gphys_obb& box) { return {load4(box.center), load4(box.half_extents)}; }
 
 /// A stored box as a point sees it, in float32: on the axes of the world and then, times `unit`, on its
 /// own. Where the point and what places the box are floats, as they mostly are, their difference is

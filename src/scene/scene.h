@@ -19,6 +19,7 @@
 #include "foundation/pool.h"
 #include "foundation/results.h"
 #include "foundation/status.h"
+#include "foundation/strided.h"
 #include "foundation/workers.h"
 #include "intersect/intersect.h"
 #include "octree/octree.h"
@@ -204,6 +205,13 @@ private:
     /// What is wrong with a model that stands there; its box, but not of a plane.
     const char* place(uint32_t slot, const gphys_transform& world, Box& box) const;
     const char* place(uint32_t slot, const gphys_transform& world) const;
+    float farthest_point(uint32_t slot) const;
+    template <class PutOne>
+    void put_all(uint32_t count, bool on_any_thread, const PutOne& put_one) const;
+    /// What is wrong with one of the transforms: then none has moved.
+    const char* move_alone(const gphys_model_id* models, const Strided<gphys_transform>& local, uint32_t count);
+    const char* move_with_relatives(const gphys_model_id* models, const Strided<gphys_transform>& local,
+                                    uint32_t count);
     const char* carry(uint32_t top, uint32_t& moved);
     void carry_back(uint32_t top);
     template <class Put>
@@ -223,6 +231,7 @@ private:
     Octree octree_{&memory, chosen_isa(), &workers_};  // items are slots
     Vec3 origin_;                                      // in the world, of all coordinates
     Vector<WorldPlace> places_{&memory};               // by slot, of models without a parent; since set_origin
+    float farthest_point_ = 0;  // of all shapes that there were, from the origins of their models
     // That each model is in, a change of layers may leave some out; none if there is a model without
     // any point, an empty mesh.
     uint32_t common_layers_ = ~0u;

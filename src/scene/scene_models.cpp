@@ -97,6 +97,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         tags_[slot] = desc.tag;
         store_shape(slot, &shape[placed]);
         ++placed;
+        farthest_point_ = std::max(farthest_point_, farthest_point(slot));
         const char* wrong = place(slot, model.world, boxes[placed - 1]);
         if (wrong) {
             discard_all();
@@ -196,6 +197,7 @@ void Scene::clear() {
         ids_.remove(model);
     });
     families_.clear();
+    farthest_point_ = 0;
 }
 
 gphys_status Scene::set_layers(gphys_model_id model, uint32_t layers) {

@@ -1,7 +1,6 @@
 // Models move, and their descendants with them. New transforms are written in place, where children
 // find their parent's. Should a model end up where the scene cannot hold it, the old transforms are
 // put back and all worlds are derived from them again, which gives the old bits.
-#include "foundation/strided.h"
 #include "scene/scene.h"
 
 namespace gphys {
@@ -44,7 +43,7 @@ Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
     });
 }
 
-const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) const {
+[[gnu::noinline]] const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) const {
     const char* wrong = gphys::defect(world);
     if (wrong) return wrong;
     if (world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
@@ -58,23 +57,28 @@ const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) 
     return nullptr;
 }
 
-/// The same for a valid transform, without the box: no coordinate exceeds the sum of those that went
-/// into it, which nearly always is far within the range.
-const char* Scene::place(uint32_t slot, const gphys_transform& world) const {
-    const bool within = with_stored(slot, [&](const auto& stored) {
-        using Stored = std::decay_t<decltype(stored)>;
-        if constexpr (is_box<Stored>) {
+/// The same for a valid transform, without the box. Nearly always all is far within the range.
+inline const char* Scene::place(uint32_t slot, const gphys_transform& world) const {
+    const float farthest = sum(abs(load4(world.position)))[0] + farthest_point_ * world.scale;
+    if (farthest < max_box_coordinate / 2 && world.scale >= 1 / max_scale) return nullptr;
+    Box box;
+    return place(slot, world, box);
+}
+
+/// As the sum of its coordinates; 0 for a plane.
+float Scene::farthest_point(uint32_t slot) const {
+    return with_stored(slot, [&](const auto& stored) {
+        if constexpr (is_box<std::decay_t<decltype(stored)>>) {
             const FloatBox box = float_box(stored);
-            const Float4 sums = abs(load4(world.position)) + (abs(box.center) + box.half) * world.scale;
-            return sum(sums)[0] < max_box_coordinate / 2;
-        } else if constexpr (has_quick_shape<Stored>) {
-            return quick_shape(stored, world).magnitude < max_box_coordinate / 2;
+            return sum(abs(box.center) + box.half)[0];
         } else {
-            return false;
+            constexpr gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
+            const Box box = world_box(slot, identity);
+            float farthest = 0;
+            for (int k = 0; k < 3; ++k) farthest += std::max(std::fabs(box.min[k]), std::fabs(box.max[k]));
+            return models_[slot].type() == GPHYS_SHAPE_PLANE ? 0 : farthest;
         }
     });
-    Box box;
-    return within && world.scale >= 1 / max_scale ? nullptr : place(slot, world, box);
 }
 
 /// Derive the worlds from `top` down and count them. Stops at the first model that cannot stand
@@ -93,17 +97,49 @@ void Scene::carry_back(uint32_t top) {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) derive_world(slot);
 }
 
-/// A model without relatives moves alone: it is checked first, and cannot fail once written. The
-/// others are written first, each where its children find it, and put back if one fails.
 gphys_status Scene::set_transforms(const gphys_model_id* models, const gphys_transform* transforms,
                                    uint32_t transform_stride, uint32_t count) {
+    bool ascending = true;
     for (uint32_t i = 0; i < count; ++i) {
-        const gphys_status status = check(models[i]);
-        if (status != GPHYS_OK) return status;
+        if (!has(models[i])) return check(models[i]);
+        ascending = ascending && (i == 0 || IdTable::slot_of(models[i - 1]) < IdTable::slot_of(models[i]));
     }
-
-    // Backwards, so that of a model that stands twice the last transform is met first.
     const Strided<gphys_transform> local(transforms, transform_stride);
+    const bool alone = ascending && families_.size() == 0;
+    const char* wrong = alone ? move_alone(models, local, count) : move_with_relatives(models, local, count);
+    return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong) : GPHYS_OK;
+}
+
+/// put_one(i) for all models that move: by the workers if they are different items of the octree.
+template <class PutOne>
+void Scene::put_all(uint32_t count, bool on_any_thread, const PutOne& put_one) const {
+    workers_.run(on_any_thread ? count / models_per_task + 1 : 1, [&](uint32_t task) {
+        const uint32_t begin = on_any_thread ? task * models_per_task : 0;
+        const uint32_t end = on_any_thread ? std::min(begin + models_per_task, count) : count;
+        for (uint32_t i = begin; i < end; ++i) put_one(i);
+    });
+}
+
+/// No model stands twice or has relatives: once all are checked nothing can fail.
+const char* Scene::move_alone(const gphys_model_id* models, const Strided<gphys_transform>& local, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) {
+        if (const char* wrong = place(IdTable::slot_of(models[i]), local[i])) return wrong;
+    }
+    octree_.update_many(count, [&](const auto& put, bool on_any_thread) {
+        put_all(count, on_any_thread, [&](uint32_t i) {
+            const uint32_t slot = IdTable::slot_of(models[i]);
+            models_[slot].world = local[i];
+            if (models_[slot].type() != GPHYS_SHAPE_PLANE) put(slot, world_box(slot, local[i]));
+        });
+    });
+    return nullptr;
+}
+
+/// A model without relatives moves alone: it is checked first, and cannot fail once written. The
+/// others are written first, each where its children find it, and put back if one fails.
+const char* Scene::move_with_relatives(const gphys_model_id* models, const Strided<gphys_transform>& local,
+                                       uint32_t count) {
+    // Backwards, so that of a model that stands twice the last transform is met first.
     const char* wrong = nullptr;
     uint32_t moved = 0;
     bool with_relatives = false;
@@ -132,22 +168,15 @@ gphys_status Scene::set_transforms(const gphys_model_id* models, const gphys_tra
     }
     if (!wrong) {
         octree_.update_many(moved, [&](const auto& put, bool on_any_thread) {
-            const auto put_all = [&](uint32_t begin, uint32_t end) {
-                for (uint32_t i = begin; i < end; ++i) {
-                    const uint32_t slot = IdTable::slot_of(models[i]);
-                    if (!models_[slot].carried) put_below(slot, put);
-                }
-            };
             // If each stands once and takes none along, they are different items.
-            if (!on_any_thread || with_relatives || moved != count) return put_all(0, count);
-            workers_.run(count / models_per_task + 1, [&](uint32_t task) {
-                const uint32_t begin = task * models_per_task;
-                put_all(begin, std::min(begin + models_per_task, count));
+            put_all(count, on_any_thread && !with_relatives && moved == count, [&](uint32_t i) {
+                const uint32_t slot = IdTable::slot_of(models[i]);
+                if (!models_[slot].carried) put_below(slot, put);
             });
         });
     }
     if (with_relatives) unmark_carried(models, count);
-    return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong) : GPHYS_OK;
+    return wrong;
 }
 
 /// Every model without a parent moves the other way, and the others with it.

@@ -1,6 +1,7 @@
 #include "shapes/shapes.h"
 
 #include "foundation/exact.h"
+#include "foundation/float4.h"
 
 namespace gphys {
 
@@ -17,6 +18,24 @@ bool is_rotation(const gphys_quat& q) {
     const double square = d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w;
     return std::isgreaterequal(square, 0.999 * 0.999) && square <= 1.001 * 1.001;
 }
+/// Almost all transforms are, and this is quick to tell. Sizes are compared as the integers that their
+/// bits are: that is false for NaN, too, and raises nothing.
+bool is_surely_valid(const gphys_transform& transform) {
+    static_assert(sizeof transform == 2 * sizeof(Float4));
+    constexpr float above_one = 1.0019f;  // of the square, which five roundings bring nowhere near 1.001^2
+    constexpr Float4 position_and_x{GPHYS_MAX_COORDINATE, GPHYS_MAX_COORDINATE, GPHYS_MAX_COORDINATE, 2};
+    constexpr Float4 yzw_and_scale{2, 2, 2, GPHYS_MAX_COORDINATE};
+    Float4 parts[2];
+    std::memcpy(parts, &transform, sizeof parts);
+    const auto beyond = [](Float4 v, Float4 limit) {
+        return reinterpret_cast<Mask4>(abs(v)) > reinterpret_cast<Mask4>(limit);
+    };
+    if (any(beyond(parts[0], position_and_x) | beyond(parts[1], yzw_and_scale))) return false;
+    const Float4 q = load4(transform.rotation);
+    const float square = sum(q * q)[0];
+    return square < above_one && square > 2 - above_one && transform.scale > 0;
+}
+
 /// Of a short normal: the plane itself is out of range, and answers could exceed the largest float.
 bool is_far(const gphys_plane& plane) {
     return std::fabs(static_cast<double>(plane.distance)) > double{GPHYS_MAX_COORDINATE} * length(widen(plane.normal));
@@ -33,6 +52,7 @@ const char* defect(const gphys_quat& rotation) {
 }
 
 const char* defect(const gphys_transform& transform) {
+    if (is_surely_valid(transform)) return nullptr;
     if (!in_range(transform.position)) {
         return "transform.position: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
     }
