@@ -179,6 +179,67 @@ TEST_CASE("of eight rays at once none that meets a box is refused, and nearly al
     CHECK(refused > missed * 0.87);
 }
 
+TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the same on any instruction set") {
+    // As scenes keep models that are Aabbs.
+    struct Stored {
+        gphys_transform world;
+        float words[2];
+        gphys_aabb box;
+    };
+    Cases cases(75);
+    Tally fine, coarse, elsewhere;
+    for (int i = 0; i < 20000; ++i) {
+        cases.next();
+        // Numbers below the smallest normal float, too.
+        const bool tiny = i % 8 == 0, touching = i % 4 == 1;
+        const float scale = tiny ? 0x1p-147f : 1;
+        const auto scaled = [&](gphys_vec3 v) { return narrow(widen(v) * scale); };
+        // In any order, and one of them twice.
+        constexpr uint32_t order[8] = {6, 2, 0, 5, 3, 1, 4, 2};
+        Stored stored[7];
+        uint32_t first_quad[8];
+        for (Stored& s : stored) {
+            s = {cases.transform(), {NAN, INFINITY}, cases.aabb()};
+            s.world.position = scaled(s.world.position);
+            s.box = {scaled(s.box.min), scaled(s.box.max)};
+        }
+        for (int k = 0; k < 8; ++k) first_quad[k] = 4 * order[k];
+        Vec3 center = widen(scaled(cases.point(8)));
+        float radius = cases.size() * scale;
+        if (touching) {
+            // All but touches one of them, from nearby.
+            with_placed(stored[0].box, stored[0].world, [&](const auto& placed) {
+                const Vec3 outside = closest_point(placed, center), away = center - outside;
+                center = widen(narrow(outside + away * std::exp2(cases.number(10) - 10)));
+                radius = static_cast<float>(length(center - closest_point(placed, center)));
+            });
+        }
+        const BallLanes ball(center, radius);
+        const auto* quads = reinterpret_cast<const float*>(stored);
+        const BoxVerdicts verdicts = scene_kernels(Isa::scalar).boxes_near(quads, first_quad, ball);
+        for (const Isa isa : test::isas()) {
+            const BoxVerdicts same = scene_kernels(isa).boxes_near(quads, first_quad, ball);
+            REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));
+        }
+        REQUIRE((verdicts.no & verdicts.yes) == 0);
+        for (int k = 0; k < 8; ++k) {
+            const Stored& s = stored[order[k]];
+            const bool truth = with_placed(s.box, s.world, [&](const auto& placed) {
+                return overlaps(Shape(Sphere{center, radius}), Shape(placed));
+            });
+            const uint32_t no = verdicts.no >> k & 1, yes = verdicts.yes >> k & 1;
+            const bool centered = widen(s.box.min) == -widen(s.box.max);
+            Tally& tally = !centered ? elsewhere : tiny || touching || cases.coarse() ? coarse : fine;
+            REQUIRE(tally.add(no ? Verdict::no : yes ? Verdict::yes : Verdict::open, truth));
+        }
+    }
+    CHECK(fine.no > 10000);
+    CHECK(fine.yes > 2000);
+    CHECK(fine.open < 10);
+    CHECK(coarse.open > 100);
+    CHECK(elsewhere.no + elsewhere.yes == 0);
+}
+
 TEST_CASE("quick tests raise no floating-point exception, however far the ray and the point reach") {
     const gphys_transform world{{1e15f, -1e15f, 1}, {0, 0, 0.6f, 0.8f}, 1e15f};
     const gphys_aabb box{{-1e15f, -1, 0}, {1e15f, 1, 0}};
@@ -199,6 +260,17 @@ TEST_CASE("quick tests raise no floating-point exception, however far the ray an
     const QuickPlacedBox<gphys_aabb> placed{box, unscaled};
     CHECK(QuickPoint({})(placed, infinity) != Verdict::no);
     CHECK(QuickPoint({-1e15, 1e15, 1e15})(placed, 0) == Verdict::no);
+    struct {
+        gphys_transform world;
+        float words[2];
+        gphys_aabb box;
+    } const stored{unscaled, {NAN, INFINITY}, box};
+    constexpr uint32_t same[8] = {};
+    for (const Isa isa : test::isas()) {
+        const auto* quads = reinterpret_cast<const float*>(&stored);
+        scene_kernels(isa).boxes_near(quads, same, BallLanes({-1e15, 1e15, 1e15}, 1e15));
+        scene_kernels(isa).boxes_near(quads, same, BallLanes({}, 0));
+    }
     CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
     CHECK(denied < 9);
 }

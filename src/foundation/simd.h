@@ -163,6 +163,14 @@ inline Mask8 operator<=(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) mask.part[i] = a.part[i] <= b.part[i];
     return mask;
 }
+/// Also of numbers that hosts take for zero.
+inline Mask8 equal_bits(Float8 a, Float8 b) {
+    Mask8 mask;
+    for (int i = 0; i < register_count; ++i) {
+        mask.part[i] = reinterpret_cast<MaskRegister>(a.part[i]) == reinterpret_cast<MaskRegister>(b.part[i]);
+    }
+    return mask;
+}
 inline Mask8 operator&(Mask8 a, Mask8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] &= b.part[i];
     return a;

@@ -82,7 +82,8 @@ public:
     /// the query.
     template <class Visit>
     void nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items = {}) const;
-    /// visit(item, wholly_inside) returns whether to go on; the result is false if one did not.
+    /// visit(item, wholly_inside), or visit(items, count, wholly_inside) for several, returns whether to go
+    /// on; the result is false if one did not.
     /// `items_inside` is what it reads of those wholly inside.
     template <class Visit>
     bool overlap_box(const Box& box, Visit&& visit, ItemMemory items = {}, ItemMemory items_inside = {}) const;
@@ -184,7 +185,7 @@ private:
     void walk_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
                        const Probe& probe, double bound, Visit& visit, ItemMemory items) const;
     template <class Visit>
-    static OctreeListVisitor by_item(Visit& visit, ItemMemory items, ItemMemory items_inside);
+    static OctreeListVisitor list_visitor(Visit& visit, ItemMemory items, ItemMemory items_inside);
 
     const OctreeKernels& kernels_;
     const Workers* const workers_;

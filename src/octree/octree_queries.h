@@ -106,32 +106,36 @@ void Octree::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory 
     walk_to_bound(kernels_.point, PointProbe(point, bounds_), max_distance, visit, items);
 }
 
-/// A visitor of single items as one of lists.
+/// A visitor of lists, or of single items as one of lists.
 template <class Visit>
-OctreeListVisitor Octree::by_item(Visit& visit, ItemMemory items, ItemMemory items_inside) {
-    const auto each = [](void* context, const uint32_t* list, uint32_t count, bool inside) {
+OctreeListVisitor Octree::list_visitor(Visit& visit, ItemMemory items, ItemMemory items_inside) {
+    const auto all = [](void* context, const uint32_t* list, uint32_t count, bool inside) -> bool {
         Visit& to = *static_cast<Visit*>(context);
-        return std::all_of(list, list + count, [&](uint32_t item) { return to(item, inside); });
+        if constexpr (std::is_invocable_v<Visit&, const uint32_t*, uint32_t, bool>) {
+            return to(list, count, inside);
+        } else {
+            return std::all_of(list, list + count, [&](uint32_t item) { return to(item, inside); });
+        }
     };
-    return {each, const_cast<void*>(static_cast<const void*>(&visit)), items, items_inside};
+    return {all, const_cast<void*>(static_cast<const void*>(&visit)), items, items_inside};
 }
 
 template <class Visit>
 bool Octree::overlap_box(const Box& box, Visit&& visit, ItemMemory items, ItemMemory items_inside) const {
-    return root_ == none || kernels_.box(nodes_.data(), root_, box, by_item(visit, items, items_inside));
+    return root_ == none || kernels_.box(nodes_.data(), root_, box, list_visitor(visit, items, items_inside));
 }
 
 template <class Visit>
 bool Octree::overlap_ball(Vec3 center, double radius, Visit&& visit, ItemMemory items, ItemMemory items_inside) const {
-    return root_ == none ||
-           kernels_.ball(nodes_.data(), root_, BallProbe(center, radius, bounds_), by_item(visit, items, items_inside));
+    return root_ == none || kernels_.ball(nodes_.data(), root_, BallProbe(center, radius, bounds_),
+                                          list_visitor(visit, items, items_inside));
 }
 
 template <class Visit>
 bool Octree::frustum(const Frustum& frustum, const Box& around, Visit&& visit, ItemMemory items,
                      ItemMemory items_inside) const {
-    return root_ == none ||
-           kernels_.frustum(nodes_.data(), root_, FrustumProbe(frustum, around), by_item(visit, items, items_inside));
+    return root_ == none || kernels_.frustum(nodes_.data(), root_, FrustumProbe(frustum, around),
+                                             list_visitor(visit, items, items_inside));
 }
 
 template <class Visit>

@@ -32,6 +32,14 @@ constexpr float float_slack = 0x1p-17f;
 /// where it is multiplied by the margin of a speed.
 constexpr double smallest_slack = 0x1p-120;
 
+// For the squared distance of a point from a box in float32. Margins are for distances on an axis, and what is
+// squared has another eighteen roundings of 2^-24; this stands for 64.
+constexpr float square_slack = 0x1p-18f;
+/// Squares may be flushed to zero below 2^-126.
+constexpr float smallest_square = 0x1p-120f;
+/// Beyond all boxes, and its square fits a float.
+constexpr double most_reach = 0x1p60;
+
 constexpr double sum(Vec3 v) { return v.x + v.y + v.z; }
 
 /// q turns by |q|^2 times its rotation.

@@ -123,27 +123,21 @@ public:
         const double scaled_reach = reach * box.unit, magnitude = box.unit * (magnitude_ + box.magnitude + reach);
         return at_most(length_squared(outside), scaled_reach * scaled_reach, slack * magnitude * magnitude);
     }
-    /// In float32: the margin is for distances on an axis, and what is squared has another eighteen
-    /// roundings of 2^-24; this stands for 64.
+    /// In float32.
     template <class Stored>
     Verdict operator()(const QuickPlacedBox<Stored>& placed, double reach) const {
-        constexpr float roundings = 0x1p-18f;
         const BoxInSight<Stored> box(placed, point_, magnitude_);
         const Float4 outside = abs(box.from) - box.half;
         const auto squared = [&](Float4 margin) {
             const Float4 gap = positive(outside + margin);
             return sum(gap * gap)[0];
         };
-        // Beyond all boxes, and its square fits a float.
-        const float far = static_cast<float>(std::min(reach, 0x1p60)) * box.unit[0], limit = far * far;
-        return verdict_of(squared(-box.margin) > limit * (1 + roundings) + smallest_square,
-                          squared(box.margin) + smallest_square < limit * (1 - roundings));
+        const float far = static_cast<float>(std::min(reach, most_reach)) * box.unit[0], limit = far * far;
+        return verdict_of(squared(-box.margin) > limit * (1 + square_slack) + smallest_square,
+                          squared(box.margin) + smallest_square < limit * (1 - square_slack));
     }
 
 private:
-    /// Squares may be flushed to zero below 2^-126.
-    static constexpr float smallest_square = 0x1p-120f;
-
     SplitPoint point_;
     double magnitude_;
 };

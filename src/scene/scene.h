@@ -197,6 +197,10 @@ private:
     uint32_t next_beside(uint32_t slot, uint32_t top) const;
     void remove_slot(uint32_t slot);
 
+    template <class Ask>
+    void overlap_ball(const BallLanes& ball, const uint32_t* slots, uint32_t count, uint32_t layers, const Ask& ask,
+                      Smallest<gphys_model_id>& out) const;
+
     // Placement.
     const gphys_transform& local_of(uint32_t slot) const;
     void set_local(uint32_t slot, const gphys_transform& local);

@@ -1,4 +1,5 @@
-// What many rays that go much the same way ask of a box, once for each instruction set.
+// What many rays that go much the same way ask of a box, and a ball of many boxes, once for each
+// instruction set.
 #pragma once
 
 #include "foundation/isa.h"
@@ -38,9 +39,32 @@ struct BoxLanes {
     }
 };
 
+/// A ball: what QuickPoint (quick_tests.h) knows of it.
+struct BallLanes {
+    float head[3], rest[3];  // of the centre, as those of SplitPoint
+    float slack, reach;
+
+    BallLanes(Vec3 center, double radius) : reach(static_cast<float>(std::min(radius, most_reach))) {
+        const SplitPoint split(center);
+        for (int k = 0; k < 3; ++k) {
+            head[k] = split.head[k];
+            rest[k] = split.rest[k];
+        }
+        slack = static_cast<float>(gphys::slack * sum(abs(center)));
+    }
+};
+
+/// Which of eight boxes certainly do not, or certainly do, meet a ball; the others are open.
+struct BoxVerdicts {
+    uint32_t no, yes;
+};
+
 struct SceneKernels {
     /// Bit k is set unless ray first + k, k < 8, certainly misses the box until its end.
     uint32_t (*may_meet)(const RayLanes& rays, uint32_t first, const BoxLanes& box);
+    /// Of eight models that are Aabbs; those that are not about their origins stay open. Model k has four
+    /// quads from first_quad[k] on: its transform, two words of no interest, min and max.
+    BoxVerdicts (*boxes_near)(const float* quads, const uint32_t* first_quad, const BallLanes& ball);
 };
 
 GPHYS_DECLARE_KERNELS(SceneKernels, scene_kernels)

@@ -272,6 +272,36 @@ void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, Fir
         ray, [&](uint32_t slot, double&) { ask(slot); }, model_memory());
 }
 
+/// Those of a list that a ball meets: Aabbs by eight, others by ask(slot).
+template <class Ask>
+void Scene::overlap_ball(const BallLanes& ball, const uint32_t* slots, uint32_t count, uint32_t layers, const Ask& ask,
+                         Smallest<gphys_model_id>& out) const {
+    constexpr uint32_t quads = sizeof(Model) / (4 * sizeof(float));
+    static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == 10 * sizeof(float) && quads == 4);
+    uint32_t boxes[8], first_quad[8], waiting = 0;
+    const auto decide_boxes = [&] {
+        for (uint32_t k = waiting; k < 8; ++k) first_quad[k] = first_quad[0];
+        const BoxVerdicts verdicts =
+            kernels_.boxes_near(reinterpret_cast<const float*>(models_.data()), first_quad, ball);
+        for (uint32_t k = 0; k < waiting; ++k) out.add_if(verdicts.yes >> k & 1, ids_.id(boxes[k]));
+        uint32_t open = ~(verdicts.no | verdicts.yes) & ((1u << waiting) - 1);
+        for (; open != 0; open &= open - 1) ask(boxes[__builtin_ctz(open)]);
+        waiting = 0;
+    };
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t slot = slots[i];
+        if (!(models_[slot].layers & layers)) continue;
+        if (models_[slot].type() != GPHYS_SHAPE_AABB) {
+            ask(slot);
+            continue;
+        }
+        boxes[waiting] = slot;
+        first_quad[waiting] = quads * slot;
+        if (++waiting == 8) decide_boxes();
+    }
+    if (waiting > 0) decide_boxes();
+}
+
 void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id>& out) const {
     const auto exact = [&](const auto& shape) { return overlaps_shape(shape, query); };
     std::visit(
@@ -296,7 +326,16 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
             } else if constexpr (std::is_same_v<Query, Frustum>) {
                 octree_.frustum(shape, box_around(shape), find, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Sphere>) {
-                octree_.overlap_ball(shape.center, shape.radius, find, models, if_inside);
+                const BallLanes ball(shape.center, shape.radius);
+                const auto find_all = [&](const uint32_t* slots, uint32_t count, bool wholly_inside) {
+                    if (wholly_inside && inside_is_found) {
+                        for (uint32_t i = 0; i < count; ++i) out.add(ids_.id(slots[i]));
+                    } else {
+                        overlap_ball(ball, slots, count, layers, ask, out);
+                    }
+                    return true;
+                };
+                octree_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Aabb>) {
                 octree_.overlap_box(gphys::bounds(shape), find, models, if_inside);
             } else {
