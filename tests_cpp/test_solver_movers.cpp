@@ -153,3 +153,18 @@ TEST_CASE("what a bat strikes does not pass the wall behind it") {
         }
     }
 }
+
+TEST_CASE("what the caller has put elsewhere meets what moves there") {
+    World world(2, {0, 0, 0});
+    const gphys_aabb plate{{-0.0005f, -1, -1}, {0.0005f, 1, 1}};
+    const gphys_transform there{{100, 0, 0}, {0, 0, 0, 1}, 1}, moved{{100.1f, 0, 0}, {0, 0, 0, 1}, 1};
+    const gphys_model_id wall = world.model(GPHYS_SHAPE_AABB, &plate, &there);
+    const gphys_body_id body = world.particles(test::line({0, 0, 0}, {0.1f, 0, 0}, 9), point_mass(0.01f, 0, 0));
+    world.step(frame);
+    const gphys_vec3 beside{100.05f, 0, 0};
+    REQUIRE(gphys_solver_set_positions(world.solver, body, 3, 1, &beside, 12) == GPHYS_OK);
+    world.step(frame);
+    REQUIRE(gphys_scene_set_transform(world.scene, wall, &moved) == GPHYS_OK);
+    world.step(frame);
+    CHECK(world.position(body, 3).x > 100.1 + 0.01);
+}

@@ -5,6 +5,8 @@
 // derived from old positions.
 #pragma once
 
+#include <optional>
+
 #include "foundation/ids.h"
 #include "foundation/math.h"
 #include "foundation/team.h"
@@ -106,6 +108,28 @@ struct ClothState {
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth
 };
 
+/// What some particles are in, and the largest of their speeds by axis.
+struct Extent {
+    Aabb box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    Vec3 fastest;
+
+    void add(const Extent& other) {
+        box = {min(box.min, other.box.min), max(box.max, other.box.max)};
+        fastest = max(fastest, other.fastest);
+    }
+};
+
+/// Of a body of free particles that workers may share: what it gives to models in a step.
+struct FlightPart {
+    explicit FlightPart(std::pmr::memory_resource* memory) : impulses(memory) {}
+
+    Vector<ModelImpulse> impulses;
+    bool touched = false;
+    Extent extent;
+};
+/// Particles in a part, some 0.3 ms of work: many times what it takes to hand it out.
+constexpr uint32_t part_size = 16384;
+
 struct Body {
     explicit Body(std::pmr::memory_resource* memory)
         : position(memory),
@@ -134,6 +158,7 @@ struct Body {
           touches(memory),
           touch_count(memory),
           impulses(memory),
+          parts(memory),
           held(memory),
           stuck(memory),
           cloth(memory),
@@ -180,6 +205,7 @@ struct Body {
     Vector<Touch> touches;          // touches_per_particle each; empty until the body meets a scene
     Vector<uint8_t> touch_count;    // by particle: how many of its touches there are
     Vector<ModelImpulse> impulses;  // by model, of the last step
+    Vector<FlightPart> parts;       // of free particles, if there are several; empty between steps
     /// By particle: 0, or if it touched something in the substep under way one more than the place of the
     /// last such in its touches.
     Vector<uint8_t> held;
@@ -188,6 +214,8 @@ struct Body {
 
     bool joined = false;  // to other bodies; set at the beginning of a step
     bool near = false;    // particles of it may touch others in this substep
+
+    std::optional<Extent> extent;  // if a step has found it and nothing has changed since
 
     Sleep sleep;
     uint32_t substeps = 0;      // of the last step

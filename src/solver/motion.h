@@ -21,6 +21,17 @@ void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, double h
 void finish_chains(Body& body, const TimeScheme& scheme);
 void give_tensions(Body& body, const Surroundings& around, double h);
 
+/// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds.
+void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end);
+
+/// One of the substeps of a step.
+inline Surroundings part_of_step(const Surroundings& step, uint32_t i, uint32_t substeps) {
+    Surroundings part = step;
+    part.begin = static_cast<double>(i) / substeps;
+    part.end = static_cast<double>(i + 1) / substeps;
+    return part;
+}
+
 /// Particles that touch something count as pinned in between.
 void hold_touching(Body& body);
 void let_go_touching(Body& body);

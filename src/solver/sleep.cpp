@@ -51,6 +51,7 @@ bool attachments_moved(const Body& body, const Scene* scene) {
 void wake(Body& body) {
     body.sleep.calm = 0;
     body.sleep.asleep = false;
+    body.extent.reset();
 }
 
 bool is_calm(Body& body, const SolverSettings& settings, double dt) {

@@ -199,10 +199,16 @@ private:
             return size != other.size ? size > other.size : slot < other.slot;
         }
     };
-    /// Of moving_: what a worker takes at a time, one body or undisturbed ropes.
+    /// Of moving_: what a worker takes at a time, one body, a part of one, or undisturbed ropes.
     struct Task {
         uint32_t first, count;
-        bool shared;  // one cloth, for all workers at once
+        bool shared;    // one cloth, for all workers at once
+        uint32_t part;  // of a body that is divided
+    };
+    /// Some particles of a body.
+    struct Stretch {
+        uint32_t moving, first;
+        Extent extent;
     };
 
     /// What one body gave one model.
@@ -221,7 +227,10 @@ private:
     void divide_work();
     bool is_worth_sharing(const Moving& moving, size_t particles) const;
     void move_shared(const Moving& moving, const Scene* scene, double dt);
+    void begin_moving(const Moving& moving, const Scene* scene, double dt);
+    void end_moving(const Moving& moving, const Scene* scene, double dt);
     void move_through(const Moving& moving, const Scene* scene, double dt);
+    void move_part(const Task& task, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);
     void remove_joint(uint32_t slot);
     void remove_joints_of(uint32_t body);
@@ -243,6 +252,7 @@ private:
     Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};
     Vector<Moving> moving_{&memory};
     Vector<Task> tasks_{&memory};
+    Vector<Stretch> stretches_{&memory};
     Vector<RopeRoom> rooms_{&memory};  // by worker
     /// Of the last step: by model and body, and by model.
     Vector<Giver> givers_{&memory};

@@ -57,21 +57,23 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
     }
 }
 
-void follow_models(Body& body, double fraction, double h) {
-    for (const Attachment& attachment : body.attachments) {
-        Vec3& position = body.position[attachment.particle];
-        const Vec3 next = attachment.begin + (attachment.end - attachment.begin) * fraction;
-        body.velocity[attachment.particle] = (next - position) / h;
+}  // namespace
+
+void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end) {
+    const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
+    auto attachment = std::lower_bound(body.attachments.begin(), body.attachments.end(), first, before);
+    for (; attachment != body.attachments.end() && attachment->particle < end; ++attachment) {
+        Vec3& position = body.position[attachment->particle];
+        const Vec3 next = attachment->begin + (attachment->end - attachment->begin) * fraction;
+        body.velocity[attachment->particle] = (next - position) / h;
         position = next;
     }
 }
 
-}  // namespace
-
 void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const TimeScheme scheme(h, body.earlier_step);
     predict_chains(body, scheme, gravity);
-    follow_models(body, around.end, h);
+    follow_models(body, around.end, h, 0, body.size());
     if (body.plan.damped) damp_chains(body, scheme);
 }
 
@@ -190,19 +192,12 @@ bool move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h,
     return found;
 }
 
-void fly_with_models(Body& body, const Surroundings& around, Vec3 gravity, double h) {
-    follow_models(body, around.end, h);
-    begin_friction(body, gravity);
-    fly(body, around, gravity, h);
-    end_friction(body);
-}
-
 }  // namespace
 
 void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
-            fly_with_models(body, around, gravity, h);
+            fly(body, around, gravity, h);
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);
@@ -223,7 +218,7 @@ void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
 void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
-            fly_with_models(body, around, gravity, h);
+            fly(body, around, gravity, h);
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);
@@ -286,6 +281,11 @@ void reserve_history(Body& body) {
     body.earlier_velocity.resize(body.size());
 }
 
+/// Whether its particles are shared by workers, whatever their number.
+bool is_divided(const Body& body) {
+    return body.plan.method == GPHYS_SOLVE_FREE && !body.joined && body.size() > part_size;
+}
+
 }  // namespace
 
 /// Everything that may fail for want of memory, before anything moves.
@@ -307,6 +307,12 @@ void Solver::prepare(const Scene* scene, double dt) {
             const auto [smallest, largest] = std::minmax_element(body.radius.begin(), body.radius.end());
             body.smallest_radius = *smallest;
             body.largest_radius = *largest;
+        }
+        if (is_divided(body)) {
+            const uint32_t parts = (body.size() + part_size - 1) / part_size;
+            while (body.parts.size() < parts) body.parts.emplace_back(&memory);
+        } else {
+            body.parts.clear();
         }
         moving_.push_back(
             {body.size(), slot, substeps_of(body, state_.settings, dt), is_plain_rope(body), starts_again(body)});
@@ -333,19 +339,31 @@ void Solver::prepare(const Scene* scene, double dt) {
 
 /// Note where the models near the bodies stand, and which of them have moved since the last step.
 void Solver::look_around(const Scene& scene, double dt) {
-    workers_.run(static_cast<uint32_t>(moving_.size()), [&](uint32_t i) {
-        const Body& body = state_.bodies[moving_[i].slot];
-        double fastest = 0;
-        Aabb box{body.position[0], body.position[0]};
-        for (uint32_t p = 0; p < body.size(); ++p) {
-            fastest = std::max(fastest, length_squared(body.velocity[p]));
-            box = {min(box.min, body.position[p]), max(box.max, body.position[p])};
-        }
-        // Twice as far as a particle may come in this step, and a model in the next: what it can meet then.
-        const double margin = 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity)) + dt * fastest_model;
-        const double room = 2 * body.largest_radius + margin;
-        moving_[i].nearby = bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
+    stretches_.clear();
+    for (uint32_t i = 0; i < moving_.size(); ++i) {
+        Body& body = state_.bodies[moving_[i].slot];
+        if (body.extent) continue;
+        body.extent.emplace();
+        for (uint32_t first = 0; first < body.size(); first += part_size) stretches_.push_back({i, first, {}});
+    }
+    workers_.run(static_cast<uint32_t>(stretches_.size()), [&](uint32_t i) {
+        Stretch& stretch = stretches_[i];
+        Body& body = state_.bodies[moving_[stretch.moving].slot];
+        stretch.extent = extent_of(body, stretch.first, std::min(stretch.first + part_size, body.size()));
     });
+    for (const Stretch& stretch : stretches_) {
+        state_.bodies[moving_[stretch.moving].slot].extent->add(stretch.extent);
+    }
+    for (Moving& moving : moving_) {
+        Body& body = state_.bodies[moving.slot];
+        const double fastest = length(body.extent->fastest);
+        const Aabb box = body.extent->box;
+        body.extent.reset();
+        // Twice as far as a particle may come in this step, and a model in the next: what it can meet then.
+        const double margin = 2 * dt * (fastest + dt * length(state_.settings.gravity)) + dt * fastest_model;
+        const double room = 2 * body.largest_radius + margin;
+        moving.nearby = bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
+    }
     for (Moving& moving : moving_) {
         const size_t before = next_seen_.size();
         scene.for_each_in_box(moving.nearby, state_.bodies[moving.slot].settings.layers, [&](gphys_model_id model) {
@@ -411,7 +429,9 @@ void Solver::divide_work() {
             ClothBatches& batches = state_.bodies[first.slot].plan.batches;
             batches.rows.resize(size_t{cloth_row_floats} * batches.longest * workers_.count());
         }
-        tasks_.push_back({i, next - i, shared});
+        const uint32_t parts = static_cast<uint32_t>(state_.bodies[first.slot].parts.size());
+        for (uint32_t part = 0; part < parts; ++part) tasks_.push_back({i, 1, false, part});
+        if (parts == 0) tasks_.push_back({i, next - i, shared, 0});
         if (first.undisturbed)
             (next - i > 1 ? together : alone) = std::max<size_t>(next - i > 1 ? together : alone, first.size);
     }
@@ -421,26 +441,53 @@ void Solver::divide_work() {
     }
 }
 
+/// Before and after all substeps of one body that is moved alone.
+void Solver::begin_moving(const Moving& moving, const Scene* scene, double dt) {
+    Body& body = state_.bodies[moving.slot];
+    body.impulses.clear();
+    give_attached(body, {scene, &moved_, dt, 0, 0}, 1, {}, 0);
+}
+
+void Solver::end_moving(const Moving& moving, const Scene* scene, double dt) {
+    Body& body = state_.bodies[moving.slot];
+    add_parts(body);
+    for (const FlightPart& part : body.parts) {
+        if (!body.extent) body.extent.emplace();
+        body.extent->add(part.extent);
+    }
+    meet_targets(body, state_.settings, dt, moving.substeps);
+    give_attached(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
+    rest(body, scene, state_.settings, dt);
+}
+
 /// All substeps of one body. Touches nothing of other bodies, allocates nothing.
 void Solver::move_through(const Moving& moving, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
-    const uint32_t substeps = moving.substeps;
-    begin_touches(body);
-    body.impulses.clear();
-    const double h = dt / substeps;
+    const Vec3 gravity = state_.settings.gravity;
     const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
-    give_attached(body, beginning, 1, {}, 0);
-    if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, state_.settings.gravity);
-    for (uint32_t i = 1; i <= substeps; ++i) {
-        const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
-        const Surroundings around{scene, &moved_, dt, begin, end};
-        move(body, around, state_.settings.gravity, h);
+    begin_moving(moving, scene, dt);
+    if (body.plan.method == GPHYS_SOLVE_FREE) {
+        body.extent = fly_through(body, 0, body.size(), {body.impulses, body.touched}, whole, gravity, moving.substeps);
+    } else {
+        begin_touches(body);
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
+        for (uint32_t i = 0; i < moving.substeps; ++i) {
+            move(body, part_of_step(whole, i, moving.substeps), gravity, dt / moving.substeps);
+        }
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+        end_touches(body);
     }
-    if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
-    end_touches(body);
-    meet_targets(body, state_.settings, dt, substeps);
-    give_attached(body, whole, -1, state_.settings.gravity, dt);
-    rest(body, scene, state_.settings, dt);
+    end_moving(moving, scene, dt);
+}
+
+/// The same of a part of a body, between its beginning and its end.
+void Solver::move_part(const Task& task, const Scene* scene, double dt) {
+    const Moving& moving = moving_[task.first];
+    Body& body = state_.bodies[moving.slot];
+    FlightPart& part = body.parts[task.part];
+    const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.size());
+    part.extent = fly_through(body, first, end, {part.impulses, part.touched}, {scene, &moved_, dt, 0, 1},
+                              state_.settings.gravity, moving.substeps);
 }
 
 void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt) {
@@ -475,6 +522,12 @@ void Solver::move_shared(const Moving& moving, const Scene* scene, double dt) {
 
 void Solver::step(const Scene* scene, double dt) {
     prepare(scene, dt);
+    const auto each_divided = [&](auto&& visit) {
+        for (const Moving& moving : moving_) {
+            if (!moving.together && !state_.bodies[moving.slot].parts.empty()) visit(moving);
+        }
+    };
+    each_divided([&](const Moving& moving) { begin_moving(moving, scene, dt); });
     for (const Task& task : tasks_) {
         if (task.shared) move_shared(moving_[task.first], scene, dt);
     }
@@ -488,13 +541,16 @@ void Solver::step(const Scene* scene, double dt) {
             }
             const Task& task = tasks_[i - islands_.size()];
             if (task.shared) continue;
-            if (moving_[task.first].undisturbed) {
+            if (!state_.bodies[moving_[task.first].slot].parts.empty()) {
+                move_part(task, scene, dt);
+            } else if (moving_[task.first].undisturbed) {
                 move_undisturbed(task, rooms_[worker], scene, dt);
             } else {
                 move_through(moving_[task.first], scene, dt);
             }
         }
     });
+    each_divided([&](const Moving& moving) { end_moving(moving, scene, dt); });
     state_.seen.swap(next_seen_);
     add_impulses();
 }

@@ -15,7 +15,8 @@ bool touch(const Box& a, const Box& b) {
     return true;
 }
 
-Collider::Collider(const Surroundings& around, const Body& body, const Box& paths) : around_(around), body_(body) {
+Collider::Collider(const Surroundings& around, const Body& body, const Box& paths, const Tally& tally)
+    : around_(around), body_(body), tally_(tally) {
     Box box = paths;
     list_moving(box);
     if (moving_count_ > 0) {
@@ -107,16 +108,20 @@ uint32_t touches_of(const Body& body, uint32_t particle) { return body.touch_cou
 
 }  // namespace
 
-void begin_touches(Body& body) {
-    for (uint8_t& count : body.touch_count) count = static_cast<uint8_t>(count << count_bits);
+void begin_touches(Body& body, uint32_t first, uint32_t end) {
+    if (body.touch_count.empty()) return;
+    uint8_t* const counts = body.touch_count.data();  // which, as bytes, might be anything's
+    for (uint32_t p = first; p < end; ++p) counts[p] = static_cast<uint8_t>(counts[p] << count_bits);
 }
 
-void end_touches(Body& body) {
-    for (uint32_t p = 0; p < body.touch_count.size(); ++p) {
-        const uint32_t now = touches_of(body, p), before = body.touch_count[p] >> count_bits;
-        Touch* const touches = &body.touches[size_t{p} * touches_per_particle];
-        for (uint32_t i = now; i < before; ++i) touches[i] = {};
-        body.touch_count[p] = static_cast<uint8_t>(now);
+void end_touches(Body& body, uint32_t first, uint32_t end) {
+    if (body.touch_count.empty()) return;
+    uint8_t* const counts = body.touch_count.data();
+    Touch* const touches = body.touches.data();
+    for (uint32_t p = first; p < end; ++p) {
+        const uint32_t now = counts[p] & count_mask, before = counts[p] >> count_bits;
+        for (uint32_t i = now; i < before; ++i) touches[size_t{p} * touches_per_particle + i] = {};
+        counts[p] = static_cast<uint8_t>(now);
     }
 }
 
@@ -138,7 +143,7 @@ uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_m
 }
 
 void Collider::note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const {
-    body.touched = true;
+    tally_.touched = true;
     const uint32_t touch = record_touch(body, particle, *around_.scene, model, point, normal);
     body.held[particle] = static_cast<uint8_t>(touch + 1);
 }
@@ -184,17 +189,17 @@ bool rests(const Body& body, uint32_t p, Vec3 velocity, Vec3 gravity) {
     return length_squared(velocity) <= 8 * acceleration * skin(body.radius[p], body.position[p]);
 }
 
-void begin_friction(Body& body, Vec3 gravity) {
+void begin_friction(Body& body, Vec3 gravity, uint32_t first, uint32_t end) {
     if (!body.settings.sticks() || body.stuck.empty()) return;
-    std::fill(body.held.begin(), body.held.end(), uint8_t{0});
-    for (uint32_t p = 0; p < body.size(); ++p) {
+    std::fill(body.held.begin() + first, body.held.begin() + end, uint8_t{0});
+    for (uint32_t p = first; p < end; ++p) {
         if (rests(body, p, body.velocity[p], gravity)) body.stuck[p] = 1;
     }
 }
 
-void end_friction(Body& body) {
+void end_friction(Body& body, uint32_t first, uint32_t end) {
     if (!body.settings.sticks() || body.stuck.empty()) return;
-    for (uint32_t p = 0; p < body.size(); ++p) body.stuck[p] = body.stuck[p] && body.held[p];
+    for (uint32_t p = first; p < end; ++p) body.stuck[p] = body.stuck[p] && body.held[p];
 }
 
 void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, double restitution) const {
@@ -203,7 +208,7 @@ void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, doubl
     const Vec3 before = velocity;
     velocity = after_impact(velocity, impact, restitution, friction);
     const Impact there = impact.moves ? carried(impact) : impact;
-    give(body, around_, impact.model, there.center - there.normal * body.radius[particle],
+    give(tally_.impulses, around_, impact.model, there.center - there.normal * body.radius[particle],
          (before - velocity) * body.mass[particle]);
 }
 
@@ -222,7 +227,7 @@ bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 disp
     if (length_squared(displacement + hit.normal * into) > hold * hold) return false;
     note(body, particle, near.model, hit.point, hit.normal);
     if (settings.sticks()) body.stuck[particle] = 1;
-    give(body, around_, near.model, hit.point, velocity * body.mass[particle]);
+    give(tally_.impulses, around_, near.model, hit.point, velocity * body.mass[particle]);
     return true;
 }
 
@@ -239,7 +244,7 @@ void Collider::press(Body& body, uint32_t first, uint32_t count, uint32_t obstac
         mass += body.mass[p];
         middle += point * body.mass[p];
     }
-    give(body, around_, near.model, middle / mass, velocity * mass);
+    give(tally_.impulses, around_, near.model, middle / mass, velocity * mass);
 }
 
 void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet) const {

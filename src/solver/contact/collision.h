@@ -70,7 +70,10 @@ inline Box path_box(const Sphere& moving, Vec3 displacement) {
 class Collider {
 public:
     /// The box holds every path that will be asked for, but for those of what models strike that move.
-    Collider(const Surroundings& around, const Body& body, const Box& paths);
+    Collider(const Surroundings& around, Body& body, const Box& paths)
+        : Collider(around, body, paths, {body.impulses, body.touched}) {}
+    /// The tally gets what would otherwise be the body's.
+    Collider(const Surroundings& around, const Body& body, const Box& paths, const Tally& tally);
 
     /// Whether there is nothing at all.
     bool idle() const { return listed_ && count_ == 0 && moving_count_ == 0; }
@@ -137,6 +140,7 @@ private:
 
     const Surroundings& around_;
     const Body& body_;
+    const Tally tally_;
     bool listed_ = true;  // otherwise there are too many, and the scene is asked for each particle
     uint32_t count_ = 0;
     Near near_[most_listed];
@@ -186,9 +190,11 @@ void collide(Body& body, const Surroundings& around, double quiet);
 /// 1 cm: it may have been put down so far above what it lies on.
 bool rests(const Body& body, uint32_t particle, Vec3 velocity, Vec3 gravity);
 
-/// Around the substep of a body that is not cloth: which particles static friction may hold.
-void begin_friction(Body& body, Vec3 gravity);
-void end_friction(Body& body);
+/// Around the substep of a body that is not cloth, or some of its particles: which of them static friction may hold.
+void begin_friction(Body& body, Vec3 gravity, uint32_t first, uint32_t end);
+void end_friction(Body& body, uint32_t first, uint32_t end);
+inline void begin_friction(Body& body, Vec3 gravity) { begin_friction(body, gravity, 0, body.size()); }
+inline void end_friction(Body& body) { end_friction(body, 0, body.size()); }
 
 /// After collide, if something was touched: before the links follow what the contacts have done, while the
 /// particles that touch something stay where they are, ...
@@ -206,9 +212,11 @@ inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravit
 
 bool touch(const Box& a, const Box& b);
 
-/// At the beginning and at the end of a step; both at once.
-void begin_touches(Body& body);
-void end_touches(Body& body);
+/// At the beginning and at the end of a step, of some of the particles or of all; both at once.
+void begin_touches(Body& body, uint32_t first, uint32_t end);
+void end_touches(Body& body, uint32_t first, uint32_t end);
+inline void begin_touches(Body& body) { begin_touches(body, 0, body.size()); }
+inline void end_touches(Body& body) { end_touches(body, 0, body.size()); }
 void clear_touches(Body& body);
 /// Returns its place in the touches of the particle; the last if others fill them all.
 uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);
@@ -248,7 +256,13 @@ void end_cloth(Body& body, const Surroundings& around);
 void predict_flying(Body& body, Vec3 gravity, double h);
 bool capture(Body& body, const Surroundings& around, const TimeScheme& scheme);
 
-/// free_flight.cpp: a body without constraints, moved and collided.
+/// free_flight.cpp: a body without constraints, moved and collided, in one substep.
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h);
+/// The same in all substeps of a step, of some of its particles: what they touch and give is the tally's. Several
+/// may be at work on one body, each on its own particles. Returns where they are.
+Extent fly_through(Body& body, uint32_t first, uint32_t end, const Tally& tally, const Surroundings& step, Vec3 gravity,
+                   uint32_t substeps);
+/// Of some particles.
+Extent extent_of(Body& body, uint32_t first, uint32_t end);
 
 }  // namespace gphys

@@ -7,6 +7,14 @@ namespace {
 
 bool before(const ModelImpulse& a, gphys_model_id model) { return a.model < model; }
 
+/// The sum for a model, from nothing if there is none; null if there is no room.
+ModelImpulse* sum_for(Vector<ModelImpulse>& sums, gphys_model_id model, uint32_t tag) {
+    const auto sum = std::lower_bound(sums.begin(), sums.end(), model, before);
+    if (sum != sums.end() && sum->model == model) return &*sum;
+    if (sums.size() == sums.capacity()) return nullptr;
+    return &*sums.insert(sum, {model, tag, {}, {}});
+}
+
 Vec3 place_of(const Surroundings& around, gphys_model_id model) {
     const gphys_transform& now = around.scene->world(model);
     const auto moved = std::lower_bound(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
@@ -19,18 +27,37 @@ Vec3 place_of(const Surroundings& around, gphys_model_id model) {
 void reserve_impulses(Body& body, size_t models_near) {
     const size_t wanted = models_near + body.attachments.size() + spare_impulses;
     // Twice as many, so that no step allocates because one model more has come near.
-    if (body.impulses.capacity() < wanted) body.impulses.reserve(2 * wanted);
+    const auto reserve = [&](Vector<ModelImpulse>& sums) {
+        if (sums.capacity() < wanted) sums.reserve(2 * wanted);
+    };
+    reserve(body.impulses);
+    for (FlightPart& part : body.parts) reserve(part.impulses);
+}
+
+void add_parts(Body& body) {
+    for (FlightPart& part : body.parts) {
+        body.touched = body.touched || part.touched;
+        for (const ModelImpulse& given : part.impulses) {
+            ModelImpulse* const sum = sum_for(body.impulses, given.model, given.tag);
+            if (!sum) continue;
+            sum->linear += given.linear;
+            sum->angular += given.angular;
+        }
+        part.impulses.clear();
+        part.touched = false;
+    }
+}
+
+void give(Vector<ModelImpulse>& sums, const Surroundings& around, gphys_model_id model, Vec3 point, Vec3 impulse,
+          Vec3 moment) {
+    ModelImpulse* const sum = sum_for(sums, model, around.scene->tag(model));
+    if (!sum) return;
+    sum->linear += impulse;
+    sum->angular += cross(point - place_of(around, model), impulse) + moment;
 }
 
 void give(Body& body, const Surroundings& around, gphys_model_id model, Vec3 point, Vec3 impulse, Vec3 moment) {
-    Vector<ModelImpulse>& sums = body.impulses;
-    auto sum = std::lower_bound(sums.begin(), sums.end(), model, before);
-    if (sum == sums.end() || sum->model != model) {
-        if (sums.size() == sums.capacity()) return;
-        sum = sums.insert(sum, {model, around.scene->tag(model), {}, {}});
-    }
-    sum->linear += impulse;
-    sum->angular += cross(point - place_of(around, model), impulse) + moment;
+    give(body.impulses, around, model, point, impulse, moment);
 }
 
 void give_anchor(Body& body, const Surroundings& around, uint32_t particle, Vec3 impulse) {

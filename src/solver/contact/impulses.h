@@ -24,10 +24,21 @@ struct ModelImpulse {
 /// faster; there is room for this many of them, and what further ones were given is not reported.
 constexpr uint32_t spare_impulses = 64;
 
-/// Makes room; throws std::bad_alloc.
+/// What contacts do, apart from moving particles: sums by model, and whether there were any. Of a body, or of a part
+/// of it that one of several workers moves.
+struct Tally {
+    Vector<ModelImpulse>& impulses;
+    bool& touched;
+};
+
+/// Makes room, for the parts of a body as well; throws std::bad_alloc.
 void reserve_impulses(Body& body, size_t models_near);
+/// What the parts of a body have given, in their order.
+void add_parts(Body& body);
 
 /// At a point and with a moment about it, at the end of what `around` covers. Never allocates.
+void give(Vector<ModelImpulse>& sums, const Surroundings& around, gphys_model_id model, Vec3 point, Vec3 impulse,
+          Vec3 moment = {});
 void give(Body& body, const Surroundings& around, gphys_model_id model, Vec3 point, Vec3 impulse, Vec3 moment = {});
 /// By a particle that is held: to its model if it is attached to one, or else to nobody.
 void give_anchor(Body& body, const Surroundings& around, uint32_t particle, Vec3 impulse);

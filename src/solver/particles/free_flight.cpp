@@ -7,7 +7,7 @@
 // are mostly neighbours in space.
 #include <optional>
 
-#include "solver/contact/collision.h"
+#include "solver/motion.h"
 #include "solver/particles/flight.h"
 #include "solver/particles/flight_kernels.h"
 
@@ -34,12 +34,13 @@ void repeat(const Aabb& box, FlightBox& out) {
 
 class FreeFlight {
 public:
-    FreeFlight(Body& body, const Surroundings& around, Vec3 gravity, double h)
-        : body_(body), around_(around), gravity_(gravity), h_(h), whole_(body.settings.damping, h) {
+    FreeFlight(Body& body, const Tally& tally, Vec3 gravity, double h)
+        : body_(body), tally_(tally), gravity_(gravity), h_(h), whole_(body.settings.damping, h) {
         for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
     }
 
-    void fly_block(uint32_t first, uint32_t count);
+    /// One substep.
+    void fly_block(const Surroundings& around, uint32_t first, uint32_t count);
 
 private:
     Flight flight_of(uint32_t p) const {
@@ -59,7 +60,8 @@ private:
     FlightBounds bound(const FlightGroups& groups, uint32_t first, uint32_t count) const;
 
     Body& body_;
-    const Surroundings& around_;
+    const Tally tally_;
+    Surroundings around_;  // in the substep under way
     Vec3 gravity_;
     double h_;
     FlightTime whole_;  // the substep
@@ -180,7 +182,10 @@ void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle
     keep_in_range(body_.position[p], body_.velocity[p]);
 }
 
-void FreeFlight::fly_block(uint32_t first, uint32_t count) {
+void FreeFlight::fly_block(const Surroundings& around, uint32_t first, uint32_t count) {
+    around_ = around;
+    follow_models(body_, around.end, h_, first, first + count);
+    begin_friction(body_, gravity_, first, first + count);
     if (body_.forced) {
         for (uint32_t i = 0; i < count; ++i) put(acceleration_ + size_t{3} * i, flight_of(first + i).acceleration);
     }
@@ -201,7 +206,7 @@ void FreeFlight::fly_block(uint32_t first, uint32_t count) {
         // As far again as a path is long, and as a bounce turns back.
         const double room = 2 * body_.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
         const Vec3 reach{room, room, room};
-        collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}));
+        collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}), tally_);
         if (collider->idle()) {
             collider.reset();
         } else if (known_) {
@@ -229,15 +234,44 @@ void FreeFlight::fly_block(uint32_t first, uint32_t count) {
             fly_one(meets ? &*collider : nullptr, first + i, obstacle_of_[i]);
         }
     }
+    end_friction(body_, first, first + count);
 }
 
 }  // namespace
 
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h) {
-    FreeFlight flight(body, around, gravity, h);
+    FreeFlight flight(body, {body.impulses, body.touched}, gravity, h);
     for (uint32_t first = 0; first < body.size(); first += block_size) {
-        flight.fly_block(first, std::min(block_size, body.size() - first));
+        flight.fly_block(around, first, std::min(block_size, body.size() - first));
     }
+}
+
+Extent extent_of(Body& body, uint32_t first, uint32_t end) {
+    constexpr double nothing[flight_numbers] = {};
+    const FlightGroups groups{
+        (end - first) / flight_group, &body.position[first].x, &body.velocity[first].x, nothing, 0, 1, 0, 0};
+    FlightBounds bounds;
+    flight_kernels(chosen_isa()).bound(groups, bounds);
+    Extent extent{{get(bounds.low), get(bounds.high)}, get(bounds.fastest)};
+    for (uint32_t p = first + groups.count * flight_group; p < end; ++p) {
+        extent.add({{body.position[p], body.position[p]}, abs(body.velocity[p])});
+    }
+    return extent;
+}
+
+/// A block is taken through the whole step at once: it stays in the innermost cache.
+Extent fly_through(Body& body, uint32_t first, uint32_t end, const Tally& tally, const Surroundings& step, Vec3 gravity,
+                   uint32_t substeps) {
+    FreeFlight flight(body, tally, gravity, step.step_time / substeps);
+    Extent extent;
+    for (; first < end; first += block_size) {
+        const uint32_t count = std::min(block_size, end - first);
+        begin_touches(body, first, first + count);
+        for (uint32_t i = 0; i < substeps; ++i) flight.fly_block(part_of_step(step, i, substeps), first, count);
+        end_touches(body, first, first + count);
+        extent.add(extent_of(body, first, first + count));
+    }
+    return extent;
 }
 
 }  // namespace gphys
