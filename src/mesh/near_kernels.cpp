@@ -2,7 +2,6 @@
 
 #include "foundation/simd.h"
 #include "mesh/triangle_test.h"
-#include "octree/box8_tests.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -48,7 +47,7 @@ private:
 };
 
 /// The point of an edge that is nearest to the origin, and its squared distance.
-Vector8 nearest_on_edge(const Vector8& from, const Vector8& along, Float8& squared) {
+inline Vector8 nearest_on_edge(const Vector8& from, const Vector8& along, Float8& squared) {
     const Float8 t = (splat(0) - dot(from, along)) / max(dot(along, along), splat(tiny));
     const Vector8 nearest = from + along * min(max(t, splat(0)), splat(1));
     squared = dot(nearest, nearest);
@@ -78,64 +77,74 @@ Float8 distance_at_least(const Corners& t) {
     return along / sqrt(max(dot(nearest, nearest), splat(tiny))) * splat(shortened) - splat(height_error);
 }
 
-/// Of eight boxes.
-Float8 extents(const Box8& boxes, const NearProbe& probe) {
-    Float8 sum = splat(0);
-    for (int k = 0; k < 3; ++k) {
-        const Float8 base = splat(probe.base[k]);
-        sum =
-            sum + max(abs(load(boxes.row[k]) - base), abs(load(boxes.row[3 + k]) - base)) + abs(splat(probe.offset[k]));
-    }
-    return max(sum * splat(1 + 0x1p-20f), splat(tiny));
-}
-
 void drop_lanes(NearPacket& packet, uint32_t lanes) {
     for (; lanes != 0; lanes &= lanes - 1) packet.distance[__builtin_ctz(lanes)] = __builtin_inff();
 }
 
 uint32_t find(const Box8* boxes, const TrianglePacket* const* packets, uint32_t count, const NearProbe& probe,
               NearPacket* out) {
-    const BoxTest test(probe.box);
+    // No box is larger, and squares of what is stay floats. Squares below the smallest float are off by 2^-150 each,
+    // their root by less than the other.
+    const Float8 largest = splat(1e18f), smallest = splat(1e-22f);
     uint32_t found = 0;
     for (uint32_t first = 0; first < count; first += 8) {
-        uint32_t hits = test.hits(boxes[first / 8]);
+        const Box8& eight = boxes[first / 8];
+        Float8 extent = splat(0), squared = splat(0);
+        for (int k = 0; k < 3; ++k) {
+            const Float8 base = splat(probe.base[k]), offset = splat(probe.offset[k]);
+            const Float8 low = load(eight.row[k]) - base, high = load(eight.row[3 + k]) - base;
+            const Float8 gap = min(max(max(low - offset, offset - high), splat(0)), largest);
+            squared = squared + gap * gap;
+            extent = extent + max(abs(low), abs(high)) + abs(offset);
+        }
+        extent = max(extent * splat(1 + 0x1p-20f), splat(tiny));
+        const Float8 error = extent * splat(height_error) + smallest;
+        const Float8 distance = max(sqrt(squared) * splat(shortened) - error, splat(0));
+        uint32_t hits = bits(distance <= splat(probe.radius));
         if (count - first < 8) hits &= (1u << (count - first)) - 1;
         if (hits == 0) continue;
-        float extent[8];
-        store(extent, extents(boxes[first / 8], probe));
+        float distances[8], extents[8];
+        store(distances, distance);
+        store(extents, extent);
         for (; hits != 0; hits &= hits - 1) {
             const uint32_t i = static_cast<uint32_t>(__builtin_ctz(hits));
-            const TrianglePacket& packet = *packets[first + i];
-            const Float8 distance =
-                max(distance_at_least(Corners(packet, probe, 1 / extent[i])), splat(0)) * splat(extent[i] * shortened);
-            const uint32_t lanes = bits(distance <= splat(probe.radius)) & used_lanes(packet);
-            if (lanes == 0) continue;
             NearPacket& near = out[found++];
-            near.packet = &packet;
-            near.error = extent[i] * height_error;
-            store(near.distance, distance);
-            drop_lanes(near, ~lanes & 0xff);
+            near.packet = packets[first + i];
+            near.extent = extents[i];
+            near.measured = 0;
+            store(near.distance, splat(distances[i]));
+            drop_lanes(near, ~used_lanes(*near.packet) & 0xff);
         }
     }
     return found;
 }
 
-bool leave_out(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
-               uint32_t* open) {
+void measure(NearPacket& near, const NearProbe& probe) {
+    const Float8 part = max(distance_at_least(Corners(*near.packet, probe, 1 / near.extent)), splat(0));
+    const Float8 distance = max(part * splat(near.extent * shortened), load(near.distance));
+    store(near.distance, distance);
+    drop_lanes(near, ~bits(distance <= splat(probe.radius)) & 0xff);
+    near.measured = 1;
+}
+
+uint32_t leave_out(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
+                   uint32_t* open) {
     const Vector8 normal{splat(plane.normal[0]), splat(plane.normal[1]), splat(plane.normal[2])};
-    bool any = false;
+    uint32_t left = 0;
     for (uint32_t k = 0; k < count; ++k) {
         NearPacket& near = packets[k];
+        const uint32_t there = bits(load(near.distance) <= splat(probe.radius));
+        if (there == 0) continue;
         const Corners t(*near.packet, probe, 1);
         const Float8 height = max(max(dot(normal, t.a), dot(normal, t.b)), dot(normal, t.c));
-        const Float8 distance = load(near.distance);
-        const uint32_t there = bits(distance <= splat(probe.radius));
-        const uint32_t behind = there & bits(height <= splat(plane.lowest - near.error));
-        open[k] = there & ~behind & bits(height <= splat(plane.highest + near.error));
-        any = any || open[k] != 0;
+        const float error = near.extent * height_error;
+        const uint32_t behind = there & bits(height <= splat(plane.lowest - error));
+        if (behind == there) continue;
         drop_lanes(near, behind);
+        open[left] = there & ~behind & bits(height <= splat(plane.highest + error));
+        packets[left++] = near;
     }
-    return any;
+    return left;
 }
 
 float nearest(const NearPacket* packets, uint32_t count, uint32_t& place) {
@@ -156,6 +165,6 @@ float nearest(const NearPacket* packets, uint32_t count, uint32_t& place) {
 
 }  // namespace
 
-const NearKernels near_kernels = {find, leave_out, nearest};
+const NearKernels near_kernels = {find, measure, leave_out, nearest};
 
 }  // namespace gphys::GPHYS_ISA

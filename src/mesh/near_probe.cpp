@@ -13,8 +13,7 @@ float to_float(double value) { return static_cast<float>(std::clamp(value, -fart
 
 }  // namespace
 
-NearProbe::NearProbe(Vec3 center, double ball_radius)
-    : radius(to_float(ball_radius * widening)), box(bounds(Sphere{center, ball_radius * widening})) {
+NearProbe::NearProbe(Vec3 center, double ball_radius) : radius(to_float(ball_radius * widening)) {
     for (int k = 0; k < 3; ++k) {
         base[k] = to_float(center[k]);
         offset[k] = to_float(center[k] - base[k]);

@@ -12,7 +12,6 @@ struct NearProbe {
 
     float base[3], offset[3];  // the centre is their sum
     float radius;              // at least
-    Box box;                   // holds the ball
 };
 
 /// What is no further than `height` along a unit vector from the centre of a ball.

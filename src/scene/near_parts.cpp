@@ -26,15 +26,16 @@ bool NearParts::add_mesh(const Mesh& mesh, const Transform& world, gphys_model_i
     placed.tag = tag;
     placed.world = world;
     placed.balls = balls;
-    Box all;
+    Aabb centers{world.inverse_apply(balls[0].center), world.inverse_apply(balls[0].center)};
+    double reach = 0;
     for (uint32_t i = 0; i < point_count_; ++i) {
-        const NearProbe& probe = placed.probes[i] =
-            NearProbe(world.inverse_apply(balls[i].center), balls[i].radius / world.scale);
-        for (int k = 0; k < 3; ++k) {
-            all.min[k] = i > 0 ? std::min(all.min[k], probe.box.min[k]) : probe.box.min[k];
-            all.max[k] = i > 0 ? std::max(all.max[k], probe.box.max[k]) : probe.box.max[k];
-        }
+        const Vec3 center = world.inverse_apply(balls[i].center);
+        placed.probes[i] = NearProbe(center, balls[i].radius / world.scale);
+        centers = {min(centers.min, center), max(centers.max, center)};
+        reach = std::max<double>(reach, placed.probes[i].radius);
     }
+    const Vec3 room{reach, reach, reach};
+    const Box all = bounds(Aabb{centers.min - room, centers.max + room});
     // Each mesh begins with boxes of its own.
     const uint32_t first = placed.first_packet = (packet_count_ + 7) / 8 * 8;
     uint32_t count = 0;
@@ -99,6 +100,16 @@ void NearParts::compute(const PlacedMesh& mesh, uint32_t place) {
     if (part.distance <= ball.radius) known_[known_count_++] = part;
 }
 
+/// Packets are measured when no other triangle is certainly nearer.
+float NearParts::nearest_in(const PlacedMesh& mesh, uint32_t& place) {
+    NearPacket* const near = near_ + mesh.first_near;
+    for (;;) {
+        const float distance = kernels_.nearest(near, mesh.near_count, place);
+        if (distance == std::numeric_limits<float>::infinity() || near[place / 8].measured) return distance;
+        kernels_.measure(near[place / 8], mesh.probes[point_]);
+    }
+}
+
 bool NearParts::take_nearest(NearPart& out) {
     for (;;) {
         double bound = infinity;
@@ -131,15 +142,15 @@ void NearParts::leave_out_behind(Vec3 normal, double height, uint32_t tag) {
         if (known_[i].is_triangle && known_[i].tag == tag && is_behind(known_[i].triangle)) take_out(i);
     }
     for (uint32_t i = 0; i < mesh_count_; ++i) {
-        const PlacedMesh& mesh = meshes_[i];
-        if (mesh.tag != tag) continue;
+        PlacedMesh& mesh = meshes_[i];
+        if (mesh.tag != tag || mesh.near_count == 0) continue;
         // As the mesh sees it, from the point.
         const Vec3 local = transpose_times(mesh.world.rotation, normal);
         const double above = (height - dot(normal, mesh.balls[point_].center)) / mesh.world.scale;
         uint32_t open[most_packets];
         NearPacket* const near = near_ + mesh.first_near;
-        if (!kernels_.leave_out(near, mesh.near_count, mesh.probes[point_], HalfSpaceProbe(local, above), open))
-            continue;
+        mesh.near_count =
+            kernels_.leave_out(near, mesh.near_count, mesh.probes[point_], HalfSpaceProbe(local, above), open);
         for (uint32_t k = 0; k < mesh.near_count; ++k) {
             for_each_lane(open[k], [&](int lane) {
                 if (is_behind(transformed(near[k].packet->triangle(lane), mesh.world))) {

@@ -39,7 +39,7 @@ public:
     /// visit(tag, distance) for what is left: some parts of each model, and one that is nearest. A distance may be
     /// larger.
     template <class Visit>
-    void for_each_left(Visit&& visit) const;
+    void for_each_left(Visit&& visit);
 
 private:
     static constexpr uint32_t most_packets = 128, most_meshes = 16, most_exact = 64;
@@ -63,9 +63,7 @@ private:
     uint32_t nearest_known() const;
     void take_out(uint32_t known);
     void compute(const PlacedMesh& mesh, uint32_t place);
-    float nearest_in(const PlacedMesh& mesh, uint32_t& place) const {
-        return kernels_.nearest(near_ + mesh.first_near, mesh.near_count, place);
-    }
+    float nearest_in(const PlacedMesh& mesh, uint32_t& place);
 
     const NearKernels& kernels_ = near_kernels(chosen_isa());
     const Scene* scene_;
@@ -80,7 +78,7 @@ private:
 };
 
 template <class Visit>
-void NearParts::for_each_left(Visit&& visit) const {
+void NearParts::for_each_left(Visit&& visit) {
     for (uint32_t i = 0; i < known_count_; ++i) visit(known_[i].tag, known_[i].distance);
     for (uint32_t i = 0; i < mesh_count_; ++i) {
         uint32_t place;

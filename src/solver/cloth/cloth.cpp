@@ -278,7 +278,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     double length = 0;
     for (const double rest : body.plan.rest) length += rest;
     cloth.link_length = length / static_cast<double>(std::max<size_t>(1, body.plan.rest.size()));
-    body.cloth_contacts.touching = false;
+    body.cloth_contacts.touching.clear();
     if (collides(body, around)) look_around_cloth(body, around, gravity);
 }
 
@@ -308,9 +308,9 @@ void solve_cloth(Body& body) {
         const ClothSurfaces surfaces{contacts.normals.data(), contacts.pulls.data()};
         if (body.joined) {
             kernels.solve_joined(
-                at, {body.cloth.tether_diagonal.data(), body.cloth.tether_off.data(), surfaces, contacts.touching},
+                at, {body.cloth.tether_diagonal.data(), body.cloth.tether_off.data(), surfaces, contacts.touches()},
                 chains, batch, rows);
-        } else if (contacts.touching) {
+        } else if (contacts.touches()) {
             kernels.solve_touching(at, surfaces, chains, batch, rows);
         } else if (batch.attached) {
             kernels.solve_pulling(at, contacts.pulls.data(), chains, batch, rows);
@@ -325,7 +325,7 @@ void solve_cloth(Body& body) {
         });
     }
     if (body.volume.held) solve_volume(body, batches.scale);
-    if (contacts.touching) note_places(body);
+    if (contacts.touches()) note_places(body);
     const ClothLimits limits{batches.limited.data(), batches.anchors.data(), batches.distances.data()};
     const uint32_t limit_count = static_cast<uint32_t>(batches.limited.size());
     if (body.attachments.empty()) {
@@ -360,7 +360,7 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     }
     body.touched = captured;
     if (collides) {
-        body.touched = captured || body.cloth_contacts.touching;
+        body.touched = captured || body.cloth_contacts.touches();
         turn_velocities(body, around, quiet_speed(gravity, h), h);
         if (body.cloth_contacts.pushed) ease_links(body);
         catch_escaped(body, around, gravity, h);

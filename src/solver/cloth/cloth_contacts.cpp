@@ -30,7 +30,7 @@ void carry_walls(ClothContacts& contacts) {
 }
 
 /// Where the particle would be if it stayed at its place on the wall that it touches.
-Vec3 place_on_wall(const Neighbour& n, const ClothContacts& contacts, Vec3 start) {
+inline Vec3 place_on_wall(const Neighbour& n, const ClothContacts& contacts, Vec3 start) {
     const uint32_t mover = n.walls[n.touching].mover;
     if (mover == Wall::unmoved) return start;
     float rounded[3];
@@ -51,20 +51,24 @@ uint32_t deepest(const Neighbour& n, Vec3 at, double& depth) {
     return best;
 }
 
-/// Out of all walls; those that move it are noted.
-void push_out(Neighbour& n, float* at) {
+/// Out of all walls; those that move it are noted. Returns the first of them, or -1.
+int32_t push_out(Neighbour& n, float* at) {
+    int32_t first = -1;
     // Twice, as the second wall may push it into the first.
     for (int pass = 0; pass < 2; ++pass) {
+        bool moved = false;
         for (uint32_t i = 0; i < n.wall_count; ++i) {
             const double depth = n.walls[i].offset - dot(n.walls[i].normal, get(at));
             if (depth <= 0) continue;
             put(at, get(at) + n.walls[i].normal * depth);
             n.pressed += depth;
             n.touched |= 1u << i;
-            if (n.touching < 0) n.touching = static_cast<int32_t>(i);
+            if (first < 0) first = static_cast<int32_t>(i);
+            moved = true;
         }
-        if (n.wall_count == 1) return;
+        if (!moved || n.wall_count == 1) break;
     }
+    return first;
 }
 
 }  // namespace
@@ -72,6 +76,7 @@ void push_out(Neighbour& n, float* at) {
 void reserve_cloth_contacts(Body& body) {
     ClothContacts& contacts = body.cloth_contacts;
     contacts.neighbours.reserve(body.size());
+    contacts.touching.reserve(body.size());
     contacts.escaped.resize(body.size());
     contacts.place.resize(body.size());
     for (Vector<float>* values : {&contacts.balls, &contacts.normals, &contacts.pulls}) {
@@ -95,45 +100,55 @@ void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
 void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
     ClothState& cloth = body.cloth;
     const BodySettings& settings = body.settings;
-    const double h = scheme.h, drag = scheme.drag(body.settings.damping);
+    const double h = scheme.h, rate = 1 / h, drag = scheme.drag(body.settings.damping);
     ClothContacts& contacts = body.cloth_contacts;
-    contacts.touching = false;
+    contacts.touching.clear();
     contacts.pushed = false;
     move_movers(body, around);
     carry_walls(contacts);
     // What gravity moves a particle by in a substep is near enough to touch.
     const double near = length(gravity) * h * h;
-    for (Neighbour& n : contacts.neighbours) {
+    for (uint32_t number = 0; number < contacts.neighbours.size(); ++number) {
+        Neighbour& n = contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         float* at = &cloth.at[i];
-        const Vec3 start = get(&cloth.start[i]);
-        const double pressed_before = n.touching >= 0 ? n.total : 0;
-        n.pressed = 0;
-        n.total = 0;
+        const bool touched_before = n.touching >= 0;
         n.touching = -1;
-        if (n.wall_count == 0) continue;
-        n.coming = (scheme.from_history(get(&cloth.velocity[i]), get(&cloth.velocity_before[i])) +
-                    get(&cloth.acceleration[i]) * h) *
-                   drag;
         double depth;
         const uint32_t wall = deepest(n, get(at), depth);
         if (depth < -near) continue;
-        contacts.touching = true;
+        const double pressed_before = touched_before ? n.total : 0;
+        const Vec3 start = get(&cloth.start[i]);
+        contacts.touching.push_back(number);
+        n.pressed = 0;
+        n.total = 0;
+        n.coming = (scheme.from_history(get(&cloth.velocity[i]), get(&cloth.velocity_before[i])) +
+                    get(&cloth.acceleration[i]) * h) *
+                   drag;
         n.touching = static_cast<int32_t>(wall);
         n.touched |= 1u << wall;
         contacts.pushed = contacts.pushed || is_pushed(n);
         const Vec3 normal = n.walls[wall].normal;
         const Vec3 place = place_on_wall(n, contacts, start), moved = get(at) - place;  // beside the wall
-        n.approach = -dot(moved, normal) / h;
-        const Vec3 along = moved - normal * dot(moved, normal);
-        const Vec3 sliding = get(&cloth.velocity[i]) - (place - start) / h;
-        n.crept = settings.sticks() && rests(body, n.particle, sliding, gravity) ? length(sliding) * h : -1;
+        const double away = dot(moved, normal);
+        n.approach = -away * rate;
+        const Vec3 along = moved - normal * away;
+        n.crept = -1;
+        if (settings.sticks()) {
+            const Vec3 sliding = get(&cloth.velocity[i]) - (place - start) * rate;
+            if (rests(body, n.particle, sliding, gravity)) n.crept = length(sliding) * h;
+        }
         put(&contacts.pulls[i], {});
         put(&contacts.normals[i], normal);
         // What links will add to the pressure is known from the substep before.
-        const double way = length(along);
-        n.slowed = std::min(way, settings.friction * std::max(pressed_before, depth));
-        if (way > 0) put(at, get(at) - along * (n.slowed / way));
+        const double squared = length_squared(along), hold = settings.friction * std::max(pressed_before, depth);
+        if (squared > hold * hold) {
+            n.slowed = hold;
+            if (hold > 0) put(at, get(at) - along * (hold / std::sqrt(squared)));
+        } else {
+            n.slowed = std::sqrt(squared);
+            put(at, get(at) - along);
+        }
         push_out(n, at);
     }
 }
@@ -145,37 +160,48 @@ void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& 
     const Vec3 normal = n.walls[n.touching].normal, moved = get(at) - place;
     n.total = n.pressed + std::max(0.0, -dot(get(&contacts.pulls[4 * size_t{n.particle}]), normal)) * at[3];
     const Vec3 along = moved - normal * dot(moved, normal);
-    const double way = length(along), hold = settings.friction * n.total - n.slowed;
-    if (way <= hold || (n.crept >= 0 && way - n.crept <= settings.static_friction * n.total - n.slowed)) {
+    const double squared = length_squared(along), hold = settings.friction * n.total - n.slowed;
+    const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
+    if (within(hold) || (n.crept >= 0 && within(n.crept + settings.static_friction * n.total - n.slowed))) {
         put(at, place);
     } else if (hold > 0) {
-        put(at, get(at) - along * (hold / way));
+        put(at, get(at) - along * (hold / std::sqrt(squared)));
     }
 }
 
 }  // namespace
 
 void note_places(Body& body) {
-    for (Neighbour& n : body.cloth_contacts.neighbours) n.chained = get(&body.cloth.at[4 * size_t{n.particle}]);
+    ClothContacts& contacts = body.cloth_contacts;
+    for (const uint32_t number : contacts.touching) {
+        Neighbour& n = contacts.neighbours[number];
+        n.chained = get(&body.cloth.at[4 * size_t{n.particle}]);
+    }
 }
 
 void leave_walls(Body& body) {
     ClothState& cloth = body.cloth;
     ClothContacts& contacts = body.cloth_contacts;
-    for (Neighbour& n : contacts.neighbours) {
+    contacts.touching.clear();
+    for (uint32_t number = 0; number < contacts.neighbours.size(); ++number) {
+        Neighbour& n = contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         float* at = &cloth.at[i];
-        const Vec3 start = get(&cloth.start[i]), limited = get(at);
         const bool before = n.touching >= 0;
-        if (n.wall_count > 0) {
-            push_out(n, at);
-            if (!before && n.touching >= 0) put(&contacts.pulls[i], {}), n.approach = 0;
-            if (n.touching >= 0) slow_down(n, contacts, body.settings, place_on_wall(n, contacts, start), at);
-            put(&contacts.normals[i], {});
+        const Vec3 limited = get(at);
+        if (!before) {
+            double depth;
+            deepest(n, limited, depth);
+            if (depth <= 0) continue;
+            n.pressed = n.approach = 0;
+            put(&contacts.pulls[i], {});
         }
-        contacts.touching = contacts.touching || n.touching >= 0;
+        contacts.touching.push_back(number);
+        const int32_t pushing = push_out(n, at);
+        if (!before) n.touching = pushing;
+        slow_down(n, contacts, body.settings, place_on_wall(n, contacts, get(&cloth.start[i])), at);
+        put(&contacts.normals[i], {});
         contacts.pushed = contacts.pushed || is_pushed(n);
-        if (n.touching < 0) continue;
         // As metres: what chains and limits have moved it by, or what walls have.
         n.moved = before ? get(&contacts.pulls[i]) * at[3] + (limited - n.chained) : limited - get(at);
         n.chained_touching = before;
@@ -199,8 +225,8 @@ void lose(Neighbour& n, Body& body, const Surroundings& around, Vec3 velocity) {
 
 /// Links, limits and walls have changed a velocity from the predicted one; what walls did they get.
 void count_contacts(Body& body, const Surroundings& around, double rate) {
-    for (Neighbour& n : body.cloth_contacts.neighbours) {
-        if (n.touching < 0) continue;
+    for (const uint32_t number : body.cloth_contacts.touching) {
+        Neighbour& n = body.cloth_contacts.neighbours[number];
         const Vec3 velocity = get(&body.cloth.velocity[4 * size_t{n.particle}]);
         const Vec3 pulled = n.moved * rate;
         lose(n, body, around, n.chained_touching ? n.coming + pulled - velocity : pulled);
@@ -209,12 +235,13 @@ void count_contacts(Body& body, const Surroundings& around, double rate) {
 
 void turn_velocities(Body& body, const Surroundings& around, double quiet, double h) {
     ClothState& cloth = body.cloth;
-    for (Neighbour& n : body.cloth_contacts.neighbours) {
-        if (n.touching < 0) continue;
+    const double rate = 1 / h;
+    for (const uint32_t number : body.cloth_contacts.touching) {
+        Neighbour& n = body.cloth_contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         float* velocity = &cloth.velocity[i];
         const Vec3 start = get(&cloth.start[i]), place = place_on_wall(n, body.cloth_contacts, start);
-        const Vec3 of_wall = (place - start) / h;
+        const Vec3 of_wall = (place - start) * rate;
         if (get(&cloth.at[i]) == place) {
             lose(n, body, around, get(velocity) - of_wall);
             put(velocity, of_wall);

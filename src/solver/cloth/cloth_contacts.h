@@ -37,25 +37,26 @@ struct Wall {
     uint32_t mover;  // its number in ClothContacts::movers, or unmoved
 };
 
-/// A particle that may touch something in this step.
-struct Neighbour {
+/// A particle that may touch something in this step. What all substeps ask of it comes first, in a cache line or two.
+struct alignas(64) Neighbour {
     static constexpr uint32_t most_walls = 4;
 
     uint32_t particle;
     uint32_t wall_count;
-    Wall walls[most_walls];
     uint32_t touched;  // bit by wall: in this step
     int32_t touching;  // the wall that pressed it most in this substep, or -1
-    double crept;      // metres, which its speed alone takes it, where that counts as none; else -1
-    double pressed;    // metres, by how much walls have moved it in this substep
-    double total;      // the same with what links pulled it against them by
-    double slowed;     // metres, by how much friction has slowed it before the links pulled
-    double approach;   // speed towards the wall before it touched
+    Wall walls[most_walls];
+    // Of one that touches, in this substep:
+    double crept;           // metres, which its speed alone takes it, where that counts as none; else -1
+    double pressed;         // metres, by how much walls have moved it
+    double total;           // the same with what links pulled it against them by
+    double slowed;          // metres, by how much friction has slowed it before the links pulled
+    double approach;        // speed towards the wall before it touched
+    bool chained_touching;  // whether it touched before the chains were solved
+    Vec3 coming;            // if so, the velocity predicted for the end of this substep
+    Vec3 chained;           // and where the chains have left it, before limits
+    Vec3 moved;             // metres, by chains and limits; against what walls did, if it touched after them
     // For what models get from it:
-    bool chained_touching;   // whether it touched before the chains were solved
-    Vec3 coming;             // the velocity predicted for the end of this substep
-    Vec3 chained;            // where the chains have left it, before limits
-    Vec3 moved;              // metres, by chains and limits; against what walls did, if it touched after them
     gphys_model_id getting;  // the model that gets the next two:
     Vec3 given, turning;     // m/s, what it has lost to it, and the moment of that about the cloth's origin
 };
@@ -64,6 +65,7 @@ struct ClothContacts {
     explicit ClothContacts(std::pmr::memory_resource* memory)
         : movers(memory),
           neighbours(memory),
+          touching(memory),
           place(memory),
           balls(memory),
           normals(memory),
@@ -74,12 +76,14 @@ struct ClothContacts {
 
     Vector<Mover> movers;
     Vector<Neighbour> neighbours;
+    Vector<uint32_t> touching;     // those of them that touch something in this substep
     Vector<uint32_t> place;        // by particle: in neighbours, or nowhere
     Vector<float> balls;           // four floats a particle: centre, square of the radius
     Vector<float> normals, pulls;  // four floats a particle, as ClothSurfaces takes them
     Vector<uint32_t> escaped;      // of this substep; at its beginning all that move
-    bool touching = false;         // whether any particle is, in this substep
-    bool pushed = false;           // whether it is by a model that moves
+    bool pushed = false;           // whether any that touches is, by a model that moves
+
+    bool touches() const { return !touching.empty(); }
 };
 
 }  // namespace gphys

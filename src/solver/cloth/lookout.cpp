@@ -108,23 +108,21 @@ bool Lookout::collect(const uint32_t* particles, uint32_t count) {
     const Vec3 origin = body_.cloth.origin;
     const Vector<Mover>& movers = body_.cloth_contacts.movers;
     parts_.clear(count);
-    Box all;
+    Aabb places{place_of(body_, particles[0]), place_of(body_, particles[0])};
+    double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const Vec3 at = place_of(body_, particles[i]);
         const double range = body_.radius[particles[i]] + reach_[i];
         balls_[i] = {origin + at, range};
-        const Box box = bounds(balls_[i]);
-        for (int k = 0; k < 3; ++k) {
-            all.min[k] = i > 0 ? std::min(all.min[k], box.min[k]) : box.min[k];
-            all.max[k] = i > 0 ? std::max(all.max[k], box.max[k]) : box.max[k];
-        }
+        places = {min(places.min, at), max(places.max, at)};
+        farthest = std::max(farthest, range);
         for (uint32_t m = 0; m < mover_count_; ++m) {
             const Mover& mover = movers[near_movers_[m]];
             moving_balls_[m][i] = {origin + mover.from_end.inverse_apply(at), mover.range(range, at)};
         }
     }
     bool complete = true;
-    around_.scene->for_each_in_box(all, body_.settings.layers, [&](gphys_model_id model) {
+    around_.scene->for_each_in_box(around(places, farthest, origin), body_.settings.layers, [&](gphys_model_id model) {
         if (!has_moved(around_, model)) complete &= parts_.add(*around_.scene, model, Wall::unmoved, balls_);
     });
     for (uint32_t m = 0; m < mover_count_; ++m) {

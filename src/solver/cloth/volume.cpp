@@ -76,7 +76,7 @@ void solve_volume(Body& body, double scale) {
     // Particles that touch something go along it, or off.
     const auto way = [&](uint32_t p) {
         Vec3 out = volume.gradient[p];
-        if (!contacts.touching) return out;
+        if (!contacts.touches()) return out;
         const Vec3 normal = get(&contacts.normals[4 * size_t{p}]);
         const double off = dot(out, normal) * wanted;
         return off < 0 ? out - normal * dot(out, normal) : out;
@@ -85,7 +85,7 @@ void solve_volume(Body& body, double scale) {
     for (uint32_t p = 0; p < body.size(); ++p) mobility += cloth.at[4 * size_t{p} + 3] * length_squared(way(p));
     if (mobility == 0) return;
     const double push = wanted / (mobility + softness);
-    const bool is_noted = contacts.touching || !body.attachments.empty();
+    const bool is_noted = contacts.touches() || !body.attachments.empty();
     for (uint32_t p = 0; p < body.size(); ++p) {
         float* at = &cloth.at[4 * size_t{p}];
         add(at, way(p) * (push * at[3]));
