@@ -1,6 +1,9 @@
 // Workers that share one long piece of work, phase after phase, with too little in a phase to wake
 // anybody for. Whoever comes first leads; those who come later help, waiting busily between phases.
 // The leader never waits for one who has not come, so a team of one does all the work itself.
+//
+// Members take tasks from both ends, by turns: what two of them did in a phase they mostly do in the next, and
+// find it in their caches.
 #pragma once
 
 #include <atomic>
@@ -36,12 +39,14 @@ public:
         };
         context_ = const_cast<void*>(static_cast<const void*>(&task));
         finished_.store(0, std::memory_order_relaxed);
-        ticket_.store(++phase_ << 40 | uint64_t{count} << 20, std::memory_order_release);
+        ticket_.store(++phase_ << 40 | uint64_t{count} << end_shift, std::memory_order_release);
         take_all(0);
         for (Patience patience; finished_.load(std::memory_order_acquire) < count;) patience.wait();
     }
 
 private:
+    static constexpr int end_shift = 20;
+
     /// A little of the processor's time, then, if others need it, the system's.
     class Patience {
     public:
@@ -59,15 +64,17 @@ private:
         uint32_t turns_ = 0;
     };
 
-    /// The tasks that are left of the phase under way. The ticket holds phase, count and next task, so that
-    /// nobody takes a task of one phase for that of another.
+    /// The tasks that are left of the phase under way. The ticket holds the phase, the end of those tasks and the
+    /// first, so that nobody takes a task of one phase for that of another.
     void take_all(uint32_t member) {
+        const bool from_end = member % 2 == 1;
         uint64_t ticket = ticket_.load(std::memory_order_acquire);
         for (;;) {
-            const uint32_t next = ticket & most_tasks, count = ticket >> 20 & most_tasks;
-            if (next >= count) return;
-            if (!ticket_.compare_exchange_weak(ticket, ticket + 1, std::memory_order_acq_rel)) continue;
-            call_(context_, next, member);
+            const uint32_t first = ticket & most_tasks, end = ticket >> end_shift & most_tasks;
+            if (first >= end) return;
+            const uint64_t next = from_end ? ticket - (uint64_t{1} << end_shift) : ticket + 1;
+            if (!ticket_.compare_exchange_weak(ticket, next, std::memory_order_acq_rel)) continue;
+            call_(context_, from_end ? end - 1 : first, member);
             finished_.fetch_add(1, std::memory_order_release);
             ticket = ticket_.load(std::memory_order_acquire);
         }

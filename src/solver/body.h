@@ -81,6 +81,12 @@ struct ClothBalance {
     double stored = 0;    // by elastic links, before it
 };
 
+/// Of some of its particles.
+struct ClothExtent {
+    Aabb box;
+    double mass;
+};
+
 /// The state of cloth during a step, as cloth_kernels.h takes it: four floats for each particle, and
 /// for a few more that do not move.
 struct ClothState {
@@ -93,17 +99,18 @@ struct ClothState {
           acceleration(memory),
           mass(memory),
           gains(memory),
+          extents(memory),
           tether_diagonal(memory),
           tether_off(memory) {}
 
     Vec3 origin;              // of the positions
     double average_mass = 1;  // of the particles
-    double link_length = 0;   // metres, the average
     uint32_t particles = 0;   // that are the body's
     Team* team = nullptr;     // who shares the work of the step under way; null: nobody
     bool pulled = false;      // the caller may have done work on it since the last step
     Vector<float> at, start, moved, velocity, velocity_before, acceleration, mass;
-    Vector<double> gains;  // of kinetic energy, by block of particles
+    Vector<double> gains;         // of kinetic energy, by block of particles
+    Vector<ClothExtent> extents;  // by share of particles
     ClothBalance balance;
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth
 };

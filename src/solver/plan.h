@@ -75,8 +75,9 @@ struct ClothBatches {
     Vector<uint32_t> limited, anchors;
     Vector<uint32_t> ranks;  // in them: the first of each rank, and the end; a rank has no particle twice
     Vector<float> distances;
-    uint32_t longest = 0;  // links
-    Vector<float> rows;    // room for the longest chain, of each who works on the body
+    uint32_t longest = 0;    // links
+    double link_length = 0;  // metres, the average
+    Vector<float> rows;      // room for the longest chain, of each who works on the body
 };
 
 struct Plan {

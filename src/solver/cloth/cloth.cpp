@@ -214,14 +214,39 @@ void take_back(ClothState& cloth, double gain) {
     }
 }
 
+/// part(its number, first particle, end) in any order.
+template <class Part>
+void share_parts(const Body& body, Part&& part) {
+    constexpr uint32_t together = share_floats / 4;
+    share(body.cloth.team, (body.size() + together - 1) / together,
+          [&](uint32_t i, uint32_t) { part(i, i * together, std::min(body.size(), (i + 1) * together)); });
+}
+
 /// each(particle), in any order.
 template <class Each>
-void share_particles(Body& body, Each&& each) {
-    constexpr uint32_t together = share_floats / 4;
-    share(body.cloth.team, (body.size() + together - 1) / together, [&](uint32_t i, uint32_t) {
-        const uint32_t end = std::min(body.size(), (i + 1) * together);
-        for (uint32_t p = i * together; p < end; ++p) each(p);
+void share_particles(const Body& body, Each&& each) {
+    share_parts(body, [&](uint32_t, uint32_t first, uint32_t end) {
+        for (uint32_t p = first; p < end; ++p) each(p);
     });
+}
+
+/// Of all particles; the same whoever shares the work.
+ClothExtent extent_of(Body& body) {
+    Vector<ClothExtent>& parts = body.cloth.extents;
+    share_parts(body, [&](uint32_t i, uint32_t first, uint32_t end) {
+        ClothExtent extent{{body.position[first], body.position[first]}, 0};
+        for (uint32_t p = first; p < end; ++p) {
+            extent.box = {min(extent.box.min, body.position[p]), max(extent.box.max, body.position[p])};
+            extent.mass += body.mass[p];
+        }
+        parts[i] = extent;
+    });
+    ClothExtent all = parts[0];
+    for (size_t i = 1; i < parts.size(); ++i) {
+        all.box = {min(all.box.min, parts[i].box.min), max(all.box.max, parts[i].box.max)};
+        all.mass += parts[i].mass;
+    }
+    return all;
 }
 
 void publish(Body& body) {
@@ -243,20 +268,16 @@ void reserve_cloth(Body& body) {
         values->resize(floats);
     }
     cloth.gains.resize((floats + block_floats - 1) / block_floats);
+    cloth.extents.resize((4 * size_t{body.size()} + share_floats - 1) / share_floats);
     if (!body.attachments.empty()) body.cloth_contacts.pulls.resize(floats);
     if (body.volume.held) body.volume.gradient.resize(body.size());
 }
 
 void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     ClothState& cloth = body.cloth;
-    Aabb box{body.position[0], body.position[0]};
-    double mass = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        box = {min(box.min, body.position[p]), max(box.max, body.position[p])};
-        mass += body.mass[p];
-    }
-    cloth.origin = (box.min + box.max) / 2;
-    cloth.average_mass = mass / body.size();
+    const ClothExtent extent = extent_of(body);
+    cloth.origin = (extent.box.min + extent.box.max) / 2;
+    cloth.average_mass = extent.mass / body.size();
     cloth.pulled = body.earlier_step == 0 && !body.touched;
     share_particles(body, [&](uint32_t p) {
         const size_t i = 4 * size_t{p};
@@ -275,9 +296,6 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     }
     for (uint32_t p = 1; p < body.plan.batches.spare; p += 2) cloth.at[4 * (size_t{body.size()} + p)] = 1;
     cloth.particles = body.size();
-    double length = 0;
-    for (const double rest : body.plan.rest) length += rest;
-    cloth.link_length = length / static_cast<double>(std::max<size_t>(1, body.plan.rest.size()));
     body.cloth_contacts.touching.clear();
     if (collides(body, around)) look_around_cloth(body, around, gravity);
 }

@@ -29,7 +29,7 @@ void Lookout::look(const uint32_t* particles, uint32_t count) {
 }
 
 /// A particle looks no further than to its neighbours, which a step seldom takes it, so that few parts are near.
-double Lookout::farthest(uint32_t p) const { return std::max(body_.cloth.link_length, body_.radius[p]); }
+double Lookout::farthest(uint32_t p) const { return std::max(body_.plan.batches.link_length, body_.radius[p]); }
 
 /// Those that follow the first one within a box of eight times the size of what it may see.
 uint32_t Lookout::count_together(const uint32_t* particles, uint32_t count) const {

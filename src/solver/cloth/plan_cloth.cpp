@@ -121,6 +121,9 @@ void pack_cloth(Body& body) {
     }
     batches.families.push_back(static_cast<uint32_t>(batches.chains.size()));
     if (!body.attachments.empty()) mark_attached(body, batches);
+    double length = 0;
+    for (const double rest : plan.rest) length += rest;
+    batches.link_length = length / static_cast<double>(std::max<size_t>(1, plan.rest.size()));
     batches.target.clear();
     if (!batches.damped.empty()) batches.target = batches.rest;
     batches.softness.resize(batches.rest.size());
