@@ -13,12 +13,15 @@ float to_float(double value) { return static_cast<float>(std::clamp(value, -fart
 
 }  // namespace
 
-NearProbe::NearProbe(Vec3 center, double ball_radius) : radius(to_float(ball_radius * widening)) {
+NearProbe::NearProbe(Vec3 center, double ball_radius) {
+    shrink(ball_radius);
     for (int k = 0; k < 3; ++k) {
         base[k] = to_float(center[k]);
         offset[k] = to_float(center[k] - base[k]);
     }
 }
+
+void NearProbe::shrink(double ball_radius) { radius = to_float(ball_radius * widening); }
 
 HalfSpaceProbe::HalfSpaceProbe(Vec3 unit, double height) {
     for (int k = 0; k < 3; ++k) normal[k] = to_float(unit[k]);

@@ -9,6 +9,7 @@ namespace gphys {
 struct NearProbe {
     NearProbe() = default;
     NearProbe(Vec3 center, double ball_radius);
+    void shrink(double ball_radius);
 
     float base[3], offset[3];  // the centre is their sum
     float radius;              // at least

@@ -56,12 +56,13 @@ bool NearParts::add_mesh(const Mesh& mesh, const Transform& world, gphys_model_i
     return complete;
 }
 
-void NearParts::look_from(uint32_t point) {
+uint32_t NearParts::look_from(uint32_t point) {
     point_ = point;
     known_count_ = 0;
     uint32_t near_count = 0;
     for (uint32_t i = 0; i < mesh_count_; ++i) {
         PlacedMesh& mesh = meshes_[i];
+        mesh.probes[point].shrink(mesh.balls[point].radius / mesh.world.scale);
         mesh.first_near = near_count;
         mesh.near_count = kernels_.find(boxes_ + mesh.first_packet / 8, packets_ + mesh.first_packet, mesh.packet_count,
                                         mesh.probes[point], near_ + near_count);
@@ -74,6 +75,7 @@ void NearParts::look_from(uint32_t point) {
         scene_->closest_point_model(primitive.model, ball.center, part.closest, part.normal, part.distance);
         if (part.distance <= ball.radius) known_[known_count_++] = part;
     }
+    return known_count_ + 8 * near_count;
 }
 
 uint32_t NearParts::nearest_known() const {

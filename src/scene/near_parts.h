@@ -29,8 +29,9 @@ public:
     /// too many parts, of which some are missing then.
     bool add(const Scene& scene, gphys_model_id model, uint32_t tag, const Sphere* balls);
 
-    /// All parts near a point are there; what was asked of another one no longer is.
-    void look_from(uint32_t point);
+    /// All parts that touch a point's balls are there; what was asked of another one no longer is. Balls may have
+    /// become smaller since the models were added. Returns how many parts there are at most.
+    uint32_t look_from(uint32_t point);
     /// Takes out the nearest part that is there; false if none is.
     bool take_nearest(NearPart& out);
     /// Leaves out triangles of models with the tag that are wholly behind dot(normal, place) = height; `normal` is

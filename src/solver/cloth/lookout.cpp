@@ -102,8 +102,18 @@ double Lookout::wanted_reach(uint32_t p) const {
     return std::min(1.5 * (time_ * (length(velocity) + time_ * length(gravity_)) + pushed), farthest(p));
 }
 
-/// Parts within reach, and those of models that move if they may come as near in the rest of the step. False if
-/// there are too many.
+/// What it reaches; of models that move, if they may come as near in the rest of the step.
+void Lookout::place_balls(uint32_t p, uint32_t point) {
+    const Vec3 origin = body_.cloth.origin, at = place_of(body_, p);
+    const double range = body_.radius[p] + reach_[point];
+    balls_[point] = {origin + at, range};
+    for (uint32_t m = 0; m < mover_count_; ++m) {
+        const Mover& mover = body_.cloth_contacts.movers[near_movers_[m]];
+        moving_balls_[m][point] = {origin + mover.from_end.inverse_apply(at), mover.range(range, at)};
+    }
+}
+
+/// Models that the balls touch. False if there is too much.
 bool Lookout::collect(const uint32_t* particles, uint32_t count) {
     const Vec3 origin = body_.cloth.origin;
     const Vector<Mover>& movers = body_.cloth_contacts.movers;
@@ -112,14 +122,9 @@ bool Lookout::collect(const uint32_t* particles, uint32_t count) {
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const Vec3 at = place_of(body_, particles[i]);
-        const double range = body_.radius[particles[i]] + reach_[i];
-        balls_[i] = {origin + at, range};
+        place_balls(particles[i], i);
         places = {min(places.min, at), max(places.max, at)};
-        farthest = std::max(farthest, range);
-        for (uint32_t m = 0; m < mover_count_; ++m) {
-            const Mover& mover = movers[near_movers_[m]];
-            moving_balls_[m][i] = {origin + mover.from_end.inverse_apply(at), mover.range(range, at)};
-        }
+        farthest = std::max(farthest, balls_[i].radius);
     }
     bool complete = true;
     around_.scene->for_each_in_box(around(places, farthest, origin), body_.settings.layers, [&](gphys_model_id model) {
@@ -138,8 +143,11 @@ void Lookout::settle(uint32_t p, uint32_t point) {
     float* const at = &body_.cloth.at[4 * size_t{p}];
     Neighbour found{};
     found.particle = p;
+    for (int halvings = 0; parts_.look_from(point) > most_parts && halvings < 3; ++halvings) {
+        reach_[point] /= 2;
+        place_balls(p, point);
+    }
     double reach = reach_[point];
-    parts_.look_from(point);
     choose_walls(p, get(at), reach, found);
     for (uint32_t i = 0; i < found.wall_count; ++i) {
         const double depth = found.walls[i].offset - dot(found.walls[i].normal, get(at));

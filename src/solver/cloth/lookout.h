@@ -22,6 +22,9 @@ private:
     static constexpr uint32_t most_points = NearParts::most_points;
     // Models that move near particles; one with more around it has no ball.
     static constexpr uint32_t most_movers = 8;
+    // Among more parts a particle sees less far: walls are planes, and that of a part far off keeps it from much
+    // that is free.
+    static constexpr uint32_t most_parts = 64;
 
     double farthest(uint32_t p) const;
     uint32_t count_together(const uint32_t* particles, uint32_t count) const;
@@ -30,6 +33,7 @@ private:
     bool find_movers_near(const Aabb& places, double range);
     double wanted_reach(uint32_t p) const;
     bool collect(const uint32_t* particles, uint32_t count);
+    void place_balls(uint32_t p, uint32_t point);
     void settle(uint32_t p, uint32_t point);
     void choose_walls(uint32_t p, Vec3 at, double& reach, Neighbour& found);
     double nearest_in_step(uint32_t mover, double distance, Vec3 at) const;
