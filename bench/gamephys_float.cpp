@@ -173,16 +173,15 @@ private:
         prepared_.assign(rays, rays + count);
         gphys::Ray exact[Octree::rays_at_once];
         for (uint32_t i = 0; i < count; ++i) exact[i] = gphys::widen(rays[i]);
-        octree_->raycast_many([&](uint32_t i) -> const gphys::Ray& { return exact[i]; }, count,
-                              [&](uint32_t i, uint32_t item, double& t_max) {
-                                  FloatRay& ray = prepared_[i];
-                                  float t;
-                                  if (!shapes[item].hit(ray, t)) return;
-                                  if (t == ray.t && item > ray.item) return;
-                                  ray.t = t;
-                                  ray.item = item;
-                                  t_max = static_cast<double>(t);
-                              });
+        octree_->raycast_many(exact, count, [&](uint32_t i, uint32_t item, double& t_max) {
+            FloatRay& ray = prepared_[i];
+            float t;
+            if (!shapes[item].hit(ray, t)) return;
+            if (t == ray.t && item > ray.item) return;
+            ray.t = t;
+            ray.item = item;
+            t_max = static_cast<double>(t);
+        });
         for (uint32_t i = 0; i < count; ++i) {
             const FloatRay& ray = prepared_[i];
             const FloatVec point = point_of(ray);
@@ -202,10 +201,9 @@ private:
             limits[i] = along[i].limit(exact[i].t_max);
         }
         const auto probe_of = [&](uint32_t i) -> const RayProbe& { return along[i]; };
-        const auto ray_of = [&](uint32_t i) -> const gphys::Ray& { return exact[i]; };
         const Octree& tree = mesh_->octree();
         gphys::RayBundling(root, tree.size())
-            .split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+            .split(exact, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
                 kernels_.rays(tree.nodes(), tree.root(), mesh_->packets().data(), along + first,
                               prepared_.data() + first, limits + first, last - first, together);
             });

@@ -213,13 +213,12 @@ void compare_ray(const Octree& tree, const Boxes& boxes, const Ray& ray, double 
 void compare_rays(const Octree& tree, const Boxes& boxes, const std::vector<Ray>& rays) {
     std::vector<std::set<uint32_t>> visited(rays.size()), visited_alone(rays.size());
     std::vector<Nearest> nearest(rays.size()), nearest_alone(rays.size());
-    const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i]; };
     const auto count = static_cast<uint32_t>(rays.size());
     std::feclearexcept(FE_ALL_EXCEPT);
-    tree.raycast_many(ray_of, count,
+    tree.raycast_many(rays.data(), count,
                       [&](uint32_t i, uint32_t item, double&) { REQUIRE(visited[i].insert(item).second); });
     REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
-    tree.raycast_many(ray_of, count, [&](uint32_t i, uint32_t item, double& t_max) {
+    tree.raycast_many(rays.data(), count, [&](uint32_t i, uint32_t item, double& t_max) {
         nearest[i].meet(item, boxes.at(item), rays[i], 0, t_max);
     });
     for (uint32_t i = 0; i < count; ++i) {

@@ -63,7 +63,7 @@ void raycast_each(const Scene& scene, uint32_t count, uint32_t layers, const Str
         out[i] = no_hit;
         return false;
     };
-    cast_in_groups(scene, count, ray_or_no_hit, [&](const Ray* rays, const uint32_t* items, uint32_t size) {
+    cast_in_groups(scene, count, ray_or_no_hit, [&](Ray* rays, const uint32_t* items, uint32_t size) {
         gphys_hit* hits[Scene::rays_at_once];
         for (uint32_t k = 0; k < size; ++k) {
             hits[k] = &out[items[k]];

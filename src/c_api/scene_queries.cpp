@@ -92,7 +92,7 @@ gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys
             r = widen(ray[i]);
             return true;
         };
-        cast_in_groups(*unwrap(scene), count, ray_of, [&](const Ray* group, const uint32_t* items, uint32_t size) {
+        cast_in_groups(*unwrap(scene), count, ray_of, [&](Ray* group, const uint32_t* items, uint32_t size) {
             const uint64_t met = unwrap(scene)->raycast_any_many(group, size, layers);
             for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(met >> k & 1);
         });

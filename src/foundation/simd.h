@@ -150,11 +150,44 @@ inline Float8 max(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = maximum(a.part[i], b.part[i]);
     return a;
 }
+/// The least of all lanes, and the greatest.
+inline float least_lane(Float8 a) {
+    FloatRegister least = a.part[0];
+    for (int i = 1; i < register_count; ++i) least = minimum(least, a.part[i]);
+    float one = least[0];
+    for (int i = 1; i < register_lanes; ++i) one = least[i] < one ? least[i] : one;
+    return one;
+}
+inline float greatest_lane(Float8 a) { return -least_lane(splat(0) - a); }
+
 inline Float8 abs(Float8 a) { return max(a, splat(0) - a); }
 
 /// In lanes that are set a, else b.
 inline Float8 choose(Mask8 mask, Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = mask.part[i] ? a.part[i] : b.part[i];
+    return a;
+}
+
+/// Set where the sign is, even of zero.
+inline Mask8 signs(Float8 a) {
+    Mask8 mask;
+    for (int i = 0; i < register_count; ++i) mask.part[i] = reinterpret_cast<MaskRegister>(a.part[i]) >> 31;
+    return mask;
+}
+/// In lanes that are set a, else b, as they are in memory.
+inline Float8 choose_bits(Mask8 mask, int32_t a, int32_t b) {
+    Float8 v;
+    for (int i = 0; i < register_count; ++i) {
+        v.part[i] = reinterpret_cast<FloatRegister>((mask.part[i] & (a ^ b)) ^ b);
+    }
+    return v;
+}
+
+/// Whole numbers as they are in memory as integers.
+inline Float8 integer_bits(Float8 a) {
+    for (FloatRegister& part : a.part) {
+        part = reinterpret_cast<FloatRegister>(__builtin_convertvector(part, MaskRegister));
+    }
     return a;
 }
 
@@ -186,7 +219,7 @@ inline uint32_t bits(Mask8 mask) {
     return result;
 }
 
-/// Eight quadruples of floats, each at a place of its own, component by component.
+/// Eight quadruples of floats, each at a place of its own, component by component: at(i) is where.
 struct Quads8 {
     Float8 x, y, z, w;
 };
@@ -201,21 +234,22 @@ inline void transpose(FloatRegister (&v)[4]) {
     v[2] = _mm256_shuffle_ps(b, d, 0x44);
     v[3] = _mm256_shuffle_ps(b, d, 0xee);
 }
-inline Quads8 load_quads(const float* from, const uint32_t* index) {
+template <class At>
+Quads8 load_quads(const At& at) {
     FloatRegister v[4];
     for (int i = 0; i < 4; ++i) {
-        v[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(from + 4 * size_t{index[i]})),
-                                    _mm_loadu_ps(from + 4 * size_t{index[i + 4]}), 1);
+        v[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(at(i))), _mm_loadu_ps(at(i + 4)), 1);
     }
     transpose(v);
     return {{{v[0]}}, {{v[1]}}, {{v[2]}}, {{v[3]}}};
 }
-inline void store_quads(float* to, const uint32_t* index, const Quads8& quads) {
+template <class At>
+void store_quads(const At& at, const Quads8& quads) {
     FloatRegister v[4] = {quads.x.part[0], quads.y.part[0], quads.z.part[0], quads.w.part[0]};
     transpose(v);
     for (int i = 0; i < 4; ++i) {
-        _mm_storeu_ps(to + 4 * size_t{index[i]}, _mm256_castps256_ps128(v[i]));
-        _mm_storeu_ps(to + 4 * size_t{index[i + 4]}, _mm256_extractf128_ps(v[i], 1));
+        _mm_storeu_ps(at(i), _mm256_castps256_ps128(v[i]));
+        _mm_storeu_ps(at(i + 4), _mm256_extractf128_ps(v[i], 1));
     }
 }
 #else
@@ -229,27 +263,32 @@ inline void transpose(FloatRegister (&v)[4]) {
     v[2] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
     v[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
-inline Quads8 load_quads(const float* from, const uint32_t* index) {
+template <class At>
+Quads8 load_quads(const At& at) {
     Quads8 quads;
     for (int half = 0; half < 2; ++half) {
         FloatRegister v[4];
-        for (int i = 0; i < 4; ++i) {
-            std::memcpy(&v[i], from + 4 * size_t{index[4 * half + i]}, sizeof v[i]);
-        }
+        for (int i = 0; i < 4; ++i) std::memcpy(&v[i], at(4 * half + i), sizeof v[i]);
         transpose(v);
         quads.x.part[half] = v[0], quads.y.part[half] = v[1], quads.z.part[half] = v[2], quads.w.part[half] = v[3];
     }
     return quads;
 }
-inline void store_quads(float* to, const uint32_t* index, const Quads8& quads) {
+template <class At>
+void store_quads(const At& at, const Quads8& quads) {
     for (int half = 0; half < 2; ++half) {
         FloatRegister v[4] = {quads.x.part[half], quads.y.part[half], quads.z.part[half], quads.w.part[half]};
         transpose(v);
-        for (int i = 0; i < 4; ++i) {
-            std::memcpy(to + 4 * size_t{index[4 * half + i]}, &v[i], sizeof v[i]);
-        }
+        for (int i = 0; i < 4; ++i) std::memcpy(at(4 * half + i), &v[i], sizeof v[i]);
     }
 }
 #endif
+/// The same of an array of quadruples, by their indices.
+inline Quads8 load_quads(const float* from, const uint32_t* index) {
+    return load_quads([&](int i) { return from + 4 * size_t{index[i]}; });
+}
+inline void store_quads(float* to, const uint32_t* index, const Quads8& quads) {
+    store_quads([&](int i) { return to + 4 * size_t{index[i]}; }, quads);
+}
 
 }  // namespace gphys::GPHYS_ISA

@@ -17,6 +17,11 @@ using DoubleMaskRegister = int64_t __attribute__((vector_size(8 * double_registe
 
 struct Double8 {
     DoubleRegister part[double_register_count];
+
+    Double8() = default;
+    Double8(double all) {
+        for (DoubleRegister& p : part) p = all - DoubleRegister{};
+    }
 };
 /// All bits of a lane are set or none.
 struct DoubleMask8 {
@@ -106,6 +111,22 @@ inline Double8 square_root(Double8 a) {
     return a;
 }
 
+/// Without their signs; and with the signs of others, which may be those of zeros.
+inline Double8 absolute(Double8 a) {
+    for (DoubleRegister& part : a.part) {
+        part = reinterpret_cast<DoubleRegister>(reinterpret_cast<DoubleMaskRegister>(part) & INT64_MAX);
+    }
+    return a;
+}
+inline Double8 with_sign(Double8 a, Double8 sign) {
+    a = absolute(a);
+    for (int i = 0; i < double_register_count; ++i) {
+        const DoubleMaskRegister bits = reinterpret_cast<DoubleMaskRegister>(sign.part[i]) & INT64_MIN;
+        a.part[i] = reinterpret_cast<DoubleRegister>(reinterpret_cast<DoubleMaskRegister>(a.part[i]) | bits);
+    }
+    return a;
+}
+
 inline DoubleMask8 operator<(Double8 a, Double8 b) {
     DoubleMask8 mask;
     for (int i = 0; i < double_register_count; ++i) mask.part[i] = a.part[i] < b.part[i];
@@ -122,6 +143,10 @@ inline DoubleMask8 operator|(DoubleMask8 a, DoubleMask8 b) {
 }
 inline DoubleMask8 operator&(DoubleMask8 a, DoubleMask8 b) {
     for (int i = 0; i < double_register_count; ++i) a.part[i] &= b.part[i];
+    return a;
+}
+inline DoubleMask8 operator!(DoubleMask8 a) {
+    for (DoubleMaskRegister& part : a.part) part = ~part;
     return a;
 }
 inline Double8 select(DoubleMask8 mask, Double8 a, Double8 b) {
@@ -173,6 +198,95 @@ inline Double8 largest(Double8 a, Double8 b) {
     return a;
 #else
     return select(a < b, b, a);
+#endif
+}
+
+/// Rounded to floats, and floats as they are.
+inline Float8 narrowed(Double8 a) {
+#if GPHYS_ISA_IS(avx2)
+    return {{_mm256_set_m128(_mm256_cvtpd_ps(a.part[1]), _mm256_cvtpd_ps(a.part[0]))}};
+#elif GPHYS_ISA_IS(sse2)
+    const auto half = [&](int i) {
+        return _mm_movelh_ps(_mm_cvtpd_ps(a.part[2 * i]), _mm_cvtpd_ps(a.part[2 * i + 1]));
+    };
+    return {{half(0), half(1)}};
+#else
+    float narrow[8];
+    for (int i = 0; i < 8; ++i) {
+        narrow[i] = static_cast<float>(a.part[i / double_register_lanes][i % double_register_lanes]);
+    }
+    return load(narrow);
+#endif
+}
+inline Double8 widened(Float8 a) {
+    Double8 wide;
+#if GPHYS_ISA_IS(avx2)
+    wide.part[0] = _mm256_cvtps_pd(_mm256_castps256_ps128(a.part[0]));
+    wide.part[1] = _mm256_cvtps_pd(_mm256_extractf128_ps(a.part[0], 1));
+#elif GPHYS_ISA_IS(sse2)
+    for (int i = 0; i < 2; ++i) {
+        wide.part[2 * i] = _mm_cvtps_pd(a.part[i]);
+        wide.part[2 * i + 1] = _mm_cvtps_pd(_mm_movehl_ps(a.part[i], a.part[i]));
+    }
+#else
+    for (int i = 0; i < 8; ++i) {
+        wide.part[i / double_register_lanes][i % double_register_lanes] =
+            static_cast<double>(a.part[i / register_lanes][i % register_lanes]);
+    }
+#endif
+    return wide;
+}
+
+inline Double8 rounded_to_float(Double8 a) { return widened(narrowed(a)); }
+
+#if GPHYS_ISA_IS(avx2)
+/// Rows become columns, and back.
+inline void transpose(__m256d (&v)[4]) {
+    const __m256d a = _mm256_unpacklo_pd(v[0], v[1]), b = _mm256_unpackhi_pd(v[0], v[1]);
+    const __m256d c = _mm256_unpacklo_pd(v[2], v[3]), d = _mm256_unpackhi_pd(v[2], v[3]);
+    v[0] = _mm256_permute2f128_pd(a, c, 0x20);
+    v[1] = _mm256_permute2f128_pd(b, d, 0x20);
+    v[2] = _mm256_permute2f128_pd(a, c, 0x31);
+    v[3] = _mm256_permute2f128_pd(b, d, 0x31);
+}
+#endif
+
+/// Four doubles behind one another at each of eight places, component by component: at(i) is where.
+template <class At>
+void load_fours(const At& at, Double8 (&to)[4]) {
+#if GPHYS_ISA_IS(avx2)
+    for (int half = 0; half < 2; ++half) {
+        __m256d row[4];
+        for (int i = 0; i < 4; ++i) row[i] = _mm256_loadu_pd(at(4 * half + i));
+        transpose(row);
+        for (int k = 0; k < 4; ++k) to[k].part[half] = row[k];
+    }
+#else
+    double column[4][8];
+    for (int i = 0; i < 8; ++i) {
+        double four[4];
+        std::memcpy(four, at(i), sizeof four);
+        for (int k = 0; k < 4; ++k) column[k][i] = four[k];
+    }
+    for (int k = 0; k < 4; ++k) to[k] = load_doubles(column[k]);
+#endif
+}
+template <class At>
+void store_fours(const At& at, const Double8 (&from)[4]) {
+#if GPHYS_ISA_IS(avx2)
+    for (int half = 0; half < 2; ++half) {
+        __m256d row[4];
+        for (int k = 0; k < 4; ++k) row[k] = from[k].part[half];
+        transpose(row);
+        for (int i = 0; i < 4; ++i) _mm256_storeu_pd(at(4 * half + i), row[i]);
+    }
+#else
+    double column[4][8];
+    for (int k = 0; k < 4; ++k) store_doubles(column[k], from[k]);
+    for (int i = 0; i < 8; ++i) {
+        const double four[4] = {column[0][i], column[1][i], column[2][i], column[3][i]};
+        std::memcpy(at(i), four, sizeof four);
+    }
 #endif
 }
 

@@ -88,11 +88,10 @@ inline Ray ray_along(const Segment& segment) { return {segment.a, segment.b - se
 
 /// A ray prepared for many triangles by Woop's shear (Woop, Benthin, Wald 2013), which takes its
 /// direction to an axis.
-struct ShearedRay {
+struct ShearedRay : Ray {
+    ShearedRay() = default;
     explicit ShearedRay(const Ray& ray);
 
-    Vec3 origin, direction;
-    double t_max;
     int kx, ky, kz;  // kz: the axis along which the direction is longest
     double sx, sy;
 };

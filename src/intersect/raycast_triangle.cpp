@@ -14,6 +14,7 @@
 // edges, within the plane, one by one. So does each ray that meets a degenerate triangle.
 #include "foundation/exact.h"
 #include "intersect/intersect.h"
+#include "intersect/shear.h"
 
 namespace gphys {
 namespace {
@@ -172,16 +173,14 @@ void barycentric(const Triangle& triangle, Vec3 point, double& u, double& v) {
     v = area_squared > 0 ? std::clamp(dot(normal, cross(ab, offset)) / area_squared, 0.0, 1.0 - u) : 0;
 }
 
-ShearedRay::ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direction), t_max(ray.t_max) {
-    kz = longest_axis(ray.direction);
-    const double along = ray.direction[kz];
-    // Keeps the sense of rotation, without a branch: of directions nothing is to be foreseen.
-    constexpr int others[2][3][2] = {{{1, 2}, {2, 0}, {0, 1}}, {{2, 1}, {0, 2}, {1, 0}}};
-    const int(&pair)[2] = others[along < 0][kz];
-    kx = pair[0];
-    ky = pair[1];
-    sx = along != 0 ? ray.direction[kx] / along : 0;
-    sy = along != 0 ? ray.direction[ky] / along : 0;
+ShearedRay::ShearedRay(const Ray& ray) : Ray(ray) {
+    const Shear<double> shear({ray.direction.x, ray.direction.y, ray.direction.z});
+    constexpr double axes[3] = {0, 1, 2};
+    kx = static_cast<int>(shear.x(axes));
+    ky = static_cast<int>(shear.y(axes));
+    kz = static_cast<int>(shear.z(axes));
+    sx = shear.sx;
+    sy = shear.sy;
 }
 
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {

@@ -5,7 +5,7 @@
 namespace gphys {
 
 Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa)
-    : memory(hooks), kernels_(mesh_kernels(isa)), report_(report), octree_(&memory, isa) {
+    : memory(hooks), kernels_(mesh_kernels(isa)), report_(report), octree_(&memory, isa), rays_root_(Box()) {
     vertices_.reserve(arrays.vertex_count);
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) vertices_.push_back(arrays.vertex(i));
     if (arrays.index_count > 0) indices_.assign(arrays.indices, arrays.indices + arrays.index_count);
@@ -18,6 +18,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     if (packets_.empty()) return;
 
     const Box box = bounds();
+    rays_root_ = RaysRoot(box);
     center_ = (Vec3{box.min[0], box.min[1], box.min[2]} + Vec3{box.max[0], box.max[1], box.max[2]}) * 0.5;
     double squared = 0;
     for (const gphys_vec3& vertex : vertices_) squared = std::max(squared, length_squared(widen(vertex) - center_));
@@ -42,7 +43,8 @@ gphys_octree_stats Mesh::octree_stats() const {
 }
 
 bool Mesh::raycast(const Ray& ray, Hit& hit) const {
-    MeshRay mesh_ray(ray, bounds());
+    const PreparedRay prepared(ray, rays_root_);
+    MeshRay mesh_ray(prepared);
     walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
         mesh_ray.meet(packet, lanes);
         return mesh_ray.limit();
@@ -51,43 +53,39 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
 }
 
 uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, Hit* hits) const {
-    if (packets_.empty()) return 0;
-    // All are prepared first: their arithmetic overlaps, which that of one ray and its walk does not.
-    union Place {
-        Place() {}
+    if (packets_.empty() || count == 0) return 0;
+    // Nothing is written before it is needed.
+    union Rays {
+        Rays() {}
+        PreparedRay prepared[rays_at_once];
+    } rays_of;
+    union Meeting {
+        Meeting() {}
         MeshRay ray;
-    };
-    Place prepared[rays_at_once];
-    const Box root = bounds();
-    const RayProbe* along[rays_at_once];
-    const TriangleProbe* probes[rays_at_once];
-    float limits[rays_at_once];
-    for (uint32_t i = 0; i < count; ++i) {
-        const MeshRay& ray = *new (&prepared[i].ray) MeshRay(rays[i], root);
-        along[i] = &ray.along();
-        probes[i] = &ray.probe();
-        limits[i] = ray.limit();
-    }
+    } meeting[rays_at_once];
+    kernels_.prepare(rays, count, rays_root_, rays_of.prepared);
+    for (uint32_t i = 0; i < count; ++i) new (&meeting[i].ray) MeshRay(rays_of.prepared[i]);
     const auto meet = [](void* context, uint32_t ray, const TrianglePacket& packet, uint32_t lanes) {
-        MeshRay& meeting = static_cast<Place*>(context)[ray].ray;
-        meeting.meet(packet, lanes);
-        return meeting.limit();
+        MeshRay& meeting_ray = static_cast<Meeting*>(context)[ray].ray;
+        meeting_ray.meet(packet, lanes);
+        return meeting_ray.limit();
     };
-    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return *along[i]; };
-    const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i]; };
-    RayBundling(root, octree_.size()).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
-        kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), along + first, probes + first, limits + first,
-                      last - first, together, {meet, prepared + first});
-    });
+    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return rays_of.prepared[i].along; };
+    RayBundling(bounds(), octree_.size())
+        .split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+            kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), rays_of.prepared + first, last - first,
+                          together, {meet, meeting + first});
+        });
     uint64_t found = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        if (prepared[i].ray.result(hits[i])) found |= uint64_t{1} << i;
+        if (meeting[i].ray.result(hits[i])) found |= uint64_t{1} << i;
     }
     return found;
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {
-    const MeshRay mesh_ray(ray, bounds());
+    const PreparedRay prepared(ray, rays_root_);
+    const MeshRay mesh_ray(prepared);
     bool found = false;
     walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {

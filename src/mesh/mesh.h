@@ -48,7 +48,7 @@ public:
     bool raycast(const Ray& ray, Hit& hit) const;
     /// Up to rays_at_once rays, with the same answers: bit i of the result is set if ray i hits.
     /// Faster than one by one, the more so if they go the same way.
-    static constexpr uint32_t rays_at_once = 64;
+    static constexpr uint32_t rays_at_once = Octree::rays_at_once;
     uint64_t raycast_many(const Ray* rays, uint32_t count, Hit* hits) const;
     bool raycast_any(const Ray& ray) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
@@ -85,6 +85,7 @@ private:
     Vector<uint32_t> indices_{&memory};
     Vector<TrianglePacket> packets_{&memory};
     Octree octree_;
+    RaysRoot rays_root_;
     Vec3 center_;
     double radius_ = 0;
 };
@@ -96,13 +97,14 @@ void Mesh::walk(const MeshRay& ray, Visit&& visit) const {
     const auto step = [](void* context, const TrianglePacket& packet, uint32_t lanes) {
         return (*static_cast<Function*>(context))(packet, lanes);
     };
-    kernels_.ray(octree_.nodes(), octree_.root(), packets_.data(), ray.along(), ray.probe(), ray.limit(),
+    kernels_.ray(octree_.nodes(), octree_.root(), packets_.data(), ray.prepared(),
                  {step, const_cast<void*>(static_cast<const void*>(&visit))});
 }
 
 template <class Visit>
 void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
-    const MeshRay mesh_ray(ray, bounds());
+    const PreparedRay prepared(ray, rays_root_);
+    const MeshRay mesh_ray(prepared);
     walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
             const Triangle corners = packet.triangle(lane);

@@ -1,8 +1,7 @@
 // What a mesh asks of its packets, once for each instruction set.
 #pragma once
 
-#include "mesh/triangle_packet.h"
-#include "mesh/triangle_probe.h"
+#include "mesh/mesh_ray.h"
 #include "octree/octree_kernels.h"
 
 namespace gphys {
@@ -21,14 +20,16 @@ struct RayPacketVisitor {
 };
 
 struct MeshKernels {
+    /// Prepares many rays, with the same bits as one by one. `count` is at least 1; what is written is
+    /// rounded up to a multiple of eight.
+    void (*prepare)(const Ray* rays, uint32_t count, const RaysRoot& root, PreparedRay* to);
     /// Roughly nearest first, through an octree whose items are the numbers of `packets`.
-    void (*ray)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe& along,
-                const TriangleProbe& probe, float limit, const PacketVisitor& to);
+    void (*ray)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
+                const PacketVisitor& to);
     /// The same for many rays; up to RayBundling::most with the same signs of direction may go
     /// together.
-    void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* const* along,
-                 const TriangleProbe* const* probes, float* limits, uint32_t count, bool together,
-                 const RayPacketVisitor& to);
+    void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
+                 uint32_t count, bool together, const RayPacketVisitor& to);
     // The lanes of one packet whose boxes meet a query.
     uint32_t (*lanes_in_box)(const TrianglePacket& packet, const Box& box);
     uint32_t (*lanes_along)(const TrianglePacket& packet, const RayProbe& probe, float limit);

@@ -8,24 +8,35 @@
 
 namespace gphys {
 
+/// What kernels and the exact test need of a ray, made by one or by eight (mesh_kernels.h).
+struct PreparedRay {
+    PreparedRay() = default;
+    PreparedRay(const Ray& ray, const RaysRoot& root)
+        : sheared(ray),
+          along(ray.origin, ray.direction, root),
+          triangles(sheared, along, root),
+          limit(along.limit(ray.t_max)) {}
+
+    ShearedRay sheared;
+    RayProbe along;
+    TriangleProbe triangles;
+    float limit;  // where the walk may end, for kernels
+};
+
 class MeshRay {
 public:
-    MeshRay(const Ray& ray, const Box& root)
-        : sheared_(ray),
-          along_(ray.origin, ray.direction, 0, root),
-          probe_(sheared_, along_, root),
-          limit_(along_.limit(ray.t_max)) {}
+    /// The prepared ray must live as long.
+    explicit MeshRay(const PreparedRay& ray) : ray_(&ray), limit_(ray.limit) {}
 
-    const RayProbe& along() const { return along_; }
-    const TriangleProbe& probe() const { return probe_; }
-    /// Where the walk may end, for kernels.
+    const PreparedRay& prepared() const { return *ray_; }
+    /// Where the walk may end from now on.
     float limit() const { return limit_; }
 
     bool crosses(const Triangle& corners, TriangleCrossing& crossing) const {
-        return gphys::crosses(corners, sheared_, crossing);
+        return gphys::crosses(corners, ray_->sheared, crossing);
     }
     Hit hit_at(const Triangle& corners, const TriangleCrossing& crossing) const {
-        return gphys::hit_at(corners, sheared_, crossing);
+        return gphys::hit_at(corners, ray_->sheared, crossing);
     }
 
     /// Look for a nearer crossing among some lanes of a packet. Asked for is always the ray as given:
@@ -43,7 +54,7 @@ public:
             }
             return true;
         });
-        if (nearest_.t != before) limit_ = along_.limit(nearest_.t);
+        if (nearest_.t != before) limit_ = ray_->along.limit(nearest_.t);
     }
 
     /// The hit at the nearest crossing; false if there was none.
@@ -55,9 +66,7 @@ public:
     }
 
 private:
-    ShearedRay sheared_;
-    RayProbe along_;
-    TriangleProbe probe_;
+    const PreparedRay* ray_;
     float limit_;
     TriangleCrossing nearest_{infinity, 0, 0, 0};
     uint32_t triangle_ = GPHYS_NO_TRIANGLE;

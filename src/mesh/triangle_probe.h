@@ -7,18 +7,24 @@
 
 namespace gphys {
 
-struct TriangleProbe {
+/// In fours, so that those of eight rays are written at once (mesh_kernels.cpp).
+struct alignas(16) TriangleProbe {
+    TriangleProbe() = default;
     /// `along` is the same ray's probe of boxes in `root`, and meets some of them.
-    TriangleProbe(const ShearedRay& ray, const RayProbe& along, const Box& root);
+    TriangleProbe(const ShearedRay& ray, const RayProbe& along, const RaysRoot& root);
 
-    int axis[3];          // kx, ky, kz of the sheared ray
-    float origin[3];      // on these axes
-    float slope[2];       // of the direction across, per step along
-    float ahead, behind;  // 1 and 0 if the direction along is positive, else 0 and 1
-    float margin;         // by which a coordinate along may be off
-    // A volume of coordinates up to rx and ry may be off by error_slope . (rx, ry) + error.
-    float error_slope[2];
-    float error;
+    int axis[4];      // kx, ky, kz of the sheared ray; the fourth is not used
+    float origin[4];  // on these axes
+    struct {
+        float slope[2];  // of the direction across, per step along
+        // A volume of coordinates up to rx and ry may be off by error_slope . (rx, ry) + error.
+        float error_slope[2];
+    } across;
+    struct {
+        float ahead, behind;  // 1 and 0 if the direction along is positive, else 0 and 1
+        float margin;         // by which a coordinate along may be off
+        float error;
+    } rest;
 };
 
 }  // namespace gphys

@@ -18,14 +18,14 @@ inline uint32_t used_lanes(const TrianglePacket& packet) {
 class TriangleTest {
 public:
     explicit TriangleTest(const TriangleProbe& probe)
-        : ahead_(probe.ahead),
-          behind_(probe.behind),
-          margin_(probe.margin),
-          slope_x_(splat(probe.slope[0])),
-          slope_y_(splat(probe.slope[1])),
-          error_slope_x_(splat(probe.error_slope[0])),
-          error_slope_y_(splat(probe.error_slope[1])),
-          error_(splat(probe.error)) {
+        : ahead_(probe.rest.ahead),
+          behind_(probe.rest.behind),
+          margin_(probe.rest.margin),
+          slope_x_(splat(probe.across.slope[0])),
+          slope_y_(splat(probe.across.slope[1])),
+          error_slope_x_(splat(probe.across.error_slope[0])),
+          error_slope_y_(splat(probe.across.error_slope[1])),
+          error_(splat(probe.rest.error)) {
         for (int k = 0; k < 3; ++k) {
             axis_[k] = probe.axis[k];
             origin_[k] = splat(probe.origin[k]);

@@ -1,5 +1,7 @@
 #include "octree/box8.h"
 
+#include "octree/ray_setup.h"
+
 namespace gphys {
 
 namespace {
@@ -11,11 +13,6 @@ double largest_coordinate(const Box& box) {
     for (int k = 0; k < 3; ++k) largest = std::max(largest, std::max(std::fabs(box.min[k]), std::fabs(box.max[k])));
     return largest;
 }
-
-/// What the double arithmetic of a query whose largest coordinate is w may be off by: a few dozen
-/// roundings of 2^-53 each. The smallest normal float beside it keeps differences of coordinates
-/// clear of the subnormals, which some hosts flush to zero.
-double rounding_slack(double w) { return 0x1p-48 * w + std::numeric_limits<float>::min(); }
 
 }  // namespace
 
@@ -35,74 +32,39 @@ double rounding_slack(double w) { return 0x1p-48 * w + std::numeric_limits<float
 // so in what is computed. For d < 0 ahead is downward, and the rest is the same.
 //
 // An axis with |d| < 2^-68 has an inverse too large for float: sums of up to 2^57 are to be multiplied
-// by it. It is treated as d = 2^-68 with the same sign. On it the ray moves by less than 2^-68 span within
-// the root, which is span long on the main axis: far less than the slack by which the origin is
+// by it. It is treated as d = 2^-68 with the same sign, as a float the inverse is 2^68. On it the ray moves by less
+// than 2^-68 span within the root, which is span long on the main axis: far less than the slack by which the origin is
 // widened, 2^-48 w, as span < 8 w. So if the ray meets the box, then to the float origins the box
 // is in front of the near one, entry < 0, and at least slack / 2 behind the far one: the exit is
 // beyond 2^-49 w * 2^68 > span, and this axis lets the box pass. Components of exactly zero need no
 // other case.
 RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
-    : scale_(max_component(abs(direction))) {
-    const double extent = largest_coordinate(root);
-    slack_ = rounding_slack(std::max(std::max(extent, radius), max_component(abs(origin))));
-    const double margin = radius + slack_;
-    // Beyond this the margin alone is wider than any tree: no box can be excluded.
-    everything_ = margin > 0x1p53;
-    if (everything_) {
-        for (int k = 0; k < 3; ++k) {
-            near_row[k] = k;
-            far_row[k] = 3 + k;
-            near_origin[k] = 0x1p56f;
-            far_origin[k] = -0x1p56f;
-            inverse[k] = 0x1p68f;
-            begin[k] = 0;
-        }
-        return;
-    }
+    : RayProbe(origin, direction, RaysRoot(root, radius)) {}
 
-    const double to_unit = scale_ > 0 ? 1 / scale_ : 0;
-    const Vec3 d = direction * to_unit;
-    if (scale_ > 0) {
-        const int main = longest_axis(direction);
-        const float* face[2] = {root.min, root.max};
-        const int backward = direction[main] < 0;
-        const double sense = 1 - 2 * backward;
-        const Vec3 given = origin;
-        start_ = std::max(0.0, (face[backward][main] - given[main]) * sense - margin);
-        const Vec3 moved = given + d * start_;
-        span_ = (face[1 - backward][main] - moved[main]) * sense + margin;
-        origin = moved;
+RayProbe::RayProbe(Vec3 origin, Vec3 direction, const RaysRoot& root) {
+    const double from[3] = {origin.x, origin.y, origin.z}, along[3] = {direction.x, direction.y, direction.z};
+    const RaySetup<double> setup(from, along, root);
+    for (uint32_t k = 0; k < 3; ++k) {
+        near_origin[k] = static_cast<float>(setup.near_origin[k]);
+        far_origin[k] = static_cast<float>(setup.far_origin[k]);
+        back[k] = static_cast<float>(setup.back[k]);
+        const uint32_t backward = std::signbit(setup.along[k]) ? 24 : 0;
+        near_face[k] = 8 * k + backward;
+        far_face[k] = 8 * k + 24 - backward;
+        begin[k] = setup.begin[k];
     }
-    // From further away the ray cannot come back to the root within its span.
-    if (max_component(abs(origin)) > extent + span_ + margin) span_ = -1;
-    if (span_ < 0) origin = {};
-    constexpr double rounding = 5 * unit_roundoff, flushed = 4.0 * std::numeric_limits<float>::min();
-    const double wide = margin + rounding * extent + flushed;
-    const auto prepare = [&](int k, double from, double along, double component) {
-        begin[k] = from;
-        const double width = std::copysign(wide + rounding * (std::fabs(from) + margin), along);
-        const int backward = std::signbit(along);
-        near_row[k] = k + 3 * backward;
-        far_row[k] = k + 3 - 3 * backward;
-        near_origin[k] = static_cast<float>(from + width);
-        far_origin[k] = static_cast<float>(from - width);
-        const bool drifts = std::fabs(along) < 0x1p-68;
-        inverse[k] =
-            drifts ? std::copysign(0x1p68f, static_cast<float>(along)) : static_cast<float>(scale_ / component);
-    };
-    prepare(0, origin.x, d.x, direction.x);
-    prepare(1, origin.y, d.y, direction.y);
-    prepare(2, origin.z, d.z, direction.z);
+    course = {setup.slack, setup.scale, setup.start, setup.span};
 }
 
-// The 16u are for t_max itself: where two triangles meet, one test may put the hit a little further than
-// the other, and both must be seen for the lower index to win.
 float RayProbe::limit(double t_max) const {
-    if (t_max < 0 || span_ < 0) return -1;
-    if (everything_) return 0x1p100f;
-    const double s = scale_ > 0 ? std::min(t_max * scale_ - start_, span_) : 0;
-    const double end = s + slack_;
-    return end < 0 ? -1 : static_cast<float>(end * (1 + 17 * unit_roundoff));
+    return static_cast<float>(ray_limit(t_max, course.slack, course.scale, course.start, course.span));
+}
+
+RaysRoot::RaysRoot(const Box& box, double r) : extent(largest_coordinate(box)), radius(r) {
+    for (int k = 0; k < 3; ++k) {
+        low[k] = box.min[k];
+        high[k] = box.max[k];
+    }
 }
 
 RayBundling::RayBundling(const Box& root, uint32_t items) {

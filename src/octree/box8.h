@@ -37,31 +37,42 @@ inline bool overlaps(const Box& a, const Box& b) {
            a.min[2] <= b.max[2] && b.min[2] <= a.max[2];
 }
 
-/// Boxes that a ray, or a sphere moving along it, meets.
-struct RayProbe {
+/// What all rays have in common.
+struct RaysRoot {
+    explicit RaysRoot(const Box& box, double radius = 0);
+
+    double low[3], high[3];
+    double extent;  // the largest coordinate
+    double radius;  // of the rays
+};
+
+/// The span of a query that is so large that the tests let every box pass.
+constexpr double beyond_trees = 0x1p100;
+
+/// Boxes that a ray, or a sphere moving along it, meets. In fours, so that eight rays are written at
+/// once (ray_lanes.h).
+struct alignas(16) RayProbe {
     RayProbe() = default;
     /// `root` encloses all boxes that will be tested.
     RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root);
+    RayProbe(Vec3 origin, Vec3 direction, const RaysRoot& root);
 
-    /// What the query's own arithmetic may be off by on each axis.
-    double slack() const { return slack_; }
-    /// False if the query is so large that the tests let every box pass.
-    bool excludes() const { return !everything_; }
+    /// False if every box passes.
+    bool excludes() const { return course.span < beyond_trees; }
 
     /// What box tests compare with, for a ray that ends at t_max; negative if it meets nothing.
     float limit(double t_max) const;
 
-    // For each axis: the rows of the faces that the ray enters and leaves boxes by, the origin as
-    // seen from each, which has the margin for all rounding, and one over the direction.
-    int near_row[3], far_row[3];
-    float near_origin[3], far_origin[3], inverse[3];
-    double begin[3];  // the origin, moved forward to the root box
-
-private:
-    double scale_;  // of t
-    double start_ = 0, span_ = 0;
-    double slack_;
-    bool everything_;
+    // For each axis: the origin as seen from the faces that the ray enters and leaves boxes by, which
+    // has the margin for all rounding, minus one over the direction, and where the rows of these faces
+    // begin in a Box8. The fourth is not used.
+    float near_origin[4], far_origin[4], back[4];
+    uint32_t near_face[4], far_face[4];
+    double begin[4];  // the origin, moved forward to the root box
+    struct {
+        double slack;               // what the query's own arithmetic may be off by on each axis
+        double scale, start, span;  // t * scale - start is how far t is from there; within the root up to span
+    } course;
 };
 
 /// Which rays of many go so much the same way that sharing one walk through a tree saves more than it
@@ -72,17 +83,16 @@ public:
 
     RayBundling(const Box& root, uint32_t items);
 
-    /// Cuts rays 0 .. count - 1 into runs: run(first, last, together). ray_of(i) is a Ray and
-    /// probe_of(i) its probe.
-    template <class RayOf, class ProbeOf, class Run>
-    void split(const RayOf& ray_of, const ProbeOf& probe_of, uint32_t count, const Run& run) const {
+    /// Cuts rays 0 .. count - 1 into runs: run(first, last, together). probe_of(i) is the probe of one.
+    template <class ProbeOf, class Run>
+    void split(const Ray* rays, const ProbeOf& probe_of, uint32_t count, const Run& run) const {
         constexpr uint32_t worth_it = 8;  // a walk of a bundle costs as much as about six that take turns
         uint32_t alone = 0;               // first of those that have found no company
         for (uint32_t first = 0; first < count;) {
-            const Corridor corridor = corridor_of(ray_of(first));
+            const Corridor corridor = corridor_of(rays[first]);
             const uint32_t end = std::min(first + most, count);
             uint32_t last = first + 1;
-            while (last < end && corridor.holds(ray_of(last)) && same_signs(probe_of(first), probe_of(last))) ++last;
+            while (last < end && corridor.holds(rays[last]) && same_signs(probe_of(first), probe_of(last))) ++last;
             if (last - first >= worth_it) {
                 if (alone < first) run(alone, first, false);
                 run(first, last, true);
@@ -107,7 +117,7 @@ private:
     };
     Corridor corridor_of(const Ray& ray) const;
     static bool same_signs(const RayProbe& a, const RayProbe& b) {
-        return a.near_row[0] == b.near_row[0] && a.near_row[1] == b.near_row[1] && a.near_row[2] == b.near_row[2];
+        return a.near_face[0] == b.near_face[0] && a.near_face[1] == b.near_face[1] && a.near_face[2] == b.near_face[2];
     }
 
     Vec3 centre_;

@@ -9,31 +9,27 @@ namespace gphys::GPHYS_ISA {
 class RayTest {
 public:
     RayTest() = default;
-    explicit RayTest(const RayProbe& probe) {
-        for (int k = 0; k < 3; ++k) {
-            near_face_[k] = 8 * static_cast<uint32_t>(probe.near_row[k]);
-            far_face_[k] = 8 * static_cast<uint32_t>(probe.far_row[k]);
-            near_origin_[k] = probe.near_origin[k];
-            far_origin_[k] = probe.far_origin[k];
-            back_[k] = -probe.inverse[k];
-        }
-    }
+    /// The probe must live as long.
+    explicit RayTest(const RayProbe& probe) : probe_(&probe) {}
 
     /// Lanes that the ray meets no later than at `limit`; `entry` is where, in the same unit. Counted
     /// from the boxes back to the origin, as what comes from memory is best subtracted.
     uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
-        const Float8 back[3] = {splat(back_[0]), splat(back_[1]), splat(back_[2])};
-        const auto enters = [&](int k) { return (splat(near_origin_[k]) - load(boxes.from(near_face_[k]))) * back[k]; };
-        const auto leaves = [&](int k) { return (splat(far_origin_[k]) - load(boxes.from(far_face_[k]))) * back[k]; };
+        const RayProbe& ray = *probe_;
+        const Float8 back[3] = {splat(ray.back[0]), splat(ray.back[1]), splat(ray.back[2])};
+        const auto enters = [&](int k) {
+            return (splat(ray.near_origin[k]) - load(boxes.from(ray.near_face[k]))) * back[k];
+        };
+        const auto leaves = [&](int k) {
+            return (splat(ray.far_origin[k]) - load(boxes.from(ray.far_face[k]))) * back[k];
+        };
         entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
         return bits(entry <= min(exit, splat(limit)));
     }
 
 private:
-    // As scalars, so that a ray fits a cache line: to spread one costs no more than to load eight.
-    uint32_t near_face_[3], far_face_[3];  // where their rows begin
-    float near_origin_[3], far_origin_[3], back_[3];
+    const RayProbe* probe_;
 };
 
 /// Rays that go much the same way: at once as a bundle, which meets what any of them meets, and each
@@ -46,24 +42,25 @@ public:
     template <class ProbeOf>
     BundleTest(const ProbeOf& probe_of, const float* limits, uint32_t count) : groups_((count + 7) / 8) {
         for (int k = 0; k < 3; ++k) {
-            near_row_[k] = probe_of(0).near_row[k];
-            far_row_[k] = probe_of(0).far_row[k];
+            near_face_[k] = probe_of(0).near_face[k];
+            far_face_[k] = probe_of(0).far_face[k];
         }
-        for (uint32_t i = 0; i < 8 * groups_; ++i) {
-            const RayProbe& probe = probe_of(i < count ? i : 0);
-            for (int k = 0; k < 3; ++k) {
-                near_origins_[k][i] = probe.near_origin[k];
-                far_origins_[k][i] = probe.far_origin[k];
-                inverses_[k][i] = probe.inverse[k];
-            }
+        for (uint32_t group = 0; group < groups_; ++group) {
+            const auto probe = [&](int i) -> const RayProbe& {
+                const uint32_t ray = 8 * group + static_cast<uint32_t>(i);
+                return probe_of(ray < count ? ray : 0);
+            };
+            put(near_origins_, group, load_quads([&](int i) { return probe(i).near_origin; }));
+            put(far_origins_, group, load_quads([&](int i) { return probe(i).far_origin; }));
+            put(backs_, group, load_quads([&](int i) { return probe(i).back; }));
         }
-        for (int k = 0; k < 3; ++k) {
+        for (uint32_t k = 0; k < 3; ++k) {
             // Furthest ahead, so that boxes are entered early, and furthest behind.
-            const bool forward = near_row_[k] == k;
+            const bool forward = near_face_[k] == 8 * k;
             near_origin_[k] = forward ? highest(near_origins_[k]) : lowest(near_origins_[k]);
             far_origin_[k] = forward ? lowest(far_origins_[k]) : highest(far_origins_[k]);
-            inverse_low_[k] = lowest(inverses_[k]);
-            inverse_high_[k] = highest(inverses_[k]);
+            back_low_[k] = lowest(backs_[k]);
+            back_high_[k] = highest(backs_[k]);
         }
         set_limits(limits);
     }
@@ -83,12 +80,12 @@ public:
     /// and exit, as rays() computes them, lie between the two computed here.
     uint32_t hits(const Box8& boxes, Float8& entry) const {
         const auto enters = [&](int k) {
-            const Float8 x = load(boxes.row[near_row_[k]]) - near_origin_[k];
-            return min(x * inverse_low_[k], x * inverse_high_[k]);
+            const Float8 x = near_origin_[k] - load(boxes.from(near_face_[k]));
+            return min(x * back_low_[k], x * back_high_[k]);
         };
         const auto leaves = [&](int k) {
-            const Float8 x = load(boxes.row[far_row_[k]]) - far_origin_[k];
-            return max(x * inverse_low_[k], x * inverse_high_[k]);
+            const Float8 x = far_origin_[k] - load(boxes.from(far_face_[k]));
+            return max(x * back_low_[k], x * back_high_[k]);
         };
         entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
@@ -99,10 +96,10 @@ public:
     uint32_t rays(uint32_t group, const Box8& boxes, uint32_t lane) const {
         const uint32_t first = 8 * group;
         const auto enters = [&](int k) {
-            return (splat(boxes.row[near_row_[k]][lane]) - load(near_origins_[k] + first)) * load(inverses_[k] + first);
+            return (load(near_origins_[k] + first) - splat(boxes.from(near_face_[k])[lane])) * load(backs_[k] + first);
         };
         const auto leaves = [&](int k) {
-            return (splat(boxes.row[far_row_[k]][lane]) - load(far_origins_[k] + first)) * load(inverses_[k] + first);
+            return (load(far_origins_[k] + first) - splat(boxes.from(far_face_[k])[lane])) * load(backs_[k] + first);
         };
         const Float8 entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
@@ -112,22 +109,27 @@ public:
 private:
     using Each = float[RayBundling::most];
 
+    static void put(Each (&each)[3], uint32_t group, const Quads8& quads) {
+        store(each[0] + 8 * group, quads.x);
+        store(each[1] + 8 * group, quads.y);
+        store(each[2] + 8 * group, quads.z);
+    }
     Float8 lowest(const Each& values) const {
-        float least = values[0];
-        for (uint32_t i = 1; i < 8 * groups_; ++i) least = values[i] < least ? values[i] : least;
-        return splat(least);
+        Float8 least = load(values);
+        for (uint32_t group = 1; group < groups_; ++group) least = min(least, load(values + 8 * group));
+        return splat(least_lane(least));
     }
     Float8 highest(const Each& values) const {
-        float most = values[0];
-        for (uint32_t i = 1; i < 8 * groups_; ++i) most = values[i] > most ? values[i] : most;
-        return splat(most);
+        Float8 most = load(values);
+        for (uint32_t group = 1; group < groups_; ++group) most = max(most, load(values + 8 * group));
+        return splat(greatest_lane(most));
     }
 
     uint32_t groups_;
-    int near_row_[3], far_row_[3];
-    Each near_origins_[3], far_origins_[3], inverses_[3];
+    uint32_t near_face_[3], far_face_[3];
+    Each near_origins_[3], far_origins_[3], backs_[3];
     const float* limits_;
-    Float8 near_origin_[3], far_origin_[3], inverse_low_[3], inverse_high_[3];
+    Float8 near_origin_[3], far_origin_[3], back_low_[3], back_high_[3];
     float limit_;
 };
 

@@ -61,16 +61,16 @@ public:
     /// around the origin.
     template <class Visit>
     void raycast(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
-    /// Up to rays_at_once rays, of which ray_of(i) gives a reference. Neighbours that go much the same
-    /// way share a walk; the others take turns, so that none waits for memory. visit(i, item, t_max);
-    /// each ray has its own t_max. Before those of a walk visit an item, select(first, rays, item)
-    /// tells which it is worth a visit to: of rays first + k, for which bit k of `rays` is set, k < 8.
-    static constexpr uint32_t rays_at_once = 64;
+    /// Up to rays_at_once rays. Neighbours that go much the same way share a walk; the others take
+    /// turns, so that none waits for memory. visit(i, item, t_max); each ray has its own t_max. Before those of a walk
+    /// visit an item, select(first, rays, item) tells which it is worth a visit to: of rays first + k, for which bit k
+    /// of `rays` is set, k < 8.
+    static constexpr uint32_t rays_at_once = octree_most_rays;
     struct EveryRay {
         uint32_t operator()(uint32_t, uint32_t rays, uint32_t) const { return rays; }
     };
-    template <class RayOf, class Visit, class Select = EveryRay>
-    void raycast_many(RayOf&& ray_of, uint32_t count, Visit&& visit, ItemMemory items = {},
+    template <class Visit, class Select = EveryRay>
+    void raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items = {},
                       Select&& select = Select()) const;
     /// In no order, until visit(item) is true for one: then the result is.
     template <class Visit>

@@ -1,10 +1,19 @@
 #include "octree/octree_kernels.h"
 
 #include "octree/octree_many.h"
+#include "octree/ray_lanes.h"
 
 namespace gphys::GPHYS_ISA {
 
 namespace {
+
+void make_probes(const Ray* rays, uint32_t count, const RaysRoot& root, RayProbe* probes, float* limits) {
+    for (uint32_t first = 0; first < count; first += 8) {
+        const Rays8 eight(rays + first, count - first);
+        const RaySetup<Double8> setup(eight.origin, eight.direction, root);
+        store(limits + first, put_probes(eight, setup, [&](int i) -> RayProbe& { return probes[first + i]; }));
+    }
+}
 
 template <class Test, class Probe>
 void walk_nearest_first(const OctreeNode* nodes, uint32_t root, const Probe& probe, float limit,
@@ -135,13 +144,10 @@ bool walk_pairs(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_
 }  // namespace
 
 extern const OctreeKernels octree_kernels{
-    walk_nearest_first<RayTest, RayProbe>,
-    walk_rays,
-    walk_nearest_first<PointTest, PointProbe>,
-    walk_ray_any,
-    walk_box,
-    walk_ball,
-    walk_frustum,
+    make_probes,  walk_nearest_first<RayTest, RayProbe>,
+    walk_rays,    walk_nearest_first<PointTest, PointProbe>,
+    walk_ray_any, walk_box,
+    walk_ball,    walk_frustum,
     walk_pairs,
 };
 

@@ -46,6 +46,9 @@ struct OctreePairVisitor {
 };
 
 struct OctreeKernels {
+    /// The probes of many rays and their limits, with the same bits as one by one. `count` is at least
+    /// 1; what is written is rounded up to a multiple of eight.
+    void (*probes)(const Ray* rays, uint32_t count, const RaysRoot& root, RayProbe* probes, float* limits);
     // Roughly nearest first.
     void (*ray)(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to);
     /// Many rays. Up to RayBundling::most with the same signs of direction may go together.

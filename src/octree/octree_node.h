@@ -21,4 +21,7 @@ constexpr uint32_t octree_leaf_bit = 0x80000000u;
 /// Levels that a tree can have, which bounds the stacks of its queries.
 constexpr int octree_max_levels = 32;
 
+/// Rays that are cast at once.
+constexpr uint32_t octree_most_rays = 64;
+
 }  // namespace gphys

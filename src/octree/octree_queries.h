@@ -35,9 +35,9 @@ void Octree::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
     walk_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
 }
 
-template <class RayOf, class Visit, class Select>
-void Octree::raycast_many(RayOf&& ray_of, uint32_t count, Visit&& visit, ItemMemory items, Select&& select) const {
-    if (root_ == none) return;
+template <class Visit, class Select>
+void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items, Select&& select) const {
+    if (root_ == none || count == 0) return;
     struct Walk {
         Walk(std::remove_reference_t<Visit>& v, std::remove_reference_t<Select>& s) : visit(v), select(s) {}
 
@@ -56,13 +56,8 @@ void Octree::raycast_many(RayOf&& ray_of, uint32_t count, Visit&& visit, ItemMem
         }
     };
     Walk walk(visit, select);
-    for (uint32_t i = 0; i < count; ++i) {
-        const Ray& ray = ray_of(i);
-        // Where it stays: a copy would wait for the stores of its parts.
-        new (&walk.probes[i]) RayProbe(ray.origin, ray.direction, 0, bounds_);
-        walk.bounds[i] = ray.t_max;
-        walk.limits[i] = walk.probes[i].limit(ray.t_max);
-    }
+    kernels_.probes(rays, count, RaysRoot(bounds_), walk.probes, walk.limits);
+    for (uint32_t i = 0; i < count; ++i) walk.bounds[i] = rays[i].t_max;
     const auto step = [](void* context, uint32_t ray, uint32_t item) {
         Walk& w = *static_cast<Walk*>(context);
         return w.take(w.first + ray, item);
@@ -75,7 +70,7 @@ void Octree::raycast_many(RayOf&& ray_of, uint32_t count, Visit&& visit, ItemMem
         }
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
-    RayBundling(bounds_, size_).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+    RayBundling(bounds_, size_).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         walk.first = first;
         kernels_.rays(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
                       {step, some, &walk, items});

@@ -96,12 +96,13 @@ public:
     // Queries see the models of which layers & the model's layers is not 0. GPHYS_OK or GPHYS_NO_HIT.
 
     gphys_status raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const;
-    /// Up to rays_at_once rays, faster than one by one. Where nothing is hit, *out[i] is left alone.
+    /// Up to rays_at_once rays, faster than one by one; they are cut short where they hit. Where nothing
+    /// is hit, *out[i] is left alone.
     static constexpr uint32_t rays_at_once = Octree::rays_at_once;
-    void raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const;
+    void raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const;
     bool raycast_any(const Ray& ray, uint32_t layers) const;
     /// The same for many rays: bit i of the result for ray i.
-    uint64_t raycast_any_many(const Ray* rays, uint32_t count, uint32_t layers) const;
+    uint64_t raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;

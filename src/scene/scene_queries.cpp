@@ -86,26 +86,25 @@ private:
 /// The first hit of one ray, among candidates in any order.
 class Scene::FirstOfRay {
 public:
-    /// `out` gets the first hit so far; without any it is left alone.
-    FirstOfRay(const Scene& scene, const Ray& ray, uint32_t layers, gphys_hit& out)
-        : scene_(&scene), quick_ray_(ray), rest_(ray), t_max_(ray.t_max), layers_(layers), out_(&out) {
+    /// The ray, which must live as long, is cut short where it hits. `out` gets the first hit so far;
+    /// without any it is left alone.
+    FirstOfRay(const Scene& scene, Ray& ray, uint32_t layers, gphys_hit& out)
+        : scene_(&scene), quick_ray_(ray), rest_(&ray), t_max_(ray.t_max), layers_(layers), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) ask(slot);
     }
 
     void ask(uint32_t slot) {
         Hit hit;
-        const auto quick = [&](const auto& shape) { return quick_ray_.refuses(shape, rest_.t_max); };
-        const auto exact = [&](const auto& shape) { return gphys::raycast(shape, rest_, hit); };
+        const auto quick = [&](const auto& shape) { return quick_ray_.refuses(shape, rest_->t_max); };
+        const auto exact = [&](const auto& shape) { return gphys::raycast(shape, *rest_, hit); };
         if ((scene_->models_[slot].layers & layers_) && scene_->decide(slot, quick, exact)) take(slot, hit);
     }
     /// The same of a model in the layers that has been placed, and of which a quick test has been asked.
     void ask(uint32_t slot, const Shape& placed) {
         Hit hit;
-        if (gphys::raycast(placed, rest_, hit)) take(slot, hit);
+        if (gphys::raycast(placed, *rest_, hit)) take(slot, hit);
     }
 
-    /// How far other models can still come before the hit.
-    const Ray& rest() const { return rest_; }
     const QuickRay& quick() const { return quick_ray_; }
 
     gphys_status status() const { return winner_.exists() ? GPHYS_OK : GPHYS_NO_HIT; }
@@ -117,12 +116,12 @@ private:
         *out_ = to_hit(hit, scene_->ids_.id(slot), scene_->tags_[slot]);
         // Shapes tell exactly what lies beyond t_max, while t is rounded (to 2^-50 of it at worst).
         // The slack keeps those in whose rounded t is the same, for the lower id to win.
-        rest_.t_max = std::min(t_max_, hit.t * (1 + 0x1p-40));
+        rest_->t_max = std::min(t_max_, hit.t * (1 + 0x1p-40));
     }
 
     const Scene* scene_;
     QuickRay quick_ray_;
-    Ray rest_;
+    Ray* rest_;     // how far other models can still come before the hit
     double t_max_;  // of the ray as it was given
     uint32_t layers_;
     Winner winner_{infinity};
@@ -130,12 +129,13 @@ private:
 };
 
 gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
-    FirstOfRay first(*this, ray, layers, out);
+    Ray rest = ray;
+    FirstOfRay first(*this, rest, layers, out);
     const auto visit = [&](uint32_t slot, double& t_max) {
         first.ask(slot);
-        t_max = first.rest().t_max;
+        t_max = rest.t_max;
     };
-    octree_.raycast(first.rest(), visit, model_memory());
+    octree_.raycast(rest, visit, model_memory());
     return first.status();
 }
 
@@ -176,14 +176,14 @@ private:
     std::optional<Shape> placed_;
 };
 
-void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
+void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
     Later<FirstOfRay> first[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], layers, *out[i]);
     // For those that go together, if any do.
     RayLanes lanes;
     bool in_lanes = false;
     const auto put_in_lanes = [&] {
-        for (uint32_t i = 0; i < count; ++i) first[i]->quick().put(lanes, i, first[i]->rest().t_max);
+        for (uint32_t i = 0; i < count; ++i) first[i]->quick().put(lanes, i, rays[i].t_max);
         const QuickRay nothing({{}, {}, 0});
         for (uint32_t i = count; i < count + 8; ++i) nothing.put(lanes, i, 0);
         in_lanes = true;
@@ -196,8 +196,8 @@ void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys
         } else {
             of.ask(slot);
         }
-        if (t_max == of.rest().t_max) return;
-        t_max = of.rest().t_max;
+        if (t_max == rays[ray].t_max) return;
+        t_max = rays[ray].t_max;
         if (in_lanes) lanes.end[ray] = of.quick().end(t_max);
     };
     const auto select = [&](uint32_t from, uint32_t of, uint32_t slot) {
@@ -205,31 +205,30 @@ void Scene::raycast_many(const Ray* rays, uint32_t count, uint32_t layers, gphys
         if (!in_lanes) put_in_lanes();
         return box.hold(slot) ? kernels_.may_meet(lanes, from, box.quick()) & of : of;
     };
-    octree_.raycast_many([&](uint32_t i) -> const Ray& { return first[i]->rest(); }, count, visit, model_memory(),
-                         select);
+    octree_.raycast_many(rays, count, visit, model_memory(), select);
 }
 
 /// Whether one ray meets any of the candidates.
 class Scene::AnyOfRay {
 public:
+    /// The ray must live as long.
     AnyOfRay(const Scene& scene, const Ray& ray, uint32_t layers)
-        : scene_(&scene), quick_ray_(ray), ray_(ray), layers_(layers) {
+        : scene_(&scene), quick_ray_(ray), ray_(&ray), layers_(layers) {
         for (const uint32_t slot : scene.unbounded_) met_ = met_ || ask(slot);
     }
 
     bool ask(uint32_t slot) {
-        const auto quick = [&](const auto& shape) { return quick_ray_(shape, ray_.t_max); };
-        const auto exact = [&](const auto& shape) { return is_met(shape, ray_); };
+        const auto quick = [&](const auto& shape) { return quick_ray_(shape, ray_->t_max); };
+        const auto exact = [&](const auto& shape) { return is_met(shape, *ray_); };
         return met_ = (scene_->models_[slot].layers & layers_) && scene_->decide(slot, quick, exact);
     }
 
     bool met() const { return met_; }
-    const Ray& ray() const { return ray_; }
 
 private:
     const Scene* scene_;
     QuickRay quick_ray_;
-    Ray ray_;
+    const Ray* ray_;
     uint32_t layers_;
     bool met_ = false;
 };
@@ -240,16 +239,17 @@ bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
                             ray, [&](uint32_t slot) { return any.ask(slot); }, model_memory());
 }
 
-uint64_t Scene::raycast_any_many(const Ray* rays, uint32_t count, uint32_t layers) const {
+uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const {
     Later<AnyOfRay> any[rays_at_once];
-    // Those that are done already have no way to go.
-    const Ray done{{}, {}, -1};
-    for (uint32_t i = 0; i < count; ++i) any[i].make(*this, rays[i], layers);
-    const auto ray_of = [&](uint32_t i) -> const Ray& { return any[i]->met() ? done : any[i]->ray(); };
+    for (uint32_t i = 0; i < count; ++i) {
+        any[i].make(*this, rays[i], layers);
+        // Those that are done already have no way to go.
+        if (any[i]->met()) rays[i].t_max = -1;
+    }
     const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
         if (t_max >= 0 && any[ray]->ask(slot)) t_max = -1;
     };
-    octree_.raycast_many(ray_of, count, visit, model_memory());
+    octree_.raycast_many(rays, count, visit, model_memory());
     uint64_t met = 0;
     for (uint32_t i = 0; i < count; ++i) met |= uint64_t{any[i]->met()} << i;
     return met;

@@ -1,0 +1,18 @@
+// Doubles one by one, under the names that simd_double.h gives to those side by side: for formulas that
+// are written once for both, as templates of the type of their numbers. Such templates are inlined
+// wherever they are used, so that kernels (isa.h) define nothing outside of their own namespace.
+#pragma once
+
+#include <cmath>
+
+namespace gphys {
+
+constexpr double select(bool mask, double a, double b) { return mask ? a : b; }
+constexpr double least(double a, double b) { return a < b ? a : b; }
+constexpr double largest(double a, double b) { return a < b ? b : a; }
+inline double absolute(double a) { return std::fabs(a); }
+inline double rounded_to_float(double a) { return static_cast<double>(static_cast<float>(a)); }
+constexpr bool any(bool mask) { return mask; }
+inline double with_sign(double a, double sign) { return std::copysign(a, sign); }
+
+}  // namespace gphys

@@ -1,0 +1,77 @@
+// What TriangleProbe consists of, before it is rounded to floats: one formula for one ray, with Number =
+// double, and for eight side by side, with the Double8 of a set of instructions.
+#pragma once
+
+#include "foundation/numbers.h"
+#include "octree/ray_setup.h"
+
+namespace gphys {
+
+// The signs of three volumes tell whether a ray passes through a triangle (raycast_triangle.cpp).
+// Here they are computed in float: x = X - sx Z and y = Y - sy Z, where X, Y, Z is a corner relative
+// to where the ray begins, and then products like a.x b.y - a.y b.x.
+//
+// Let u = 2^-24, R the distance on an axis from the beginning to the furthest side of the root, and o
+// how far the float origin is from the true one on that axis. Then X is off by at most o + u R, Z alike,
+// the slope by u of itself, its product with Z by another u, and their difference by u (R + |sx| Rz):
+//     ex = ox + 2 u R + |sx| (oz + 4 u Rz)
+// and a little for the terms in u^2. Along the ray, ez = oz + u Rz: margin. Each axis has its own error,
+// so that a mesh that is thin along one of them is not lost in the roundings of its length.
+//
+// A volume of coordinates up to rx and ry (as computed) is then off by 2 (rx ey + ry ex) + 2 ex ey for
+// the coordinates and by 4 u rx ry for its own three roundings. As u rx is at most ex / 2 (1 + 2 u), that
+// is another rx ey + ry ex: 3.1 (rx ey + ry ex) + 3 ex ey has room for what remains and for computing it.
+//
+// Numbers below 2^-126 may be flushed to zero by the host: each coordinate may be off by four such
+// flushes and Z times the slope's, each volume by three more.
+//
+// Nothing overflows: the root is within 2^53 of the beginning, coordinates stay below 2^55 and
+// volumes below 2^111.
+template <class Number>
+struct TriangleSetup {
+    using Mask = decltype(Number() < Number());
+
+    Number origin[3], slope_x, slope_y, error_slope_x, error_slope_y, error, margin, ahead;
+
+    /// `begin` and `slack` are those of the ray's probe of boxes in the root, and whether it excludes any.
+    template <class ShearOf, class Begin>
+    [[gnu::always_inline]] TriangleSetup(const ShearOf& shear, const Number (&direction)[3], const Begin& begin,
+                                         Number slack, Mask excludes, const RaysRoot& root) {
+        Number reaches[3], offs[3], origins[3];
+        for (int k = 0; k < 3; ++k) {
+            origins[k] = rounded_to_float(begin[k]);
+            offs[k] = absolute(begin[k] - origins[k]) + slack;
+            reaches[k] = largest(root.high[k] - begin[k], begin[k] - root.low[k]);
+        }
+        const Number off[3] = {shear.x(offs), shear.y(offs), shear.z(offs)};
+        const Number reach[3] = {shear.x(reaches), shear.y(reaches), shear.z(reaches)};
+        origin[0] = shear.x(origins);
+        origin[1] = shear.y(origins);
+        origin[2] = shear.z(origins);
+        constexpr double u = 0x1p-24, flushed = 0x1p-124;
+        const auto across = [&](int k, Number per_step) {
+            return 1.01 * (off[k] + 2 * u * reach[k] + absolute(per_step) * (off[2] + 4 * u * reach[2])) +
+                   flushed * (1 + reach[2]);
+        };
+        const Number error_x = across(0, shear.sx), error_y = across(1, shear.sy);
+        slope_x = shear.sx;
+        slope_y = shear.sy;
+        error_slope_x = 3.1 * error_y;
+        error_slope_y = 3.1 * error_x;
+        error = 3 * error_x * error_y + flushed;
+        margin = (1.01 * (off[2] + u * reach[2]) + flushed) * (1 + 2 * u);
+        ahead = select(shear.z(direction) < 0, 0, 1);
+        const Mask useless = !(shear.moves & excludes);  // nothing to shear along, or beyond floats
+        if (any(useless)) let_pass(useless);
+    }
+
+private:
+    [[gnu::always_inline]] void let_pass(Mask useless) {
+        for (Number& component : origin) component = select(useless, 0, component);
+        for (Number* slope : {&slope_x, &slope_y, &error_slope_x, &error_slope_y}) *slope = select(useless, 0, *slope);
+        margin = select(useless, 0x1p120, margin);
+        error = select(useless, 0x1p120, error);
+    }
+};
+
+}  // namespace gphys
