@@ -235,7 +235,7 @@ inline void transpose(FloatRegister (&v)[4]) {
     v[3] = _mm256_shuffle_ps(b, d, 0xee);
 }
 template <class At>
-Quads8 load_quads(const At& at) {
+[[gnu::always_inline]] inline Quads8 load_quads(const At& at) {
     FloatRegister v[4];
     for (int i = 0; i < 4; ++i) {
         v[i] = _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(at(i))), _mm_loadu_ps(at(i + 4)), 1);
@@ -244,7 +244,7 @@ Quads8 load_quads(const At& at) {
     return {{{v[0]}}, {{v[1]}}, {{v[2]}}, {{v[3]}}};
 }
 template <class At>
-void store_quads(const At& at, const Quads8& quads) {
+[[gnu::always_inline]] inline void store_quads(const At& at, const Quads8& quads) {
     FloatRegister v[4] = {quads.x.part[0], quads.y.part[0], quads.z.part[0], quads.w.part[0]};
     transpose(v);
     for (int i = 0; i < 4; ++i) {
@@ -264,7 +264,7 @@ inline void transpose(FloatRegister (&v)[4]) {
     v[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
 }
 template <class At>
-Quads8 load_quads(const At& at) {
+[[gnu::always_inline]] inline Quads8 load_quads(const At& at) {
     Quads8 quads;
     for (int half = 0; half < 2; ++half) {
         FloatRegister v[4];
@@ -275,7 +275,7 @@ Quads8 load_quads(const At& at) {
     return quads;
 }
 template <class At>
-void store_quads(const At& at, const Quads8& quads) {
+[[gnu::always_inline]] inline void store_quads(const At& at, const Quads8& quads) {
     for (int half = 0; half < 2; ++half) {
         FloatRegister v[4] = {quads.x.part[half], quads.y.part[half], quads.z.part[half], quads.w.part[half]};
         transpose(v);
@@ -284,10 +284,10 @@ void store_quads(const At& at, const Quads8& quads) {
 }
 #endif
 /// The same of an array of quadruples, by their indices.
-inline Quads8 load_quads(const float* from, const uint32_t* index) {
+[[gnu::always_inline]] inline Quads8 load_quads(const float* from, const uint32_t* index) {
     return load_quads([&](int i) { return from + 4 * size_t{index[i]}; });
 }
-inline void store_quads(float* to, const uint32_t* index, const Quads8& quads) {
+[[gnu::always_inline]] inline void store_quads(float* to, const uint32_t* index, const Quads8& quads) {
     store_quads([&](int i) { return to + 4 * size_t{index[i]}; }, quads);
 }
 

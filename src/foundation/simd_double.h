@@ -19,7 +19,7 @@ struct Double8 {
     DoubleRegister part[double_register_count];
 
     Double8() = default;
-    Double8(double all) {
+    [[gnu::always_inline]] Double8(double all) {
         for (DoubleRegister& p : part) p = all - DoubleRegister{};
     }
 };
@@ -253,7 +253,7 @@ inline void transpose(__m256d (&v)[4]) {
 
 /// Four doubles behind one another at each of eight places, component by component: at(i) is where.
 template <class At>
-void load_fours(const At& at, Double8 (&to)[4]) {
+[[gnu::always_inline]] inline void load_fours(const At& at, Double8 (&to)[4]) {
 #if GPHYS_ISA_IS(avx2)
     for (int half = 0; half < 2; ++half) {
         __m256d row[4];
@@ -272,7 +272,7 @@ void load_fours(const At& at, Double8 (&to)[4]) {
 #endif
 }
 template <class At>
-void store_fours(const At& at, const Double8 (&from)[4]) {
+[[gnu::always_inline]] inline void store_fours(const At& at, const Double8 (&from)[4]) {
 #if GPHYS_ISA_IS(avx2)
     for (int half = 0; half < 2; ++half) {
         __m256d row[4];
