@@ -1,8 +1,11 @@
 #include "scene/quick_tests.h"
 
 #include <cfenv>
+#include <cstddef>
+#include <cstring>
 
 #include "meshes.h"
+#include "scene/scene_kernels.h"
 #include "test.h"
 
 using namespace gphys;
@@ -133,50 +136,147 @@ TEST_CASE("quick tests of boxes never contradict the exact ones") {
     CHECK(coarse.open > 100);
 }
 
-TEST_CASE("of eight rays at once none that meets a box is refused, and nearly all others are, on any instruction set") {
-    Cases cases(74);
-    int met = 0, missed = 0, refused = 0;
-    for (int i = 0; i < 20000; ++i) {
-        cases.next();
-        // Numbers below the smallest normal float, too.
-        const float scale = i % 8 == 0 ? 0x1p-147f : 1;
-        const auto scaled = [&](gphys_vec3 v) { return narrow(widen(v) * scale); };
-        RayLanes lanes{};
-        Ray rays[8];
-        const uint32_t first = static_cast<uint32_t>(i) % RayLanes::most;
-        for (uint32_t k = 0; k < 8; ++k) {
-            const Ray ray = cases.ray();
-            rays[k] = {widen(scaled(narrow(ray.origin))), ray.direction, ray.t_max * scale};
-            QuickRay(rays[k]).put(lanes, first + k, rays[k].t_max);
-        }
-        gphys_transform world = cases.transform();
-        world.position = scaled(world.position);
-        const auto ask = [&](const auto& stored) {
-            const BoxLanes box(quick_shape(stored, world));
-            uint32_t truth = 0;
-            with_placed(stored, world, [&](const auto& placed) {
-                for (uint32_t k = 0; k < 8; ++k) {
-                    Hit hit;
-                    truth |= uint32_t{raycast(placed, rays[k], hit)} << k;
-                }
-            });
-            for (const Isa isa : test::isas()) {
-                const uint32_t may_meet = scene_kernels(isa).may_meet(lanes, first, box);
-                REQUIRE((truth & ~may_meet) == 0);
-                REQUIRE(may_meet == scene_kernels(Isa::scalar).may_meet(lanes, first, box));
-                refused += __builtin_popcount(~may_meet & 0xff);
-                missed += 8 - __builtin_popcount(truth);
-                met += __builtin_popcount(truth);
-            }
-        };
-        const gphys_aabb aabb = cases.aabb();
-        ask(gphys_aabb{scaled(aabb.min), scaled(aabb.max)});
-        const gphys_obb obb = cases.obb();
-        ask(gphys_obb{scaled(obb.center), scaled(obb.half_extents), obb.rotation});
+namespace {
+
+/// As scenes keep models.
+struct StoredModel {
+    template <class Stored>
+    StoredModel(const gphys_transform& w, const Stored& stored) : world(w) {
+        std::memcpy(shape, &stored, std::min(sizeof stored, sizeof shape));
     }
-    CHECK(met > 30000);
-    // The tiny eighth is not.
-    CHECK(refused > missed * 0.87);
+
+    gphys_transform world;
+    float words[2] = {NAN, INFINITY};
+    float shape[6] = {};
+};
+static_assert(offsetof(StoredModel, shape) == shape_at * sizeof(float));
+
+using AskEight = Verdicts8 (*SceneKernels::*)(const RaysAndModels& pairs);
+
+AskEight asks(const gphys_sphere&) { return &SceneKernels::rays_and_spheres; }
+AskEight asks(const gphys_aabb&) { return &SceneKernels::rays_and_aabbs; }
+AskEight asks(const gphys_obb&) { return &SceneKernels::rays_and_obbs; }
+const float* other_of(const gphys_sphere& sphere) { return &sphere.center.x; }
+const float* other_of(const gphys_aabb&) { return nullptr; }
+const float* other_of(const gphys_obb& box) { return &box.rotation.x; }
+
+struct Tallies {
+    Tally fine, touching, tiny;
+};
+
+/// Eight rays and as many models, in any order, of which some are met by several rays and some by none.
+template <class MakeShape>
+void compare_eight(Cases& cases, int round, Tallies& tallies, const MakeShape& make_shape) {
+    constexpr uint32_t model_of[8] = {6, 2, 0, 5, 3, 1, 4, 2}, ray_of[8] = {1, 0, 2, 7, 4, 3, 6, 4};
+    // Numbers below the smallest normal float, too.
+    const bool tiny = round % 8 == 0, touching = round % 4 == 1;
+    const float scale = tiny ? 0x1p-147f : 1;
+    using Stored = decltype(make_shape(scale));
+    std::vector<Stored> shapes;
+    std::vector<StoredModel> models;
+    for (int i = 0; i < 7; ++i) {
+        gphys_transform world = cases.transform();
+        world.position = narrow(widen(world.position) * scale);
+        if (round % 3 == 0) world = {world.position, {0, 0, 0, 1}, 1};
+        shapes.push_back(make_shape(scale));
+        models.emplace_back(world, shapes.back());
+    }
+    Ray rays[8];
+    for (Ray& ray : rays) {
+        ray = cases.ray();
+        ray = {widen(narrow(ray.origin * scale)), ray.direction, ray.t_max * scale};
+    }
+    if (touching) {
+        // Past one of them, nearly or just touching it; or up to it.
+        with_placed(shapes[0], models[0].world, [&](const auto& placed) {
+            const Vec3 origin = rays[2].origin, surface = closest_point(placed, origin), out = origin - surface;
+            const Vec3 across = cross(out, Vec3{1, 2, 3});
+            rays[2] = {surface + out * std::exp2(cases.number(12) - 30) - across, across, infinity};
+            rays[0] = {origin, surface - origin, 1 + std::exp2(cases.number(12) - 40) * (round % 8 < 4 ? 1 : -1)};
+        });
+    }
+    RayQuads quads[8], same_quads[8];
+    scene_kernels(Isa::scalar).ray_quads(rays, 8, quads);
+    RaysAndModels pairs;
+    for (int k = 0; k < 8; ++k) {
+        pairs.ray[k] = quads + ray_of[k];
+        pairs.model[k] = &models[model_of[k]].world.position.x;
+        pairs.other[k] = other_of(shapes[model_of[k]]);
+    }
+    const AskEight ask = asks(shapes[0]);
+    const Verdicts8 verdicts = (scene_kernels(Isa::scalar).*ask)(pairs);
+    for (const Isa isa : test::isas()) {
+        scene_kernels(isa).ray_quads(rays, 8, same_quads);
+        REQUIRE(std::memcmp(quads, same_quads, sizeof quads) == 0);
+        const Verdicts8 same = (scene_kernels(isa).*ask)(pairs);
+        REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));
+    }
+    REQUIRE((verdicts.no & verdicts.yes) == 0);
+    for (int k = 0; k < 8; ++k) {
+        const bool truth = with_placed(shapes[model_of[k]], models[model_of[k]].world, [&](const auto& placed) {
+            Hit hit;
+            return raycast(placed, rays[ray_of[k]], hit);
+        });
+        const uint32_t no = verdicts.no >> k & 1, yes = verdicts.yes >> k & 1;
+        const bool near = touching && (ray_of[k] == 0 || ray_of[k] == 2);
+        Tally& tally = tiny ? tallies.tiny : near || cases.coarse() ? tallies.touching : tallies.fine;
+        REQUIRE(tally.add(no ? Verdict::no : yes ? Verdict::yes : Verdict::open, truth));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("of eight rays at once each is told the truth about its model, or nothing, the same on any instruction set") {
+    Cases cases(74);
+    Tallies spheres, aabbs, obbs;
+    for (int i = 0; i < 12000; ++i) {
+        cases.next();
+        const auto scaled = [](gphys_vec3 v, float scale) { return narrow(widen(v) * scale); };
+        compare_eight(cases, i, spheres, [&](float scale) {
+            const gphys_sphere sphere = cases.sphere();
+            return gphys_sphere{scaled(sphere.center, scale), sphere.radius * scale};
+        });
+        compare_eight(cases, i, aabbs, [&](float scale) {
+            const gphys_aabb box = cases.aabb();
+            return gphys_aabb{scaled(box.min, scale), scaled(box.max, scale)};
+        });
+        compare_eight(cases, i, obbs, [&](float scale) {
+            const gphys_obb box = cases.obb();
+            return gphys_obb{scaled(box.center, scale), scaled(box.half_extents, scale), box.rotation};
+        });
+    }
+    for (const Tallies* tallies : {&spheres, &aabbs, &obbs}) {
+        const Tally &fine = tallies->fine, &touching = tallies->touching;
+        INFO(fine.no << " " << fine.yes << " " << fine.open << ", " << touching.no << " " << touching.yes << " "
+                     << touching.open << ", " << tallies->tiny.no << " " << tallies->tiny.yes << " "
+                     << tallies->tiny.open);
+        CHECK(fine.no > 20000);
+        CHECK(fine.yes > 500);
+        CHECK(fine.open < 100);
+        CHECK(touching.open > 1000);
+    }
+}
+
+TEST_CASE("of rays that are fewer than eight the quick numbers are those of eight") {
+    Cases cases(76);
+    Ray rays[8];
+    for (Ray& ray : rays) ray = cases.ray();
+    RayQuads eight[8], fewer[8];
+    for (const Isa isa : test::isas()) {
+        scene_kernels(isa).ray_quads(rays, 8, eight);
+        for (uint32_t count = 1; count < 8; ++count) {
+            scene_kernels(isa).ray_quads(rays, count, fewer);
+            CHECK(std::memcmp(eight, fewer, count * sizeof(RayQuads)) == 0);
+        }
+        for (int i = 0; i < 8; ++i) {
+            const SplitPoint origin(rays[i].origin);
+            for (int k = 0; k < 3; ++k) {
+                CHECK(eight[i].head[k] == origin.head[k]);
+                CHECK(eight[i].rest[k] == origin.rest[k]);
+            }
+            CHECK(eight[i].end == ray_end(rays[i].t_max, rays[i].direction));
+        }
+    }
 }
 
 TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the same on any instruction set") {
@@ -216,9 +316,9 @@ TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the 
         }
         const BallLanes ball(center, radius);
         const auto* quads = reinterpret_cast<const float*>(stored);
-        const BoxVerdicts verdicts = scene_kernels(Isa::scalar).boxes_near(quads, first_quad, ball);
+        const Verdicts8 verdicts = scene_kernels(Isa::scalar).boxes_near(quads, first_quad, ball);
         for (const Isa isa : test::isas()) {
-            const BoxVerdicts same = scene_kernels(isa).boxes_near(quads, first_quad, ball);
+            const Verdicts8 same = scene_kernels(isa).boxes_near(quads, first_quad, ball);
             REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));
         }
         REQUIRE((verdicts.no & verdicts.yes) == 0);
@@ -250,9 +350,6 @@ TEST_CASE("quick tests raise no floating-point exception, however far the ray an
         const QuickRay quick(ray);
         denied += quick(QuickPlacedBox<gphys_aabb>{box, world}, ray.t_max) == Verdict::no;
         denied += quick(quick_shape(gphys_sphere{{1e15f, 0, 0}, 1e15f}, world), ray.t_max) == Verdict::no;
-        RayLanes lanes{};
-        quick.put(lanes, 0, ray.t_max);
-        for (const Isa isa : test::isas()) scene_kernels(isa).may_meet(lanes, 0, BoxLanes(quick_shape(box, world)));
     }
     denied += QuickPoint({})(quick_shape(box, world), infinity) == Verdict::no;
     // As large as scenes hold boxes.
@@ -260,16 +357,32 @@ TEST_CASE("quick tests raise no floating-point exception, however far the ray an
     const QuickPlacedBox<gphys_aabb> placed{box, unscaled};
     CHECK(QuickPoint({})(placed, infinity) != Verdict::no);
     CHECK(QuickPoint({-1e15, 1e15, 1e15})(placed, 0) == Verdict::no);
-    struct {
-        gphys_transform world;
-        float words[2];
-        gphys_aabb box;
-    } const stored{unscaled, {NAN, INFINITY}, box};
+    const StoredModel stored(unscaled, box);
+    const gphys_obb turned{{1e15f, 0, 0}, {1e15f, 1e15f, 1e15f}, {0, 0, 0.6f, 0.8f}};
+    const StoredModel stored_turned(unscaled, turned);
+    const gphys_sphere sphere{{1e15f, 0, 0}, 1e15f};
     constexpr uint32_t same[8] = {};
+    const auto fill = [](auto& eight, const auto* one) { std::fill_n(eight, 8, one); };
     for (const Isa isa : test::isas()) {
-        const auto* quads = reinterpret_cast<const float*>(&stored);
-        scene_kernels(isa).boxes_near(quads, same, BallLanes({-1e15, 1e15, 1e15}, 1e15));
-        scene_kernels(isa).boxes_near(quads, same, BallLanes({}, 0));
+        const SceneKernels& kernels = scene_kernels(isa);
+        kernels.boxes_near(&stored.world.position.x, same, BallLanes({-1e15, 1e15, 1e15}, 1e15));
+        kernels.boxes_near(&stored.world.position.x, same, BallLanes({}, 0));
+        for (const Vec3 direction : {Vec3{1, 0, 0}, Vec3{1e-45, 0, 0}, Vec3{1e15, 1e15, 1e15}, Vec3{}}) {
+            for (const double t_max : {infinity, 0.0, -1.0, 1e38}) {
+                const Ray ray{{-1e15, 0, 1e15}, direction, t_max};
+                RayQuads quads[8];
+                kernels.ray_quads(&ray, 1, quads);
+                RaysAndModels pairs;
+                fill(pairs.ray, quads);
+                fill(pairs.model, &stored.world.position.x);
+                fill(pairs.other, &sphere.center.x);
+                kernels.rays_and_aabbs(pairs);
+                kernels.rays_and_spheres(pairs);
+                fill(pairs.model, &stored_turned.world.position.x);
+                fill(pairs.other, &turned.rotation.x);
+                kernels.rays_and_obbs(pairs);
+            }
+        }
     }
     CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
     CHECK(denied < 9);

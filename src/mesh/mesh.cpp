@@ -24,6 +24,8 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     for (const gphys_vec3& vertex : vertices_) squared = std::max(squared, length_squared(widen(vertex) - center_));
     // Five roundings of 2^-53 each, of which those below the root count half.
     radius_ = std::sqrt(squared) * (1 + 0x1p-50);
+    const gphys_vec3 center = narrow(center_);
+    ball_ = {center, round_up((radius_ + distance(center_, widen(center))) * (1 + 0x1p-50))};
 }
 
 void Mesh::release(const Mesh* mesh) noexcept {

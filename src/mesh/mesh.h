@@ -36,6 +36,8 @@ public:
     /// The centre of the bounds, and how far from it vertices are at most.
     Vec3 center() const { return center_; }
     double radius() const { return radius_; }
+    /// The same in floats, rounded outward.
+    const gphys_sphere& ball() const { return ball_; }
     const Octree& octree() const { return octree_; }
     const Vector<TrianglePacket>& packets() const { return packets_; }
 
@@ -88,6 +90,7 @@ private:
     RaysRoot rays_root_;
     Vec3 center_;
     double radius_ = 0;
+    gphys_sphere ball_{};
 };
 
 template <class Visit>

@@ -26,8 +26,8 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, c
     rays_at_once(
         nodes, root, [&](uint32_t ray) -> const RayProbe& { return probes[ray]; }, limits, count, together,
         [&](uint32_t ray, uint32_t item) { return to.visit(to.context, ray, item); },
-        [&](uint32_t first, uint32_t rays, uint32_t item, float* new_limits) {
-            to.visit_some(to.context, first, rays, item, new_limits);
+        [&](const uint32_t* rays, const uint32_t* items, uint32_t size) {
+            return to.select(to.context, rays, items, size);
         },
         [&](uint32_t item) { fetch_item(to.items, item); });
 }

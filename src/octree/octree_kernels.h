@@ -24,9 +24,8 @@ struct OctreeVisitor {
 /// The same for many rays at once.
 struct OctreeRayVisitor {
     float (*visit)(void* context, uint32_t ray, uint32_t item);
-    /// Of the eight rays from `first` on, which go together, those whose bits are set in `rays`; puts
-    /// their new limits.
-    void (*visit_some)(void* context, uint32_t first, uint32_t rays, uint32_t item, float* limits);
+    /// Before that: whether items[k] is worth a visit to rays[k], k < count <= 8, tells bit k.
+    uint32_t (*select)(void* context, const uint32_t* rays, const uint32_t* items, uint32_t count);
     void* context;
     ItemMemory items;
 };

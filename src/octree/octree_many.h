@@ -7,15 +7,16 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// All nearest first. probe_of(ray) is a RayProbe; visit(ray, item) returns the new limit of that ray,
-/// fetch(item) prepares for it.
-template <class ProbeOf, class Visit, class Fetch>
+/// All nearest first. probe_of(ray) is a RayProbe; visit(ray, item) returns the new limit of that ray.
+/// Before that fetch(item) prepares for it, and select(rays, items, count) tells which of up to eight visits
+/// are worth it.
+template <class ProbeOf, class Visit, class Select, class Fetch>
 void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
-                   const Visit& visit, const Fetch& fetch) {
+                   const Visit& visit, const Select& select, const Fetch& fetch) {
     constexpr uint32_t most = 16;
     // Turns are taken in groups: to look side by side lets their arithmetic overlap, and loops that run
     // as often each time do not surprise the processor.
-    constexpr uint32_t group = 4;
+    constexpr uint32_t group = 4, visits = 8;
     struct alignas(64) Turn {
         RayTest test;
         uint32_t ray;
@@ -64,18 +65,28 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
         }
         for (uint32_t i = 0; i < size; ++i) go_on(*now[i], now[i]->walk.leave_node(nodes, now[i]->found));
     };
-    const auto visit_one = [&] {
-        Turn& turn = visiting.take();
-        go_on(turn, turn.walk.leave_item(visit(turn.ray, turn.walk.item())));
+    const auto visit_some = [&](uint32_t size) {
+        Turn* now[visits];
+        uint32_t rays[visits], items[visits];
+        for (uint32_t i = 0; i < size; ++i) {
+            now[i] = &visiting.take();
+            rays[i] = now[i]->ray;
+            items[i] = now[i]->walk.item();
+        }
+        for (uint32_t worth_it = select(rays, items, size); worth_it != 0; worth_it &= worth_it - 1) {
+            const int i = __builtin_ctz(worth_it);
+            now[i]->walk.set_limit(visit(rays[i], items[i]));
+        }
+        for (uint32_t i = 0; i < size; ++i) go_on(*now[i], now[i]->walk.leave_item());
     };
     for (Turn& turn : turns) begin(turn);
     for (;;) {
-        if (looking.size >= group) {
+        if (visiting.size >= visits) {
+            visit_some(visits);
+        } else if (looking.size >= group) {
             look(group);
-            if (visiting.size < group) continue;
-            for (uint32_t i = 0; i < group; ++i) visit_one();
         } else if (visiting.size > 0) {
-            visit_one();
+            visit_some(visiting.size);
         } else if (looking.size > 0) {
             look(looking.size);
         } else {
@@ -85,16 +96,34 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
 }
 
 /// The same for up to RayBundling::most rays with the same signs of direction, nearest first by all
-/// of them. visit_some(first, rays, item, limits) visits those of eight rays from `first` on whose bits
-/// are set, and puts the new limits of these in the eight.
-template <class ProbeOf, class VisitSome, class Fetch>
+/// of them.
+template <class ProbeOf, class Visit, class Select, class Fetch>
 void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* first_limits,
-                   uint32_t count, const VisitSome& visit_some, const Fetch& fetch) {
-    constexpr uint32_t lanes[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+                   uint32_t count, const Visit& visit, const Select& select, const Fetch& fetch) {
+    constexpr uint32_t numbers[RayBundling::most] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     float limits[RayBundling::most];
     for (uint32_t i = 0; i < RayBundling::most; ++i) limits[i] = i < count ? first_limits[i] : -1;
     BundleTest test(probe_of, limits, count);
     if (test.limit() < 0) return;
+    // Of the boxes of a leaf, nearest first: to select eight visits takes as long as one.
+    constexpr uint32_t visits = 8;
+    uint32_t rays[2 * visits], items[2 * visits], waiting = 0;
+    const auto visit_first = [&](uint32_t some) {
+        for (uint32_t worth_it = select(rays, items, some); worth_it != 0; worth_it &= worth_it - 1) {
+            const int i = __builtin_ctz(worth_it);
+            limits[rays[i]] = visit(rays[i], items[i]);
+        }
+        waiting -= some;
+        for (uint32_t i = 0; i < waiting; ++i) {
+            rays[i] = rays[visits + i];
+            items[i] = items[visits + i];
+        }
+    };
+    const auto visit_later = [&](uint32_t first, uint32_t set, uint32_t item) {
+        for (uint32_t i = 0; i < 8; ++i) items[waiting + i] = item;
+        waiting += take_lanes(rays + waiting, numbers + first, set);
+        if (waiting >= visits) visit_first(visits);
+    };
     KeyedChild stack[stack_size];
     int size = 0;
     uint32_t ref = root;
@@ -114,13 +143,14 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
         if (found.hits != 0) {
             for (uint32_t rest = found.hits; rest != 0; rest &= rest - 1) fetch(node.child[__builtin_ctz(rest)]);
             KeyedChild ordered[8 + pushed_beyond];
-            for (int left = push_nearest_last(ordered, 0, lanes, found, false); left-- > 0;) {
+            for (int left = push_nearest_last(ordered, 0, numbers, found, false); left-- > 0;) {
                 const uint32_t lane = child_of(ordered[left]);
                 for (uint32_t group = 0; group < test.groups(); ++group) {
-                    const uint32_t rays = test.rays(group, node.boxes, lane);
-                    if (rays != 0) visit_some(8 * group, rays, node.child[lane], limits + 8 * group);
+                    const uint32_t set = test.rays(group, node.boxes, lane);
+                    if (set != 0) visit_later(8 * group, set, node.child[lane]);
                 }
             }
+            if (waiting > 0) visit_first(waiting);
             test.set_limits(limits);
         }
         do {
@@ -131,26 +161,21 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     }
 }
 
-template <class ProbeOf, class Visit, class VisitSome, class Fetch>
+template <class ProbeOf, class Visit, class Select, class Fetch>
 void rays_at_once(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
-                  bool together, const Visit& visit, const VisitSome& visit_some, const Fetch& fetch) {
+                  bool together, const Visit& visit, const Select& select, const Fetch& fetch) {
     if (together) {
-        rays_together(nodes, root, probe_of, limits, count, visit_some, fetch);
+        rays_together(nodes, root, probe_of, limits, count, visit, select, fetch);
     } else {
-        rays_in_turns(nodes, root, probe_of, limits, count, visit, fetch);
+        rays_in_turns(nodes, root, probe_of, limits, count, visit, select, fetch);
     }
 }
-/// Those that go together are visited one by one, too.
+/// Where all visits are worth it.
 template <class ProbeOf, class Visit, class Fetch>
 void rays_at_once(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
                   bool together, const Visit& visit, const Fetch& fetch) {
-    const auto visit_some = [&](uint32_t first, uint32_t rays, uint32_t item, float* new_limits) {
-        for (; rays != 0; rays &= rays - 1) {
-            const auto lane = static_cast<uint32_t>(__builtin_ctz(rays));
-            new_limits[lane] = visit(first + lane, item);
-        }
-    };
-    rays_at_once(nodes, root, probe_of, limits, count, together, visit, visit_some, fetch);
+    const auto every = [](const uint32_t*, const uint32_t*, uint32_t some) { return (1u << some) - 1; };
+    rays_at_once(nodes, root, probe_of, limits, count, together, visit, every, fetch);
 }
 
 }  // namespace gphys::GPHYS_ISA

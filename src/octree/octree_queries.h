@@ -62,18 +62,17 @@ void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMe
         Walk& w = *static_cast<Walk*>(context);
         return w.take(w.first + ray, item);
     };
-    const auto some = [](void* context, uint32_t first, uint32_t rays, uint32_t item, float* limits) {
+    const auto select_some = [](void* context, const uint32_t* from_first, const uint32_t* some, uint32_t size) {
         Walk& w = *static_cast<Walk*>(context);
-        for (rays = w.select(w.first + first, rays, item); rays != 0; rays &= rays - 1) {
-            const auto lane = static_cast<uint32_t>(__builtin_ctz(rays));
-            limits[lane] = w.take(w.first + first + lane, item);
-        }
+        uint32_t numbers[8] = {};
+        for (uint32_t k = 0; k < size; ++k) numbers[k] = w.first + from_first[k];
+        return w.select(numbers, some, size);
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
     RayBundling(bounds_, size_).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         walk.first = first;
         kernels_.rays(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
-                      {step, some, &walk, items});
+                      {step, select_some, &walk, items});
     });
 }
 

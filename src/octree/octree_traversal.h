@@ -48,10 +48,8 @@ public:
         size_ = push_nearest_last(stack_, size_, node_at(nodes, ref).child, found, is_leaf(ref));
         return next();
     }
-    bool leave_item(float limit) {
-        limit_ = limit;
-        return next();
-    }
+    void set_limit(float limit) { limit_ = limit; }
+    bool leave_item() { return next(); }
 
 private:
     bool next() {
@@ -77,7 +75,8 @@ void nearest_first(const OctreeNode* nodes, uint32_t root, const Test& test, flo
     bool goes_on;
     do {
         if (walk.at_item()) {
-            goes_on = walk.leave_item(visit(walk.item()));
+            walk.set_limit(visit(walk.item()));
+            goes_on = walk.leave_item();
         } else {
             walk.look(nodes, test, found);
             goes_on = walk.leave_node(nodes, found);

@@ -27,6 +27,8 @@ constexpr double slack = 0x1p-43;
 /// The same in float32. A rotation of a vector takes 23 roundings of 2^-24 at most; no test has more
 /// than two of them and a dozen others, and this stands for 128.
 constexpr float float_slack = 0x1p-17f;
+/// And of a number that is rounded once or twice.
+constexpr float few_roundings = 0x1p-21f;
 
 /// What numbers below the smallest normal float may lose: some hundred times 2^-149, and still more
 /// where it is multiplied by the margin of a speed.
@@ -39,6 +41,8 @@ constexpr float square_slack = 0x1p-18f;
 constexpr float smallest_square = 0x1p-120f;
 /// Beyond all boxes, and its square fits a float.
 constexpr double most_reach = 0x1p60;
+/// Of the largest component of a direction, that its inverse is finite; and of the way along it, in floats.
+constexpr double least_speed = 0x1p-200, most_end = 0x1p100;
 
 constexpr double sum(Vec3 v) { return v.x + v.y + v.z; }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "scene/quick_shape.h"
-#include "scene/scene_kernels.h"
 
 namespace gphys {
 
@@ -18,7 +17,7 @@ public:
           direction_squared_(length_squared(ray.direction)),
           origin_magnitude_(sum(abs(ray.origin))),
           direction_slack_(slack * sum(abs(ray.direction))),
-          direction_size_(std::max(max_component(abs(ray.direction)), 0x1p-200)),
+          direction_size_(std::max(max_component(abs(ray.direction)), least_speed)),
           unit_direction_(narrow4(ray.direction * (1 / direction_size_))),
           unit_direction_slack_(float_slack * sum(abs(unit_direction_))) {}
 
@@ -31,19 +30,6 @@ public:
     Verdict refuses(const QuickShape& shape, double t_max) const {
         return verdict<false>(shape, t_max);
     }
-
-    /// As one of many.
-    void put(RayLanes& lanes, uint32_t lane, double t_max) const {
-        for (int k = 0; k < 3; ++k) {
-            lanes.origin[k][lane] = origin_.exact[k];
-            lanes.direction[k][lane] = unit_direction_[k];
-        }
-        lanes.direction_slack[lane] = unit_direction_slack_[0];
-        lanes.origin_slack[lane] = static_cast<float>(slack * origin_magnitude_);
-        lanes.end[lane] = end(t_max);
-    }
-    /// How far it is to t_max, in units of the direction's largest component.
-    float end(double t_max) const { return static_cast<float>(std::min(t_max * direction_size_, 0x1p100)); }
 
 private:
     /// In Haines's terms (raycast.cpp), with the roots left undrawn: what happens at t_max is told by
@@ -75,7 +61,7 @@ private:
         const Float4 along = box.turned_back(unit_direction_), speed_margin = unit_direction_slack_ * box.unit;
         const Float4 from = box.from, half = box.half, margin = box.margin;
         const Float4 to_center = along < Float4{} ? from : -from, speed = abs(along);
-        const Float4 end = splat4(this->end(t_max));
+        const Float4 end = splat4(static_cast<float>(std::min(t_max * direction_size_, most_end)));
         const Float4 slow = positive(speed - speed_margin), fast = speed + speed_margin;
         Float4 near = to_center - half - margin, far = to_center + half + margin;
         // No branches between: which of them decides is not to be foreseen.

@@ -159,8 +159,8 @@ private:
     static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
     class FirstOfRay;
-    class BoxOfRays;
-    class AnyOfRay;
+    class QuickRays;
+    class SharedModel;
 
     ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
     ItemMemory id_memory() const { return {ids_.ids(), sizeof(uint32_t)}; }
@@ -180,6 +180,7 @@ private:
     /// open, by the exact one of the placed shape.
     template <class Quick, class Exact>
     bool decide(uint32_t slot, Quick&& quick, Exact&& exact) const;
+    bool meets_unbounded(const Ray& ray, uint32_t layers) const;
     void store_shape(uint32_t slot, const void* shape);
     void discard_shape(uint32_t slot);
     void list_unbounded(uint32_t slot);

@@ -1,45 +1,37 @@
 #include "scene/scene_kernels.h"
 
-#include "foundation/simd.h"
+#include "octree/ray_lanes.h"
 
 namespace gphys::GPHYS_ISA {
 
 namespace {
 
-/// The "no" of QuickRay::verdict for a placed box, for eight rays: the same margins, and a matrix in
-/// place of a quaternion, whose products take fewer roundings.
-uint32_t may_meet(const RayLanes& rays, uint32_t first, const BoxLanes& box) {
-    Float8 from[3], along[3];
-    for (int k = 0; k < 3; ++k) {
-        from[k] = narrowed_differences(rays.origin[k] + first, box.center[k]);
-        along[k] = load(rays.direction[k] + first);
-    }
-    const Float8 reach = abs(from[0]) + abs(from[1]) + abs(from[2]) + splat(box.half_sum);
-    const Float8 margin =
-        (reach * splat(float_slack) + (load(rays.origin_slack + first) + splat(box.slack))) * splat(box.unit);
-    const Float8 speed_margin = load(rays.direction_slack + first) * splat(box.unit), end = load(rays.end + first);
-    const Float8 zero = splat(0);
-    Float8 near[3], far[3], slow[3], fast[3];
-    Mask8 meets = zero <= zero;
-    for (int k = 0; k < 3; ++k) {
-        const auto in_axes = [&](const Float8(&v)[3]) {
-            return v[0] * splat(box.axes[k][0]) + v[1] * splat(box.axes[k][1]) + v[2] * splat(box.axes[k][2]);
-        };
-        const Float8 height = in_axes(from), climb = in_axes(along), speed = abs(climb);
-        const Float8 to_center = choose(zero <= climb, zero - height, height);
-        const Float8 half = splat(box.half[k]) + margin;
-        slow[k] = max(speed - speed_margin, zero);
-        fast[k] = speed + speed_margin;
-        near[k] = to_center - half;
-        far[k] = to_center + half;
-        meets = meets & (zero <= far[k]) & (near[k] <= end * fast[k]);
-    }
-    for (int k = 0; k < 3; ++k) {
-        for (const int other : {(k + 1) % 3, (k + 2) % 3}) {
-            meets = meets & (near[k] * slow[other] <= far[other] * fast[k]);
+void make_ray_quads(const Ray* rays, uint32_t count, RayQuads* to) {
+    for (uint32_t first = 0; first < count; first += 8) {
+        const Rays8 eight(rays + first, count - first);
+        const auto sum_of = [](const auto(&v)[3]) { return v[0] + v[1] + v[2]; };
+        Float8 head[3], rest[3], direction[3], size_of[3];
+        Double8 magnitude[3];
+        Double8 speed = least_speed;
+        for (int k = 0; k < 3; ++k) {
+            head[k] = narrowed(eight.origin[k]);
+            rest[k] = narrowed(eight.origin[k] - widened(head[k]));
+            magnitude[k] = absolute(eight.origin[k]);
+            speed = largest(speed, absolute(eight.direction[k]));
         }
+        const Double8 to_unit = 1 / speed;
+        for (int k = 0; k < 3; ++k) {
+            direction[k] = narrowed(eight.direction[k] * to_unit);
+            size_of[k] = abs(direction[k]);
+        }
+        const auto at = [&](int i) -> RayQuads& { return to[first + static_cast<uint32_t>(i)]; };
+        store_quads([&](int i) { return at(i).head; },
+                    {head[0], head[1], head[2], narrowed(least(eight.t_max * speed, most_end))});
+        store_quads([&](int i) { return at(i).rest; },
+                    {rest[0], rest[1], rest[2], narrowed(slack * sum_of(magnitude))});
+        store_quads([&](int i) { return at(i).direction; },
+                    {direction[0], direction[1], direction[2], splat(float_slack) * sum_of(size_of)});
     }
-    return bits(meets);
 }
 
 struct Vector8 {
@@ -61,8 +53,153 @@ Float8 square_beyond(const Vector8& a, Float8 less) {
     return x * x + y * y + z * z;
 }
 
+/// |q|^2 times a rotation, as ScaledTurn.
+class Turn8 {
+public:
+    Turn8(const Vector8& u, Float8 w) : u_(u), w_(w), ww_(w * w), uu_(dot(u, u)) {}
+
+    Float8 unit() const { return ww_ + uu_; }
+    Vector8 operator()(const Vector8& v) const {
+        return (ww_ - uu_) * v + splat(2) * (dot(u_, v) * u_ + w_ * cross(u_, v));
+    }
+    /// By the conjugate.
+    Vector8 back(const Vector8& v) const { return (ww_ - uu_) * v + splat(2) * (dot(u_, v) * u_ + w_ * cross(v, u_)); }
+    /// Lanes that leave all vectors as they are, to the last bit.
+    Mask8 none() const { return (sum(abs(u_)) <= splat(0)) & (abs(w_) <= splat(1)) & (splat(1) <= abs(w_)); }
+
+private:
+    Vector8 u_;
+    Float8 w_, ww_, uu_;
+};
+
+/// The placements of eight models.
+struct Worlds8 {
+    explicit Worlds8(const RaysAndModels& pairs) : Worlds8(quads(pairs, 0), quads(pairs, 4)) {}
+
+    Vector8 position;
+    Turn8 turn;
+    Float8 scale;
+
+private:
+    static Quads8 quads(const RaysAndModels& pairs, int from) {
+        return load_quads([&](int i) { return pairs.model[i] + from; });
+    }
+    Worlds8(const Quads8& a, const Quads8& b) : position{a.x, a.y, a.z}, turn({a.w, b.x, b.y}, b.z), scale(b.w) {}
+};
+
+/// Eight rays, seen from the centres of the shapes that they ask about.
+struct Sight8 {
+    /// `center` is in its model.
+    [[gnu::always_inline]] Sight8(const RaysAndModels& pairs, const Worlds8& world, const Vector8& center) {
+        const Quads8 head = load_quads([&](int i) { return pairs.ray[i]->head; });
+        const Quads8 rest = load_quads([&](int i) { return pairs.ray[i]->rest; });
+        const Quads8 to = load_quads([&](int i) { return pairs.ray[i]->direction; });
+        direction = {to.x, to.y, to.z};
+        direction_slack = to.w;
+        end = head.w;
+        off = rest.w + splat(static_cast<float>(slack)) * sum(abs(world.position)) +
+              splat(static_cast<float>(smallest_slack)) * (splat(1) + world.scale);
+        from = {head.x, head.y, head.z};
+        const Float8 zero = splat(0), one = splat(1);
+        const Mask8 centered = sum(abs(center)) <= zero;
+        if (bits(centered) != 0xff) {
+            // Where a model leaves its shape as it is, the centre is as exact as it was found; the first of
+            // two differences is rounded, too.
+            const Vector8 scaled = world.scale * center;
+            from = from - one / world.turn.unit() * world.turn(scaled);
+            const Mask8 as_it_is = world.turn.none() & (world.scale <= one) & (one <= world.scale);
+            const Float8 few = splat(few_roundings);
+            off = off + choose(as_it_is, few, splat(float_slack)) * sum(abs(scaled)) +
+                  choose(centered, zero, few * sum(abs(from)));
+        }
+        from = from - world.position + Vector8{rest.x, rest.y, rest.z};
+    }
+
+    Vector8 from, direction;
+    Float8 end, direction_slack;
+    Float8 off;  // by how much each coordinate is, besides some roundings of what is added up in the end
+};
+
+/// QuickRay::verdict of placed boxes: the same numbers and margins. `half` and `turn_back` are of boxes in
+/// the world, `unit` is what that multiplies lengths by.
+template <class TurnBack>
+Verdicts8 rays_and_boxes(const Sight8& sight, const Vector8& half, Float8 unit, const TurnBack& turn_back) {
+    const Float8 zero = splat(0);
+    const Float8 margin = (splat(float_slack) * (sum(abs(sight.from)) + sum(half)) + sight.off) * unit;
+    const Float8 speed_margin = sight.direction_slack * unit;
+    const Vector8 height = turn_back(sight.from), climb = turn_back(sight.direction);
+    const Float8 heights[3] = {height.x, height.y, height.z}, climbs[3] = {climb.x, climb.y, climb.z},
+                 halves[3] = {half.x, half.y, half.z};
+    Float8 near[3], far[3], slow[3], fast[3], latest[3], earliest[3];
+    Mask8 may = zero <= zero, must = may, behind = splat(1) <= zero;
+    for (int k = 0; k < 3; ++k) {
+        const Float8 speed = abs(climbs[k]), reach = halves[k] * unit;
+        const Float8 to_center = choose(zero <= climbs[k], zero - heights[k], heights[k]);
+        slow[k] = max(speed - speed_margin, zero);
+        fast[k] = speed + speed_margin;
+        near[k] = to_center - reach - margin;
+        far[k] = to_center + reach + margin;
+        latest[k] = max(to_center - reach + margin, zero);
+        earliest[k] = to_center + reach - margin;
+        may = may & (zero <= far[k]) & (near[k] <= sight.end * fast[k]);
+        must = must & (latest[k] <= sight.end * slow[k]);
+        behind = behind | (earliest[k] <= zero);
+    }
+    for (int k = 0; k < 3; ++k) {
+        for (const int other : {(k + 1) % 3, (k + 2) % 3}) {
+            may = may & (near[k] * slow[other] <= far[other] * fast[k]);
+            must = must & (latest[k] * fast[other] <= earliest[other] * slow[k]);
+        }
+    }
+    return {bits(may) ^ 0xff, bits(must) & (bits(behind) ^ 0xff)};
+}
+
+Verdicts8 rays_and_aabbs(const RaysAndModels& pairs) {
+    const Quads8 a = load_quads([&](int i) { return pairs.model[i] + shape_at; });
+    const Quads8 b = load_quads([&](int i) { return pairs.model[i] + shape_at + 2; });
+    const Vector8 low{a.x, a.y, a.z}, high{b.y, b.z, b.w};
+    const Worlds8 world(pairs);
+    const Sight8 sight(pairs, world, splat(0.5f) * (low + high));
+    return rays_and_boxes(sight, splat(0.5f) * world.scale * (high - low), world.turn.unit(),
+                          [&](const Vector8& v) { return world.turn.back(v); });
+}
+
+Verdicts8 rays_and_obbs(const RaysAndModels& pairs) {
+    const Quads8 a = load_quads([&](int i) { return pairs.model[i] + shape_at; });
+    const Quads8 b = load_quads([&](int i) { return pairs.model[i] + shape_at + 2; });
+    const Quads8 q = load_quads([&](int i) { return pairs.other[i]; });
+    const Worlds8 world(pairs);
+    const Turn8 turn({q.x, q.y, q.z}, q.w);
+    const Sight8 sight(pairs, world, {a.x, a.y, a.z});
+    return rays_and_boxes(sight, world.scale * Vector8{b.y, b.z, b.w}, world.turn.unit() * turn.unit(),
+                          [&](const Vector8& v) { return turn.back(world.turn.back(v)); });
+}
+
+/// Whether the point of a ray that is closest to the centre, between its origin and its end, is certainly
+/// outside, or inside (as Haines et al. 2019 find a sphere, so that little is lost far away).
+///
+/// Let u = 2^-24, and s the sum of the coordinates of where the ray comes from. With a direction of largest
+/// component 1, the way to the closest point is off by 10 u s and three times what these coordinates are
+/// off by; the point itself on each axis by that, by 5 u s, and once more by the coordinates. float_slack is
+/// 128 u.
+Verdicts8 rays_and_spheres(const RaysAndModels& pairs) {
+    const Quads8 sphere = load_quads([&](int i) { return pairs.other[i]; });
+    const Worlds8 world(pairs);
+    const Sight8 sight(pairs, world, {sphere.x, sphere.y, sphere.z});
+    const Float8 zero = splat(0), radius = world.scale * sphere.w;
+    const Float8 margin = splat(float_slack) * (sum(abs(sight.from)) + radius) + splat(4) * sight.off;
+    // Of a ray without direction, one.
+    const Float8 squared = max(dot(sight.direction, sight.direction), splat(1));
+    const Float8 way = min(max((zero - dot(sight.from, sight.direction)) / squared, zero), sight.end);
+    const Vector8 closest = abs(sight.from + way * sight.direction);
+    const Float8 limit = radius * radius, above = limit * splat(1 + square_slack) + splat(smallest_square);
+    const Float8 below = limit * splat(1 - square_slack), least = splat(smallest_square);
+    return {bits(square_beyond(closest, margin) <= above) ^ 0xff,
+            bits(below <= square_beyond(closest, zero - margin) + least) ^ 0xff};
+}
+
 /// QuickPoint of the placed boxes: the same numbers and margins.
-BoxVerdicts boxes_near(const float* quads, const uint32_t* first_quad, const BallLanes& ball) {
+Verdicts8 boxes_near(const float* quads, const uint32_t* first_quad, const BallLanes& ball) {
     const auto quad = [&](uint32_t number) {
         uint32_t index[8];
         for (int i = 0; i < 8; ++i) index[i] = first_quad[i] + number;
@@ -79,9 +216,9 @@ BoxVerdicts boxes_near(const float* quads, const uint32_t* first_quad, const Bal
     const Float8 half_sum = sum(half), sums = sum(abs(position)) + half_sum;
     const Float8 margin = splat(float_slack) * (sum(abs(from)) + half_sum) + splat(static_cast<float>(slack)) * sums +
                           splat(ball.slack) + splat(static_cast<float>(smallest_slack)) * (splat(1) + scale);
-    const Float8 uu = dot(u, u), ww = w * w, unit = ww + uu;
-    const Vector8 turned = (ww - uu) * from + splat(2) * (dot(u, from) * u + w * cross(from, u));
-    const Vector8 outside = abs(turned) - unit * half;
+    const Turn8 turn(u, w);
+    const Float8 unit = turn.unit();
+    const Vector8 outside = abs(turn.back(from)) - unit * half;
     const Float8 scaled_margin = margin * unit, far = splat(ball.reach) * unit, limit = far * far;
     const Float8 at_least = square_beyond(outside, scaled_margin),
                  at_most = square_beyond(outside, splat(0) - scaled_margin);
@@ -94,6 +231,6 @@ BoxVerdicts boxes_near(const float* quads, const uint32_t* first_quad, const Bal
 
 }  // namespace
 
-extern const SceneKernels scene_kernels{may_meet, boxes_near};
+extern const SceneKernels scene_kernels{make_ray_quads, rays_and_spheres, rays_and_aabbs, rays_and_obbs, boxes_near};
 
 }  // namespace gphys::GPHYS_ISA

@@ -1,5 +1,4 @@
-// What many rays that go much the same way ask of a box, and a ball of many boxes, once for each
-// instruction set.
+// What many rays ask of many models, and a ball of many boxes, once for each instruction set.
 #pragma once
 
 #include "foundation/isa.h"
@@ -7,36 +6,26 @@
 
 namespace gphys {
 
-/// Rays side by side: what QuickRay (quick_tests.h) knows of each.
-struct RayLanes {
-    static constexpr uint32_t most = 64;
-    // Eight rays may begin at any; behind the last there are zeros.
-    static constexpr uint32_t size = most + 8;
-
-    double origin[3][size];
-    float direction[3][size];     // in parts of its largest component
-    float direction_slack[size];  // of each component
-    float origin_slack[size];     // of each coordinate
-    float end[size];              // t_max times the largest component of the direction
+/// One of many rays: what QuickRay (quick_tests.h) knows of it, in fours so that eight are read at once.
+struct alignas(16) RayQuads {
+    float head[3], end;                   // of the origin, as those of SplitPoint; t_max, see ray_end
+    float rest[3], origin_slack;          // of each coordinate
+    float direction[3], direction_slack;  // in parts of its largest component; of each
 };
 
-/// A box with axes of the length `unit`, placed in the world.
-struct BoxLanes {
-    double center[3];
-    float axes[3][3], half[3];
-    float half_sum, unit, slack;
+/// How far it is to t_max, in units of a direction's largest component.
+inline float ray_end(double t_max, Vec3 direction) {
+    return static_cast<float>(std::min(t_max * std::max(max_component(abs(direction)), least_speed), most_end));
+}
 
-    explicit BoxLanes(const QuickBox& box)
-        : center{box.center.x, box.center.y, box.center.z},
-          unit(static_cast<float>(box.unit)),
-          slack(static_cast<float>(gphys::slack * box.magnitude + smallest_slack)) {
-        const Vec3 columns[3] = {box.axes.x, box.axes.y, box.axes.z};
-        half_sum = static_cast<float>(sum(box.half));
-        for (int i = 0; i < 3; ++i) {
-            half[i] = static_cast<float>(box.half[i] * box.unit);
-            for (int k = 0; k < 3; ++k) axes[i][k] = static_cast<float>(columns[i][k]);
-        }
-    }
+/// Where the shape of a stored model begins, in floats.
+constexpr uint32_t shape_at = 10;
+
+/// Eight rays, and the model that each asks about.
+struct RaysAndModels {
+    const RayQuads* ray[8];
+    const float* model[8];  // its transform, two words of no interest, and the first six of its shape
+    const float* other[8];  // the sphere, of which there may be another one around a shape; the rotation of an obb
 };
 
 /// A ball: what QuickPoint (quick_tests.h) knows of it.
@@ -54,17 +43,22 @@ struct BallLanes {
     }
 };
 
-/// Which of eight boxes certainly do not, or certainly do, meet a ball; the others are open.
-struct BoxVerdicts {
+/// Of eight questions, those whose answer is certainly no, and yes; the others are open.
+struct Verdicts8 {
     uint32_t no, yes;
 };
 
 struct SceneKernels {
-    /// Bit k is set unless ray first + k, k < 8, certainly misses the box until its end.
-    uint32_t (*may_meet)(const RayLanes& rays, uint32_t first, const BoxLanes& box);
+    /// What QuickRay knows of many rays. `count` is at least 1; what is written is rounded up to a multiple
+    /// of eight.
+    void (*ray_quads)(const Ray* rays, uint32_t count, RayQuads* to);
+    // Whether each ray meets its model until its end, all of which are of one type.
+    Verdicts8 (*rays_and_spheres)(const RaysAndModels& pairs);
+    Verdicts8 (*rays_and_aabbs)(const RaysAndModels& pairs);
+    Verdicts8 (*rays_and_obbs)(const RaysAndModels& pairs);
     /// Of eight models that are Aabbs; those that are not about their origins stay open. Model k has four
     /// quads from first_quad[k] on: its transform, two words of no interest, min and max.
-    BoxVerdicts (*boxes_near)(const float* quads, const uint32_t* first_quad, const BallLanes& ball);
+    Verdicts8 (*boxes_near)(const float* quads, const uint32_t* first_quad, const BallLanes& ball);
 };
 
 GPHYS_DECLARE_KERNELS(SceneKernels, scene_kernels)

@@ -89,23 +89,21 @@ public:
     /// The ray, which must live as long, is cut short where it hits. `out` gets the first hit so far;
     /// without any it is left alone.
     FirstOfRay(const Scene& scene, Ray& ray, uint32_t layers, gphys_hit& out)
-        : scene_(&scene), quick_ray_(ray), rest_(&ray), t_max_(ray.t_max), layers_(layers), out_(&out) {
-        for (const uint32_t slot : scene.unbounded_) ask(slot);
+        : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
+        for (const uint32_t slot : scene.unbounded_) {
+            if (scene.models_[slot].layers & layers) ask(slot);
+        }
     }
 
+    /// A model in the layers.
     void ask(uint32_t slot) {
-        Hit hit;
-        const auto quick = [&](const auto& shape) { return quick_ray_.refuses(shape, rest_->t_max); };
-        const auto exact = [&](const auto& shape) { return gphys::raycast(shape, *rest_, hit); };
-        if ((scene_->models_[slot].layers & layers_) && scene_->decide(slot, quick, exact)) take(slot, hit);
+        scene_->with_shape(slot, [&](const auto& shape) { ask(slot, shape); });
     }
-    /// The same of a model in the layers that has been placed, and of which a quick test has been asked.
-    void ask(uint32_t slot, const Shape& placed) {
+    template <class Placed>
+    void ask(uint32_t slot, const Placed& shape) {
         Hit hit;
-        if (gphys::raycast(placed, *rest_, hit)) take(slot, hit);
+        if (gphys::raycast(shape, *rest_, hit)) take(slot, hit);
     }
-
-    const QuickRay& quick() const { return quick_ray_; }
 
     gphys_status status() const { return winner_.exists() ? GPHYS_OK : GPHYS_NO_HIT; }
 
@@ -120,138 +118,182 @@ private:
     }
 
     const Scene* scene_;
-    QuickRay quick_ray_;
     Ray* rest_;     // how far other models can still come before the hit
     double t_max_;  // of the ray as it was given
-    uint32_t layers_;
     Winner winner_{infinity};
     gphys_hit* out_;
 };
 
 gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
     Ray rest = ray;
+    const QuickRay quick_ray(ray);
     FirstOfRay first(*this, rest, layers, out);
+    const auto quick = [&](const auto& shape) { return quick_ray.refuses(shape, rest.t_max); };
     const auto visit = [&](uint32_t slot, double& t_max) {
-        first.ask(slot);
+        if (!(models_[slot].layers & layers)) return;
+        decide(slot, quick, [&](const auto& shape) {
+            first.ask(slot, shape);
+            return true;
+        });
         t_max = rest.t_max;
     };
     octree_.raycast(rest, visit, model_memory());
     return first.status();
 }
 
-/// The box that rays which go together ask about, one after the other.
-class Scene::BoxOfRays {
+/// The quick tests of many rays, eight at a time.
+class Scene::QuickRays {
 public:
-    explicit BoxOfRays(const Scene& scene) : scene_(scene) {}
-
-    /// Whether the model is a box; it is looked at once for all rays in a row that ask.
-    bool hold(uint32_t slot) {
-        if (slot == slot_) return quick_.has_value();
-        slot_ = slot;
-        placed_.reset();
-        scene_.with_stored(slot, [&](const auto& stored) {
-            if constexpr (is_box<std::decay_t<decltype(stored)>>) {
-                quick_.emplace(quick_shape(stored, scene_.models_[slot].world));
-            } else {
-                quick_.reset();
-            }
-        });
-        return quick_.has_value();
+    /// The rays must live as long.
+    QuickRays(const Scene& scene, const Ray* rays, uint32_t count, uint32_t layers)
+        : scene_(scene), rays_(rays), layers_(layers) {
+        if (count > 0) scene.kernels_.ray_quads(rays, count, quads_);
     }
-    bool holds(uint32_t slot) const { return slot == slot_ && quick_; }
-    const BoxLanes& quick() const { return *quick_; }
-    const Shape& placed() {
-        if (!placed_) {
-            scene_.with_shape(slot_, [&](const auto& shape) {
+
+    /// Whether rays[k] meets slots[k], k < count <= 8; one that is not in the layers it does not.
+    Verdicts8 ask(const uint32_t* rays, const uint32_t* slots, uint32_t count) const {
+        static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
+        Verdicts8 all{0xffu << count & 0xff, 0};
+        uint32_t of_type[GPHYS_SHAPE_MESH + 1] = {};
+        for (uint32_t k = 0; k < count; ++k) {
+            const Model& model = scene_.models_[slots[k]];
+            all.no |= uint32_t{(model.layers & layers_) == 0} << k;
+            of_type[model.type()] |= 1u << k;
+        }
+        const auto ask_some = [&](gphys_shape_type type, auto kernel, const auto& other_of) {
+            const uint32_t some = of_type[type];
+            if (some == 0) return Verdicts8{0, 0};
+            RaysAndModels pairs;
+            const auto first = static_cast<uint32_t>(__builtin_ctz(some));
+            for (uint32_t k = 0; k < 8; ++k) {
+                const uint32_t from = (some >> k & 1) != 0 ? k : first;
+                const Model& model = scene_.models_[slots[from]];
+                pairs.ray[k] = quads_ + rays[from];
+                pairs.model[k] = &model.world.position.x;
+                pairs.other[k] = other_of(slots[from], model);
+            }
+            const Verdicts8 verdicts = kernel(pairs);
+            return Verdicts8{verdicts.no & some, verdicts.yes & some};
+        };
+        const SceneKernels& kernels = scene_.kernels_;
+        const auto none = [](uint32_t, const Model&) -> const float* { return nullptr; };
+        const auto own = [](uint32_t, const Model& model) { return reinterpret_cast<const float*>(model.shape); };
+        const auto tail = [&](uint32_t slot, const Model&) {
+            return reinterpret_cast<const float*>(scene_.shape_tails_[slot].words);
+        };
+        const auto ball = [&](uint32_t slot, const Model&) {
+            return &scene_.stored<const Mesh*>(slot)->ball().center.x;
+        };
+        for (const Verdicts8& verdicts : {ask_some(GPHYS_SHAPE_SPHERE, kernels.rays_and_spheres, own),
+                                          ask_some(GPHYS_SHAPE_AABB, kernels.rays_and_aabbs, none),
+                                          ask_some(GPHYS_SHAPE_OBB, kernels.rays_and_obbs, tail)}) {
+            all.no |= verdicts.no;
+            all.yes |= verdicts.yes;
+        }
+        // Of a mesh the ball is around it.
+        all.no |= ask_some(GPHYS_SHAPE_MESH, kernels.rays_and_spheres, ball).no;
+        all.yes &= ~all.no;
+        return all;
+    }
+    /// The ray ends earlier.
+    void shorten(uint32_t ray) { quads_[ray].end = ray_end(rays_[ray].t_max, rays_[ray].direction); }
+
+private:
+    const Scene& scene_;
+    const Ray* rays_;
+    uint32_t layers_;
+    RayQuads quads_[rays_at_once];
+};
+
+/// A primitive that several rays in a row ask about, placed once for all of them.
+class Scene::SharedModel {
+public:
+    explicit SharedModel(const Scene& scene) : scene_(scene) {}
+
+    /// What is about to be asked about.
+    void expect(const uint32_t* slots, uint32_t count) {
+        expected_ = count > 1 && (slots[0] == slots[1] || slots[count - 2] == slots[count - 1]);
+    }
+    /// Null if that is not worth it.
+    const Shape* place(uint32_t slot) {
+        if (!expected_ || scene_.models_[slot].type() == GPHYS_SHAPE_MESH) return nullptr;
+        if (slot != slot_) {
+            scene_.with_shape(slot, [&](const auto& shape) {
                 if constexpr (std::is_constructible_v<Shape, decltype(shape)>) placed_.emplace(shape);
             });
+            slot_ = slot;
         }
-        return *placed_;
+        return &*placed_;
     }
 
 private:
     const Scene& scene_;
+    bool expected_ = false;
     uint32_t slot_ = none;
-    std::optional<BoxLanes> quick_;
     std::optional<Shape> placed_;
 };
 
 void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
     Later<FirstOfRay> first[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], layers, *out[i]);
-    // For those that go together, if any do.
-    RayLanes lanes;
-    bool in_lanes = false;
-    const auto put_in_lanes = [&] {
-        for (uint32_t i = 0; i < count; ++i) first[i]->quick().put(lanes, i, rays[i].t_max);
-        const QuickRay nothing({{}, {}, 0});
-        for (uint32_t i = count; i < count + 8; ++i) nothing.put(lanes, i, 0);
-        in_lanes = true;
-    };
-    BoxOfRays box(*this);
+    QuickRays quick(*this, rays, count, layers);
+    SharedModel shared(*this);
     const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
         FirstOfRay& of = *first[ray];
-        if (box.holds(slot)) {
-            of.ask(slot, box.placed());
+        if (const Shape* placed = shared.place(slot)) {
+            of.ask(slot, *placed);
         } else {
             of.ask(slot);
         }
         if (t_max == rays[ray].t_max) return;
         t_max = rays[ray].t_max;
-        if (in_lanes) lanes.end[ray] = of.quick().end(t_max);
+        quick.shorten(ray);
     };
-    const auto select = [&](uint32_t from, uint32_t of, uint32_t slot) {
-        if (!(models_[slot].layers & layers)) return 0u;
-        if (!in_lanes) put_in_lanes();
-        return box.hold(slot) ? kernels_.may_meet(lanes, from, box.quick()) & of : of;
+    const auto select = [&](const uint32_t* some, const uint32_t* slots, uint32_t size) {
+        shared.expect(slots, size);
+        return ~quick.ask(some, slots, size).no & 0xff;
     };
     octree_.raycast_many(rays, count, visit, model_memory(), select);
 }
 
-/// Whether one ray meets any of the candidates.
-class Scene::AnyOfRay {
-public:
-    /// The ray must live as long.
-    AnyOfRay(const Scene& scene, const Ray& ray, uint32_t layers)
-        : scene_(&scene), quick_ray_(ray), ray_(&ray), layers_(layers) {
-        for (const uint32_t slot : scene.unbounded_) met_ = met_ || ask(slot);
-    }
-
-    bool ask(uint32_t slot) {
-        const auto quick = [&](const auto& shape) { return quick_ray_(shape, ray_->t_max); };
-        const auto exact = [&](const auto& shape) { return is_met(shape, *ray_); };
-        return met_ = (scene_->models_[slot].layers & layers_) && scene_->decide(slot, quick, exact);
-    }
-
-    bool met() const { return met_; }
-
-private:
-    const Scene* scene_;
-    QuickRay quick_ray_;
-    const Ray* ray_;
-    uint32_t layers_;
-    bool met_ = false;
-};
+/// Whether a ray meets a plane, which no octree holds.
+bool Scene::meets_unbounded(const Ray& ray, uint32_t layers) const {
+    return std::any_of(unbounded_.begin(), unbounded_.end(), [&](uint32_t slot) {
+        return (models_[slot].layers & layers) &&
+               with_shape(slot, [&](const auto& shape) { return is_met(shape, ray); });
+    });
+}
 
 bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
-    AnyOfRay any(*this, ray, layers);
-    return any.met() || octree_.raycast_any(
-                            ray, [&](uint32_t slot) { return any.ask(slot); }, model_memory());
+    if (meets_unbounded(ray, layers)) return true;
+    const QuickRay quick_ray(ray);
+    const auto quick = [&](const auto& shape) { return quick_ray(shape, ray.t_max); };
+    const auto exact = [&](const auto& shape) { return is_met(shape, ray); };
+    const auto ask = [&](uint32_t slot) { return (models_[slot].layers & layers) && decide(slot, quick, exact); };
+    return octree_.raycast_any(ray, ask, model_memory());
 }
 
 uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const {
-    Later<AnyOfRay> any[rays_at_once];
-    for (uint32_t i = 0; i < count; ++i) {
-        any[i].make(*this, rays[i], layers);
-        // Those that are done already have no way to go.
-        if (any[i]->met()) rays[i].t_max = -1;
-    }
-    const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
-        if (t_max >= 0 && any[ray]->ask(slot)) t_max = -1;
-    };
-    octree_.raycast_many(rays, count, visit, model_memory());
     uint64_t met = 0;
-    for (uint32_t i = 0; i < count; ++i) met |= uint64_t{any[i]->met()} << i;
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!meets_unbounded(rays[i], layers)) continue;
+        met |= uint64_t{1} << i;
+        // Those that are done already have no way to go.
+        rays[i].t_max = -1;
+    }
+    const QuickRays quick(*this, rays, count, layers);
+    const auto visit = [&](uint32_t ray, uint32_t slot, double& t_max) {
+        const auto exact = [&](const auto& shape) { return is_met(shape, rays[ray]); };
+        if ((met >> ray & 1) == 0 && !with_shape(slot, exact)) return;
+        met |= uint64_t{1} << ray;
+        t_max = -1;
+    };
+    const auto select = [&](const uint32_t* some, const uint32_t* slots, uint32_t size) {
+        const Verdicts8 verdicts = quick.ask(some, slots, size);
+        for (uint32_t k = 0; k < size; ++k) met |= uint64_t{verdicts.yes >> k & 1} << some[k];
+        return ~verdicts.no & 0xff;
+    };
+    octree_.raycast_many(rays, count, visit, model_memory(), select);
     return met;
 }
 
@@ -277,11 +319,11 @@ template <class Ask>
 void Scene::overlap_ball(const BallLanes& ball, const uint32_t* slots, uint32_t count, uint32_t layers, const Ask& ask,
                          Smallest<gphys_model_id>& out) const {
     constexpr uint32_t quads = sizeof(Model) / (4 * sizeof(float));
-    static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == 10 * sizeof(float) && quads == 4);
+    static_assert(quads == 4);
     uint32_t boxes[8], first_quad[8], waiting = 0;
     const auto decide_boxes = [&] {
         for (uint32_t k = waiting; k < 8; ++k) first_quad[k] = first_quad[0];
-        const BoxVerdicts verdicts =
+        const Verdicts8 verdicts =
             kernels_.boxes_near(reinterpret_cast<const float*>(models_.data()), first_quad, ball);
         for (uint32_t k = 0; k < waiting; ++k) out.add_if(verdicts.yes >> k & 1, ids_.id(boxes[k]));
         uint32_t open = ~(verdicts.no | verdicts.yes) & ((1u << waiting) - 1);
