@@ -113,7 +113,7 @@ void box_occluded(const RTCOccludedFunctionNArguments* args) {
 class Embree final : public Implementation {
 public:
     explicit Embree(EmbreeMode mode) : mode_(mode) {
-        device_ = rtcNewDevice("threads=1,isa=avx2");
+        device_ = rtcNewDevice("threads=1");
         if (!device_) throw std::runtime_error("embree: no device");
         rtcSetDeviceMemoryMonitorFunction(
             device_,

@@ -10,7 +10,7 @@ file(GLOB_RECURSE GAMEPHYS_KERNELS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*
 list(REMOVE_ITEM GAMEPHYS_SOURCES ${GAMEPHYS_KERNELS})
 set(GAMEPHYS_ISAS scalar)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i[3-6]86)$")
-  list(APPEND GAMEPHYS_ISAS sse2 avx2)
+  list(APPEND GAMEPHYS_ISAS sse2 avx2 avx512)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
   list(APPEND GAMEPHYS_ISAS neon)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^wasm" AND CMAKE_CXX_FLAGS MATCHES "-msimd128")
@@ -18,6 +18,11 @@ elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^wasm" AND CMAKE_CXX_FLAGS MATCHES "-msim
 endif()
 set(GAMEPHYS_OPTIONS_sse2 -msse2)
 set(GAMEPHYS_OPTIONS_avx2 -mavx2)
+set(GAMEPHYS_OPTIONS_avx512 -mavx2 -mavx512f -mavx512vl -mavx512dq -mavx512bw)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # gcc 12 warns of undefined registers in its own avx512fintrin.h (bug 105593).
+  list(APPEND GAMEPHYS_OPTIONS_avx512 -Wno-maybe-uninitialized -Wno-uninitialized)
+endif()
 
 # Warnings, for everything that belongs to this project.
 function(gamephys_warnings target)

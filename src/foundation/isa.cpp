@@ -30,6 +30,10 @@ bool has([[maybe_unused]] Isa isa) {
 #if defined(__x86_64__) || defined(__i386__)
     if (isa == Isa::sse2) return __builtin_cpu_supports("sse2");
     if (isa == Isa::avx2) return __builtin_cpu_supports("avx2");
+    if (isa == Isa::avx512) {
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+    }
 #endif
     return true;
 }

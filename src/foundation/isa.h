@@ -8,7 +8,8 @@
 #pragma once
 
 #if defined(__x86_64__) || defined(__i386__)
-#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(sse2, __VA_ARGS__) X(avx2, __VA_ARGS__)
+#define GPHYS_FOR_EACH_ISA(X, ...) \
+    X(scalar, __VA_ARGS__) X(sse2, __VA_ARGS__) X(avx2, __VA_ARGS__) X(avx512, __VA_ARGS__)
 #elif defined(__aarch64__)
 #define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(neon, __VA_ARGS__)
 #elif defined(__wasm_simd128__)

@@ -9,13 +9,16 @@
 #define GPHYS_ISA_IS_scalar 1
 #define GPHYS_ISA_IS_sse2 2
 #define GPHYS_ISA_IS_avx2 3
-#define GPHYS_ISA_IS_neon 4
-#define GPHYS_ISA_IS_wasm 5
+#define GPHYS_ISA_IS_avx512 4
+#define GPHYS_ISA_IS_neon 5
+#define GPHYS_ISA_IS_wasm 6
 #define GPHYS_ISA_JOIN(prefix, set) prefix##set
 #define GPHYS_ISA_NUMBER(set) GPHYS_ISA_JOIN(GPHYS_ISA_IS_, set)
 #define GPHYS_ISA_IS(set) (GPHYS_ISA_NUMBER(GPHYS_ISA) == GPHYS_ISA_NUMBER(set))
+// The wider set has the instructions of the narrower one.
+#define GPHYS_HAS_AVX2 (GPHYS_ISA_IS(avx2) || GPHYS_ISA_IS(avx512))
 
-#if GPHYS_ISA_IS(sse2) || GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(sse2) || GPHYS_HAS_AVX2
 #include <immintrin.h>
 #elif GPHYS_ISA_IS(neon)
 #include <arm_neon.h>
@@ -26,7 +29,7 @@
 namespace gphys::GPHYS_ISA {
 
 // Vectors of the compilers' own extension, as wide as the registers of the set.
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_HAS_AVX2
 constexpr int register_lanes = 8;
 #else
 constexpr int register_lanes = 4;
@@ -39,10 +42,17 @@ struct Float8 {
     FloatRegister part[register_count];
 };
 
+#if GPHYS_ISA_IS(avx512)
+/// Bit i is set if lane i is.
+struct Mask8 {
+    __mmask8 lanes;
+};
+#else
 /// All bits of a lane are set or none.
 struct Mask8 {
     MaskRegister part[register_count];
 };
+#endif
 
 inline Float8 load(const float* from) {
     Float8 v;
@@ -61,7 +71,9 @@ inline Float8 splat(float value) {
 }
 /// Eight doubles less one, then rounded.
 inline Float8 narrowed_differences(const double* from, double less) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+    return {{_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_loadu_pd(from), _mm512_set1_pd(less)))}};
+#elif GPHYS_HAS_AVX2
     const auto half = [&](int i) {
         return _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd(from + 4 * i), _mm256_set1_pd(less)));
     };
@@ -74,7 +86,7 @@ inline Float8 narrowed_differences(const double* from, double less) {
 }
 
 inline FloatRegister minimum(FloatRegister a, FloatRegister b) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_HAS_AVX2
     return _mm256_min_ps(a, b);
 #elif GPHYS_ISA_IS(sse2)
     return _mm_min_ps(a, b);
@@ -83,7 +95,7 @@ inline FloatRegister minimum(FloatRegister a, FloatRegister b) {
 #endif
 }
 inline FloatRegister maximum(FloatRegister a, FloatRegister b) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_HAS_AVX2
     return _mm256_max_ps(a, b);
 #elif GPHYS_ISA_IS(sse2)
     return _mm_max_ps(a, b);
@@ -92,7 +104,7 @@ inline FloatRegister maximum(FloatRegister a, FloatRegister b) {
 #endif
 }
 inline FloatRegister square_root(FloatRegister a) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_HAS_AVX2
     return _mm256_sqrt_ps(a);
 #elif GPHYS_ISA_IS(sse2)
     return _mm_sqrt_ps(a);
@@ -105,23 +117,6 @@ inline FloatRegister square_root(FloatRegister a) {
     return a;
 #endif
 }
-/// Bit i is set if lane i is.
-inline uint32_t lane_bits(MaskRegister mask) {
-#if GPHYS_ISA_IS(avx2)
-    return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
-#elif GPHYS_ISA_IS(sse2)
-    return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
-#elif GPHYS_ISA_IS(neon)
-    return vaddvq_u32(reinterpret_cast<uint32x4_t>(mask & MaskRegister{1, 2, 4, 8}));
-#elif GPHYS_ISA_IS(wasm)
-    return wasm_i32x4_bitmask(reinterpret_cast<v128_t>(mask));
-#else
-    uint32_t bits = 0;
-    for (int i = 0; i < register_lanes; ++i) bits |= static_cast<uint32_t>(mask[i] & 1) << i;
-    return bits;
-#endif
-}
-
 inline Float8 operator+(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] += b.part[i];
     return a;
@@ -162,6 +157,35 @@ inline float greatest_lane(Float8 a) { return -least_lane(splat(0) - a); }
 
 inline Float8 abs(Float8 a) { return max(a, splat(0) - a); }
 
+/// Whole numbers as they are in memory as integers.
+inline Float8 integer_bits(Float8 a) {
+    for (FloatRegister& part : a.part) {
+        part = reinterpret_cast<FloatRegister>(__builtin_convertvector(part, MaskRegister));
+    }
+    return a;
+}
+
+#if GPHYS_ISA_IS(avx512)
+/// In lanes that are set a, else b.
+inline Float8 choose(Mask8 mask, Float8 a, Float8 b) {
+    return {{_mm256_mask_blend_ps(mask.lanes, b.part[0], a.part[0])}};
+}
+/// In lanes that are set a, else b, as they are in memory.
+inline Float8 choose_bits(Mask8 mask, int32_t a, int32_t b) {
+    return {{_mm256_castsi256_ps(_mm256_mask_blend_epi32(mask.lanes, _mm256_set1_epi32(b), _mm256_set1_epi32(a)))}};
+}
+/// Set where the sign is, even of zero.
+inline Mask8 signs(Float8 a) { return {_mm256_movepi32_mask(_mm256_castps_si256(a.part[0]))}; }
+inline Mask8 operator<=(Float8 a, Float8 b) { return {_mm256_cmp_ps_mask(a.part[0], b.part[0], _CMP_LE_OS)}; }
+/// Also of numbers that hosts take for zero.
+inline Mask8 equal_bits(Float8 a, Float8 b) {
+    return {_mm256_cmpeq_epi32_mask(_mm256_castps_si256(a.part[0]), _mm256_castps_si256(b.part[0]))};
+}
+inline Mask8 operator&(Mask8 a, Mask8 b) { return {_kand_mask8(a.lanes, b.lanes)}; }
+inline Mask8 operator|(Mask8 a, Mask8 b) { return {_kor_mask8(a.lanes, b.lanes)}; }
+/// Bit i is set if lane i is.
+inline uint32_t bits(Mask8 mask) { return mask.lanes; }
+#else
 /// In lanes that are set a, else b.
 inline Float8 choose(Mask8 mask, Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = mask.part[i] ? a.part[i] : b.part[i];
@@ -181,14 +205,6 @@ inline Float8 choose_bits(Mask8 mask, int32_t a, int32_t b) {
         v.part[i] = reinterpret_cast<FloatRegister>((mask.part[i] & (a ^ b)) ^ b);
     }
     return v;
-}
-
-/// Whole numbers as they are in memory as integers.
-inline Float8 integer_bits(Float8 a) {
-    for (FloatRegister& part : a.part) {
-        part = reinterpret_cast<FloatRegister>(__builtin_convertvector(part, MaskRegister));
-    }
-    return a;
 }
 
 inline Mask8 operator<=(Float8 a, Float8 b) {
@@ -213,18 +229,35 @@ inline Mask8 operator|(Mask8 a, Mask8 b) {
     return a;
 }
 /// Bit i is set if lane i is.
+inline uint32_t lane_bits(MaskRegister mask) {
+#if GPHYS_ISA_IS(avx2)
+    return static_cast<uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+#elif GPHYS_ISA_IS(sse2)
+    return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
+#elif GPHYS_ISA_IS(neon)
+    return vaddvq_u32(reinterpret_cast<uint32x4_t>(mask & MaskRegister{1, 2, 4, 8}));
+#elif GPHYS_ISA_IS(wasm)
+    return wasm_i32x4_bitmask(reinterpret_cast<v128_t>(mask));
+#else
+    uint32_t bits = 0;
+    for (int i = 0; i < register_lanes; ++i) bits |= static_cast<uint32_t>(mask[i] & 1) << i;
+    return bits;
+#endif
+}
+/// Of all eight lanes.
 inline uint32_t bits(Mask8 mask) {
     uint32_t result = 0;
     for (int i = 0; i < register_count; ++i) result |= lane_bits(mask.part[i]) << (register_lanes * i);
     return result;
 }
+#endif
 
 /// Eight quadruples of floats, each at a place of its own, component by component: at(i) is where.
 struct Quads8 {
     Float8 x, y, z, w;
 };
 
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_HAS_AVX2
 /// Within each half of the registers, which hold four quadruples twice: rows become columns, and back.
 inline void transpose(FloatRegister (&v)[4]) {
     const FloatRegister a = _mm256_unpacklo_ps(v[0], v[1]), b = _mm256_unpackhi_ps(v[0], v[1]);

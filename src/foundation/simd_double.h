@@ -6,7 +6,9 @@
 
 namespace gphys::GPHYS_ISA {
 
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+constexpr int double_register_lanes = 8;
+#elif GPHYS_ISA_IS(avx2)
 constexpr int double_register_lanes = 4;
 #else
 constexpr int double_register_lanes = 2;
@@ -23,10 +25,17 @@ struct Double8 {
         for (DoubleRegister& p : part) p = all - DoubleRegister{};
     }
 };
+#if GPHYS_ISA_IS(avx512)
+/// Bit i is set if lane i is.
+struct DoubleMask8 {
+    __mmask8 lanes;
+};
+#else
 /// All bits of a lane are set or none.
 struct DoubleMask8 {
     DoubleMaskRegister part[double_register_count];
 };
+#endif
 
 template <int lanes>
 struct DoublesOf;
@@ -96,7 +105,9 @@ inline Double8 operator-(Double8 a) {
 }
 inline Double8 square_root(Double8 a) {
     for (DoubleRegister& part : a.part) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+        part = _mm512_sqrt_pd(part);
+#elif GPHYS_ISA_IS(avx2)
         part = _mm256_sqrt_pd(part);
 #elif GPHYS_ISA_IS(sse2)
         part = _mm_sqrt_pd(part);
@@ -127,6 +138,20 @@ inline Double8 with_sign(Double8 a, Double8 sign) {
     return a;
 }
 
+#if GPHYS_ISA_IS(avx512)
+inline DoubleMask8 operator<(Double8 a, Double8 b) { return {_mm512_cmp_pd_mask(a.part[0], b.part[0], _CMP_LT_OS)}; }
+inline DoubleMask8 operator<=(Double8 a, Double8 b) { return {_mm512_cmp_pd_mask(a.part[0], b.part[0], _CMP_LE_OS)}; }
+inline DoubleMask8 operator|(DoubleMask8 a, DoubleMask8 b) { return {_kor_mask8(a.lanes, b.lanes)}; }
+inline DoubleMask8 operator&(DoubleMask8 a, DoubleMask8 b) { return {_kand_mask8(a.lanes, b.lanes)}; }
+inline DoubleMask8 operator!(DoubleMask8 a) { return {_knot_mask8(a.lanes)}; }
+inline Double8 select(DoubleMask8 mask, Double8 a, Double8 b) {
+    a.part[0] = _mm512_mask_blend_pd(mask.lanes, b.part[0], a.part[0]);
+    return a;
+}
+/// Bit i is set if lane i is.
+inline uint32_t bits(DoubleMask8 mask) { return mask.lanes; }
+inline bool any(DoubleMask8 mask) { return mask.lanes != 0; }
+#else
 inline DoubleMask8 operator<(Double8 a, Double8 b) {
     DoubleMask8 mask;
     for (int i = 0; i < double_register_count; ++i) mask.part[i] = a.part[i] < b.part[i];
@@ -175,11 +200,15 @@ inline bool any(DoubleMask8 mask) {
     for (int i = 0; i < double_register_lanes; ++i) bits |= all[i];
     return bits != 0;
 }
+#endif
 
 inline double least(double a, double b) { return a < b ? a : b; }
 inline double largest(double a, double b) { return a < b ? b : a; }
 inline Double8 least(Double8 a, Double8 b) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+    a.part[0] = _mm512_min_pd(a.part[0], b.part[0]);
+    return a;
+#elif GPHYS_ISA_IS(avx2)
     for (int i = 0; i < double_register_count; ++i) a.part[i] = _mm256_min_pd(a.part[i], b.part[i]);
     return a;
 #elif GPHYS_ISA_IS(sse2)
@@ -190,7 +219,10 @@ inline Double8 least(Double8 a, Double8 b) {
 #endif
 }
 inline Double8 largest(Double8 a, Double8 b) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+    a.part[0] = _mm512_max_pd(b.part[0], a.part[0]);
+    return a;
+#elif GPHYS_ISA_IS(avx2)
     for (int i = 0; i < double_register_count; ++i) a.part[i] = _mm256_max_pd(b.part[i], a.part[i]);
     return a;
 #elif GPHYS_ISA_IS(sse2)
@@ -203,7 +235,9 @@ inline Double8 largest(Double8 a, Double8 b) {
 
 /// Rounded to floats, and floats as they are.
 inline Float8 narrowed(Double8 a) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+    return {{_mm512_cvtpd_ps(a.part[0])}};
+#elif GPHYS_ISA_IS(avx2)
     return {{_mm256_set_m128(_mm256_cvtpd_ps(a.part[1]), _mm256_cvtpd_ps(a.part[0]))}};
 #elif GPHYS_ISA_IS(sse2)
     const auto half = [&](int i) {
@@ -220,7 +254,9 @@ inline Float8 narrowed(Double8 a) {
 }
 inline Double8 widened(Float8 a) {
     Double8 wide;
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+    wide.part[0] = _mm512_cvtps_pd(a.part[0]);
+#elif GPHYS_ISA_IS(avx2)
     wide.part[0] = _mm256_cvtps_pd(_mm256_castps256_ps128(a.part[0]));
     wide.part[1] = _mm256_cvtps_pd(_mm256_extractf128_ps(a.part[0], 1));
 #elif GPHYS_ISA_IS(sse2)
@@ -239,7 +275,19 @@ inline Double8 widened(Float8 a) {
 
 inline Double8 rounded_to_float(Double8 a) { return widened(narrowed(a)); }
 
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+/// Within each half of the registers, which hold four rows twice: rows become columns, and back.
+inline void transpose(__m512d (&v)[4]) {
+    const __m512d a = _mm512_unpacklo_pd(v[0], v[1]), b = _mm512_unpackhi_pd(v[0], v[1]);
+    const __m512d c = _mm512_unpacklo_pd(v[2], v[3]), d = _mm512_unpackhi_pd(v[2], v[3]);
+    const __m512i even = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+    const __m512i odd = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+    v[0] = _mm512_permutex2var_pd(a, even, c);
+    v[1] = _mm512_permutex2var_pd(b, even, d);
+    v[2] = _mm512_permutex2var_pd(a, odd, c);
+    v[3] = _mm512_permutex2var_pd(b, odd, d);
+}
+#elif GPHYS_ISA_IS(avx2)
 /// Rows become columns, and back.
 inline void transpose(__m256d (&v)[4]) {
     const __m256d a = _mm256_unpacklo_pd(v[0], v[1]), b = _mm256_unpackhi_pd(v[0], v[1]);
@@ -254,7 +302,14 @@ inline void transpose(__m256d (&v)[4]) {
 /// Four doubles behind one another at each of eight places, component by component: at(i) is where.
 template <class At>
 [[gnu::always_inline]] inline void load_fours(const At& at, Double8 (&to)[4]) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+    __m512d v[4];
+    for (int i = 0; i < 4; ++i) {
+        v[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(at(i))), _mm256_loadu_pd(at(i + 4)), 1);
+    }
+    transpose(v);
+    for (int k = 0; k < 4; ++k) to[k].part[0] = v[k];
+#elif GPHYS_ISA_IS(avx2)
     for (int half = 0; half < 2; ++half) {
         __m256d row[4];
         for (int i = 0; i < 4; ++i) row[i] = _mm256_loadu_pd(at(4 * half + i));
@@ -273,7 +328,14 @@ template <class At>
 }
 template <class At>
 [[gnu::always_inline]] inline void store_fours(const At& at, const Double8 (&from)[4]) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_ISA_IS(avx512)
+    __m512d v[4] = {from[0].part[0], from[1].part[0], from[2].part[0], from[3].part[0]};
+    transpose(v);
+    for (int i = 0; i < 4; ++i) {
+        _mm256_storeu_pd(at(i), _mm512_castpd512_pd256(v[i]));
+        _mm256_storeu_pd(at(i + 4), _mm512_extractf64x4_pd(v[i], 1));
+    }
+#elif GPHYS_ISA_IS(avx2)
     for (int half = 0; half < 2; ++half) {
         __m256d row[4];
         for (int k = 0; k < 4; ++k) row[k] = from[k].part[half];

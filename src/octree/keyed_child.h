@@ -66,7 +66,7 @@ inline int push_by_insertion(KeyedChild* stack, int size, const uint32_t childre
     return size + count;
 }
 
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_HAS_AVX2
 /// Up to four hits, without a branch that could not be foreseen.
 inline int push_by_network(KeyedChild* stack, int size, const uint32_t children[8], const Found& found, uint32_t mark) {
     int32_t packed;
@@ -129,7 +129,7 @@ inline int push_by_large_network(KeyedChild* stack, int size, const uint32_t chi
 /// Push the children that were found, furthest first.
 inline int push_nearest_last(KeyedChild* stack, int size, const uint32_t children[8], const Found& found, bool items) {
     const uint32_t mark = items ? item_mark : 0;
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_HAS_AVX2
     if (__builtin_popcount(found.hits) <= 4) return push_by_network(stack, size, children, found, mark);
     return push_by_large_network(stack, size, children, found, mark);
 #else

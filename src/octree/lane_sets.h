@@ -24,7 +24,7 @@ inline constexpr LaneLists lane_lists;
 
 /// Of eight numbers those in the lanes; returns how many there are. Writes eight.
 inline uint32_t take_lanes(uint32_t* to, const uint32_t from[8], uint32_t lanes) {
-#if GPHYS_ISA_IS(avx2)
+#if GPHYS_HAS_AVX2
     const __m128i packed = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(lane_lists.of[lanes]));
     const __m256i order = _mm256_cvtepi8_epi32(packed);
     const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
