@@ -1,5 +1,5 @@
 // Eight triangles against a ray, for kernels. The bounds of rounding are derived in
-// triangle_probe.cpp.
+// triangle_setup.h.
 #pragma once
 
 #include "foundation/simd.h"

@@ -432,8 +432,10 @@ void Solver::divide_work() {
         const uint32_t parts = static_cast<uint32_t>(state_.bodies[first.slot].parts.size());
         for (uint32_t part = 0; part < parts; ++part) tasks_.push_back({i, 1, false, part});
         if (parts == 0) tasks_.push_back({i, next - i, shared, 0});
-        if (first.undisturbed)
-            (next - i > 1 ? together : alone) = std::max<size_t>(next - i > 1 ? together : alone, first.size);
+        if (first.undisturbed) {
+            size_t& longest = next - i > 1 ? together : alone;
+            longest = std::max<size_t>(longest, first.size);
+        }
     }
     for (RopeRoom& room : rooms_) {
         if (room.one.size() < alone) room.one.resize(alone);
