@@ -240,6 +240,20 @@ TEST_CASE("triangles that lie in the bounds of a mesh's tree are found") {
     }
 }
 
+TEST_CASE("the ball of a mesh holds all vertices, and hardly more than it must") {
+    test::Random random(612);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 offset = widen(random.point(i % 2 == 0 ? 1 : 1e6f)), scale = abs(widen(random.point(3)));
+        const test::Arrays arrays = test::sphere(1).placed(offset, scale);
+        const MeshHolder mesh = hold(arrays);
+        const Vec3 center = widen(mesh->ball().center);
+        double furthest = 0;
+        for (const gphys_vec3& vertex : arrays.vertices) furthest = std::max(furthest, distance(widen(vertex), center));
+        REQUIRE(furthest <= mesh->ball().radius);
+        REQUIRE(mesh->ball().radius <= furthest + 0x1p-22 * max_component(abs(center)) + 0x1p-20 * furthest);
+    }
+}
+
 TEST_CASE("a closed mesh is hit from inside") {
     const MeshHolder mesh = hold(test::sphere(3));
     test::Random random(3);

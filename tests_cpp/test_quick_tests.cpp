@@ -160,6 +160,10 @@ const float* other_of(const gphys_sphere& sphere) { return &sphere.center.x; }
 const float* other_of(const gphys_aabb&) { return nullptr; }
 const float* other_of(const gphys_obb& box) { return &box.rotation.x; }
 
+void shift(gphys_sphere& sphere, Vec3 by) { sphere.center = narrow(widen(sphere.center) + by); }
+void shift(gphys_aabb& box, Vec3 by) { box = {narrow(widen(box.min) + by), narrow(widen(box.max) + by)}; }
+void shift(gphys_obb& box, Vec3 by) { box.center = narrow(widen(box.center) + by); }
+
 struct Tallies {
     Tally fine, touching, tiny;
 };
@@ -169,7 +173,7 @@ template <class MakeShape>
 void compare_eight(Cases& cases, int round, Tallies& tallies, const MakeShape& make_shape) {
     constexpr uint32_t model_of[8] = {6, 2, 0, 5, 3, 1, 4, 2}, ray_of[8] = {1, 0, 2, 7, 4, 3, 6, 4};
     // Numbers below the smallest normal float, too.
-    const bool tiny = round % 8 == 0, touching = round % 4 == 1;
+    const bool tiny = round % 8 == 0, touching = round % 4 == 1, shifted = round % 8 == 2;
     const float scale = tiny ? 0x1p-147f : 1;
     using Stored = decltype(make_shape(scale));
     std::vector<Stored> shapes;
@@ -179,6 +183,12 @@ void compare_eight(Cases& cases, int round, Tallies& tallies, const MakeShape& m
         world.position = narrow(widen(world.position) * scale);
         if (round % 3 == 0) world = {world.position, {0, 0, 0, 1}, 1};
         shapes.push_back(make_shape(scale));
+        if (shifted) {
+            // Far from the origin of its model, which is as far away on the other side.
+            const Vec3 by = widen(cases.point(10000));
+            shift(shapes.back(), by);
+            world.position = narrow(widen(world.position) - widen(world).apply_to_vector(by));
+        }
         models.emplace_back(world, shapes.back());
     }
     Ray rays[8];
@@ -219,7 +229,7 @@ void compare_eight(Cases& cases, int round, Tallies& tallies, const MakeShape& m
         });
         const uint32_t no = verdicts.no >> k & 1, yes = verdicts.yes >> k & 1;
         const bool near = touching && (ray_of[k] == 0 || ray_of[k] == 2);
-        Tally& tally = tiny ? tallies.tiny : near || cases.coarse() ? tallies.touching : tallies.fine;
+        Tally& tally = tiny ? tallies.tiny : near || shifted || cases.coarse() ? tallies.touching : tallies.fine;
         REQUIRE(tally.add(no ? Verdict::no : yes ? Verdict::yes : Verdict::open, truth));
     }
 }
@@ -254,6 +264,20 @@ TEST_CASE("of eight rays at once each is told the truth about its model, or noth
         CHECK(fine.yes > 500);
         CHECK(fine.open < 100);
         CHECK(touching.open > 1000);
+    }
+}
+
+TEST_CASE("a sphere in a model that is not turned is placed with the bits that a matrix gives") {
+    Cases cases(77);
+    for (int i = 0; i < 4000; ++i) {
+        cases.next();
+        gphys_sphere sphere = cases.sphere();
+        gphys_transform world = cases.transform();
+        world.rotation = {0, -0.0f, 0, i % 2 == 0 ? 1.0f : -0.9995f};
+        if (i % 4 == 3) world.position = {-0.0f, 0, world.position.z}, sphere.center = {-0.0f, sphere.center.y, -0.0f};
+        const Sphere expected = transformed(widen(sphere), widen(world));
+        const Sphere placed = with_placed(sphere, world, [](const Sphere& s) { return s; });
+        REQUIRE(std::memcmp(&placed, &expected, sizeof placed) == 0);
     }
 }
 

@@ -179,6 +179,25 @@ TEST_CASE("a frustum moves with its points, and stays infinite") {
     }
 }
 
+TEST_CASE("of any seven numbers it is told whether they are a ray") {
+    constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float max = GPHYS_MAX_COORDINATE, least = std::numeric_limits<float>::denorm_min();
+    const float numbers[] = {0,   -0.0f, 1,   -1,   least, -least, std::numeric_limits<float>::min(),
+                             max, -max,  inf, -inf, nan,   -nan,   std::nextafterf(max, inf)};
+    test::Random random(911);
+    const auto in_range = [&](float v) { return v >= -max && v <= max; };
+    int valid = 0;
+    for (int i = 0; i < 200000; ++i) {
+        float ray[7];
+        for (float& number : ray) number = numbers[random.index(random.index(2) == 0 ? 9 : 14)];
+        const bool is_ray = std::all_of(ray, ray + 6, in_range) &&
+                            std::any_of(ray + 3, ray + 6, [](float v) { return v != 0; }) && ray[6] >= 0;
+        REQUIRE((defect(gphys_ray{{ray[0], ray[1], ray[2]}, {ray[3], ray[4], ray[5]}, ray[6]}) == nullptr) == is_ray);
+        valid += is_ray;
+    }
+    CHECK(valid > 5000);
+}
+
 TEST_CASE("every defect names the field") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     REQUIRE(defect(gphys_vec3{0, 0, 1e15f}) == nullptr);

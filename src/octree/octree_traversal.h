@@ -12,7 +12,10 @@ inline void fetch_ahead(const void* memory, uint32_t size) {
 }
 
 inline void fetch_item(const ItemMemory& items, uint32_t item) {
-    if (items.first) fetch_ahead(static_cast<const char*>(items.first) + size_t{item} * items.size, items.size);
+    // Mostly of one line; what is fetched of no memory does no harm.
+    const char* first = static_cast<const char*>(items.first) + size_t{item} * items.size;
+    __builtin_prefetch(first);
+    if (items.size > 64) fetch_ahead(first + 64, items.size - 64);
 }
 
 /// A walk that goes best first within each node and drops what lies behind the limit, which its

@@ -2,6 +2,7 @@
 // the instance of a mesh.
 #pragma once
 
+#include "foundation/float4.h"
 #include "intersect/intersect.h"
 #include "mesh/mesh_instance.h"
 
@@ -12,6 +13,16 @@ inline bool is_turned(const gphys_quat& rotation) { return rotation.x != 0 || ro
 template <class Stored, class Visit>
 auto with_placed(const Stored& shape, const gphys_transform& world, Visit&& visit) {
     return visit(transformed(widen(shape), widen(world)));
+}
+
+/// Without rotation, not even of negative zeros, the centre takes no matrix to get the same bits.
+template <class Visit>
+auto with_placed(const gphys_sphere& shape, const gphys_transform& world, Visit&& visit) {
+    const Sphere sphere = widen(shape);
+    const Mask4 rotation = reinterpret_cast<Mask4>(load4(world.rotation));
+    if (any(rotation & Mask4{-1, -1, -1, 0})) return visit(transformed(sphere, widen(world)));
+    const double scale = world.scale;
+    return visit(Sphere{widen(world.position) + Mat3() * (sphere.center * scale), sphere.radius * scale});
 }
 
 /// Without rotation a box keeps its faces where they are, to the last bit.

@@ -154,36 +154,38 @@ public:
     Verdicts8 ask(const uint32_t* rays, const uint32_t* slots, uint32_t count) const {
         static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
         Verdicts8 all{0xffu << count & 0xff, 0};
-        uint32_t of_type[GPHYS_SHAPE_MESH + 1] = {};
-        for (uint32_t k = 0; k < count; ++k) {
-            const Model& model = scene_.models_[slots[k]];
+        RaysAndModels pairs;
+        uint32_t slot_of[8], of_type[GPHYS_SHAPE_MESH + 1] = {};
+        for (uint32_t k = 0; k < 8; ++k) {
+            const uint32_t pair = k < count ? k : 0;
+            slot_of[k] = slots[pair];
+            const Model& model = scene_.models_[slot_of[k]];
+            pairs.ray[k] = quads_ + rays[pair];
+            pairs.model[k] = &model.world.position.x;
             all.no |= uint32_t{(model.layers & layers_) == 0} << k;
             of_type[model.type()] |= 1u << k;
         }
         const auto ask_some = [&](gphys_shape_type type, auto kernel, const auto& other_of) {
             const uint32_t some = of_type[type];
             if (some == 0) return Verdicts8{0, 0};
-            RaysAndModels pairs;
+            RaysAndModels of_one_type;
             const auto first = static_cast<uint32_t>(__builtin_ctz(some));
             for (uint32_t k = 0; k < 8; ++k) {
-                const uint32_t from = (some >> k & 1) != 0 ? k : first;
-                const Model& model = scene_.models_[slots[from]];
-                pairs.ray[k] = quads_ + rays[from];
-                pairs.model[k] = &model.world.position.x;
-                pairs.other[k] = other_of(slots[from], model);
+                const uint32_t pair = (some >> k & 1) != 0 ? k : first;
+                of_one_type.ray[k] = pairs.ray[pair];
+                of_one_type.model[k] = pairs.model[pair];
+                of_one_type.other[k] = other_of(slot_of[pair]);
             }
-            const Verdicts8 verdicts = kernel(pairs);
+            const Verdicts8 verdicts = kernel(of_one_type);
             return Verdicts8{verdicts.no & some, verdicts.yes & some};
         };
         const SceneKernels& kernels = scene_.kernels_;
-        const auto none = [](uint32_t, const Model&) -> const float* { return nullptr; };
-        const auto own = [](uint32_t, const Model& model) { return reinterpret_cast<const float*>(model.shape); };
-        const auto tail = [&](uint32_t slot, const Model&) {
+        const auto none = [](uint32_t) -> const float* { return nullptr; };
+        const auto own = [&](uint32_t slot) { return reinterpret_cast<const float*>(scene_.models_[slot].shape); };
+        const auto tail = [&](uint32_t slot) {
             return reinterpret_cast<const float*>(scene_.shape_tails_[slot].words);
         };
-        const auto ball = [&](uint32_t slot, const Model&) {
-            return &scene_.stored<const Mesh*>(slot)->ball().center.x;
-        };
+        const auto ball = [&](uint32_t slot) { return &scene_.stored<const Mesh*>(slot)->ball().center.x; };
         for (const Verdicts8& verdicts : {ask_some(GPHYS_SHAPE_SPHERE, kernels.rays_and_spheres, own),
                                           ask_some(GPHYS_SHAPE_AABB, kernels.rays_and_aabbs, none),
                                           ask_some(GPHYS_SHAPE_OBB, kernels.rays_and_obbs, tail)}) {

@@ -18,8 +18,10 @@ bool is_rotation(const gphys_quat& q) {
     const double square = d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w;
     return std::isgreaterequal(square, 0.999 * 0.999) && square <= 1.001 * 1.001;
 }
-/// Almost all transforms are, and this is quick to tell. Sizes are compared as the integers that their
-/// bits are: that is false for NaN, too, and raises nothing.
+/// Lanes whose sizes are beyond a limit, or NaN: compared as the integers that their bits are, which raises
+/// nothing.
+Mask4 beyond(Float4 v, Float4 limit) { return reinterpret_cast<Mask4>(abs(v)) > reinterpret_cast<Mask4>(limit); }
+/// Almost all transforms and rays are, and this is quick to tell.
 bool is_surely_valid(const gphys_transform& transform) {
     static_assert(sizeof transform == 2 * sizeof(Float4));
     constexpr float above_one = 1.0019f;  // of the square, which five roundings bring nowhere near 1.001^2
@@ -27,13 +29,24 @@ bool is_surely_valid(const gphys_transform& transform) {
     constexpr Float4 yzw_and_scale{2, 2, 2, GPHYS_MAX_COORDINATE};
     Float4 parts[2];
     std::memcpy(parts, &transform, sizeof parts);
-    const auto beyond = [](Float4 v, Float4 limit) {
-        return reinterpret_cast<Mask4>(abs(v)) > reinterpret_cast<Mask4>(limit);
-    };
     if (any(beyond(parts[0], position_and_x) | beyond(parts[1], yzw_and_scale))) return false;
     const Float4 q = load4(transform.rotation);
     const float square = sum(q * q)[0];
     return square < above_one && square > 2 - above_one && transform.scale > 0;
+}
+
+bool is_surely_valid(const gphys_ray& ray) {
+    static_assert(sizeof ray == 7 * sizeof(float));
+    constexpr float max = GPHYS_MAX_COORDINATE, least = std::numeric_limits<float>::min();
+    constexpr Float4 origin_and_x{max, max, max, max};
+    constexpr Float4 direction_and_t{max, max, max, std::numeric_limits<float>::infinity()};
+    constexpr Float4 some_direction{least, least, least, std::numeric_limits<float>::infinity()};
+    Float4 first, last;
+    std::memcpy(&first, &ray, sizeof first);
+    std::memcpy(&last, &ray.direction, sizeof last);
+    const Mask4 negative_t = reinterpret_cast<Mask4>(last) & Mask4{0, 0, 0, INT32_MIN};
+    return !any(beyond(first, origin_and_x) | beyond(last, direction_and_t) | negative_t) &&
+           any(beyond(last, some_direction));
 }
 
 /// Of a short normal: the plane itself is out of range, and answers could exceed the largest float.
@@ -66,6 +79,7 @@ const char* defect(const gphys_transform& transform) {
 }
 
 const char* defect(const gphys_ray& ray) {
+    if (is_surely_valid(ray)) return nullptr;
     if (!in_range(ray.origin)) return "ray.origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
     if (!in_range(ray.direction)) {
         return "ray.direction: a component is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
