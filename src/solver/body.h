@@ -98,6 +98,7 @@ struct ClothState {
           velocity_before(memory),
           acceleration(memory),
           mass(memory),
+          looked(memory),
           gains(memory),
           extents(memory),
           tether_diagonal(memory),
@@ -109,8 +110,12 @@ struct ClothState {
     Team* team = nullptr;     // who shares the work of the step under way; null: nobody
     bool pulled = false;      // the caller may have done work on it since the last step
     Vector<float> at, start, moved, velocity, velocity_before, acceleration, mass;
-    Vector<double> gains;         // of kinetic energy, by block of particles
-    Vector<ClothExtent> extents;  // by share of particles
+    /// Four floats a particle: where it looked around last, relative to the origin, and how far. Empty if the next
+    /// step has to begin anew.
+    Vector<float> looked;
+    static constexpr float not_looked = -1;  // how far
+    Vector<double> gains;                    // of kinetic energy, by block of particles
+    Vector<ClothExtent> extents;             // by share of particles
     ClothBalance balance;
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth
 };

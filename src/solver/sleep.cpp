@@ -52,6 +52,7 @@ void wake(Body& body) {
     body.sleep.calm = 0;
     body.sleep.asleep = false;
     body.extent.reset();
+    body.cloth.looked.clear();
 }
 
 bool is_calm(Body& body, const SolverSettings& settings, double dt) {

@@ -20,6 +20,7 @@
 //     plan_cloth.cpp     chains and limits, packed for the kernels
 //     cloth.cpp          a substep
 //     cloth_contacts.cpp what cloth touches, as part of its chains
+//     kept_walls.cpp     what of it holds from step to step
 //     reach_limits.cpp   how far cloth can be from its pins
 //     volume.cpp         what closed cloth encloses
 //   contact/           particles against the scene, against particles, and what models get from it

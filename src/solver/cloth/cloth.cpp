@@ -276,7 +276,10 @@ void reserve_cloth(Body& body) {
 void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     ClothState& cloth = body.cloth;
     const ClothExtent extent = extent_of(body);
-    cloth.origin = (extent.box.min + extent.box.max) / 2;
+    if (!keeps_origin(body, extent.box)) {
+        cloth.origin = (extent.box.min + extent.box.max) / 2;
+        cloth.looked.clear();
+    }
     cloth.average_mass = extent.mass / body.size();
     cloth.pulled = body.earlier_step == 0 && !body.touched;
     share_particles(body, [&](uint32_t p) {
@@ -297,7 +300,11 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     for (uint32_t p = 1; p < body.plan.batches.spare; p += 2) cloth.at[4 * (size_t{body.size()} + p)] = 1;
     cloth.particles = body.size();
     body.cloth_contacts.touching.clear();
-    if (collides(body, around)) look_around_cloth(body, around, gravity);
+    if (collides(body, around)) {
+        look_around_cloth(body, around, gravity);
+    } else {
+        cloth.looked.clear();
+    }
 }
 
 void predict_cloth(Body& body, const Surroundings& around, double h) {
@@ -401,6 +408,7 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) 
 void end_cloth(Body& body, const Surroundings& around) {
     if (collides(body, around)) record_touches(body, around);
     publish(body);
+    if (collides(body, around)) keep_walls(body, around);
 }
 
 }  // namespace gphys

@@ -51,11 +51,30 @@ uint32_t deepest(const Neighbour& n, Vec3 at, double& depth) {
     return best;
 }
 
+/// From the centre of its ball.
+float squared_from_ball(const Body& body, uint32_t p) {
+    const float *ball = &body.cloth_contacts.balls[4 * size_t{p}], *at = &body.cloth.at[4 * size_t{p}];
+    const float x = at[0] - ball[0], y = at[1] - ball[1], z = at[2] - ball[2];
+    return x * x + y * y + z * z;
+}
+
+/// Those that move freely and are so, in `escaped`; returns how many.
+template <class Is>
+uint32_t list_moving(Body& body, Is&& is) {
+    uint32_t count = 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (is(p) && !body.pinned(p)) body.cloth_contacts.escaped[count++] = p;
+    }
+    return count;
+}
+
 /// Out of all walls; those that move it are noted. Returns the first of them, or -1.
 int32_t push_out(Neighbour& n, float* at) {
+    // One wall may push it into another. For two whose normals are at most a right angle apart one pass
+    // is enough; the narrower the crease between them, the less each pass brings.
+    constexpr int most_passes = 8;
     int32_t first = -1;
-    // Twice, as the second wall may push it into the first.
-    for (int pass = 0; pass < 2; ++pass) {
+    for (int pass = 0; pass < most_passes; ++pass) {
         bool moved = false;
         for (uint32_t i = 0; i < n.wall_count; ++i) {
             const double depth = n.walls[i].offset - dot(n.walls[i].normal, get(at));
@@ -79,6 +98,7 @@ void reserve_cloth_contacts(Body& body) {
     contacts.touching.reserve(body.size());
     contacts.escaped.resize(body.size());
     contacts.place.resize(body.size());
+    body.cloth.looked.reserve(4 * size_t{body.size()});
     for (Vector<float>* values : {&contacts.balls, &contacts.normals, &contacts.pulls}) {
         values->resize(body.cloth.at.size());
     }
@@ -86,15 +106,25 @@ void reserve_cloth_contacts(Body& body) {
 
 void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     ClothContacts& contacts = body.cloth_contacts;
-    contacts.neighbours.clear();
-    std::fill(contacts.place.begin(), contacts.place.end(), ClothContacts::nowhere);
     std::fill(contacts.normals.begin(), contacts.normals.end(), 0.0f);
     find_movers(body, around);
-    uint32_t count = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (!body.pinned(p)) contacts.escaped[count++] = p;
+    Lookout lookout(around, body, gravity, around.step_time);
+    const Kept kept = kept_walls(body, around);
+    if (kept == Kept::walls) {
+        for (Neighbour& n : contacts.neighbours) n.rest();
+    } else {
+        contacts.neighbours.clear();
+        std::fill(contacts.place.begin(), contacts.place.end(), ClothContacts::nowhere);
+        std::fill(contacts.balls.begin(), contacts.balls.end(), 0.0f);
+        const auto has_looked = [&](uint32_t p) { return body.cloth.looked[4 * size_t{p} + 3] >= 0; };
+        if (kept == Kept::places) lookout.look_again(contacts.escaped.data(), list_moving(body, has_looked));
     }
-    Lookout(around, body, gravity, around.step_time).look(contacts.escaped.data(), count);
+    const double fall = around.step_time / 2 * length(gravity);
+    lookout.look(contacts.escaped.data(), list_moving(body, [&](uint32_t p) {
+                     const double way = around.step_time * (length(get(&body.cloth.velocity[4 * size_t{p}])) + fall);
+                     return std::sqrt(double{squared_from_ball(body, p)}) + way >=
+                            std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
+                 }));
 }
 
 void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
@@ -200,6 +230,8 @@ void leave_walls(Body& body) {
         const int32_t pushing = push_out(n, at);
         if (!before) n.touching = pushing;
         slow_down(n, contacts, body.settings, place_on_wall(n, contacts, get(&cloth.start[i])), at);
+        // The way back may lead into another wall.
+        if (n.wall_count > 1) push_out(n, at);
         put(&contacts.normals[i], {});
         contacts.pushed = contacts.pushed || is_pushed(n);
         // As metres: what chains and limits have moved it by, or what walls have.
@@ -287,13 +319,8 @@ void ease_links(Body& body) {
 void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     ClothState& cloth = body.cloth;
     ClothContacts& contacts = body.cloth_contacts;
-    uint32_t count = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        const float* ball = &contacts.balls[4 * size_t{p}];
-        const float* at = &cloth.at[4 * size_t{p}];
-        const float x = at[0] - ball[0], y = at[1] - ball[1], z = at[2] - ball[2];
-        if (x * x + y * y + z * z >= ball[3] && !body.pinned(p)) contacts.escaped[count++] = p;
-    }
+    const uint32_t count =
+        list_moving(body, [&](uint32_t p) { return squared_from_ball(body, p) >= contacts.balls[4 * size_t{p} + 3]; });
     if (count == 0) return;
     Aabb all{body.position[contacts.escaped[0]], body.position[contacts.escaped[0]]};
     double longest = 0, radius = 0;
@@ -346,7 +373,9 @@ void finish_neighbour(Neighbour& n, Body& body, const Surroundings& around) {
 }
 
 void record_touches(Body& body, const Surroundings& around) {
-    for (Neighbour& n : body.cloth_contacts.neighbours) finish_neighbour(n, body, around);
+    for (const uint32_t place : body.cloth_contacts.place) {
+        if (place != ClothContacts::nowhere) finish_neighbour(body.cloth_contacts.neighbours[place], body, around);
+    }
 }
 
 }  // namespace gphys

@@ -1,12 +1,13 @@
 // Cloth and what it touches, during a step.
 //
-// At the beginning of a step each particle looks around: it gets a ball in which it may move, and the
-// half-spaces that it must stay in there. Models are looked at part by part, each of them convex: a
-// primitive, or a triangle of a mesh. The plane through the closest point of a part, across the way to
-// it, has the part behind it; a part that is wholly behind the plane of a nearer one adds none. Within
-// the ball no other part can be reached, and the half-spaces leave a convex space: a particle that is
-// in it before and after a substep has touched nothing on its way. Only one that leaves the ball is
-// swept against the scene, and looks around again.
+// At the beginning of a step each particle looks around, unless what it has seen before still holds
+// (kept_walls.cpp): it gets a ball in which it may move, and the half-spaces that it must stay in there.
+// Models are looked at part by part, each of them convex: a primitive, or a triangle of a mesh. The
+// plane through the closest point of a part, across the way to it, has the part behind it; a part that
+// is wholly behind the plane of a nearer one adds none. Within the ball no other part can be reached,
+// and the half-spaces leave a convex space: a particle that is in it before and after a substep has
+// touched nothing on its way. Only one that leaves the ball is swept against the scene, and looks
+// around again.
 //
 // The walls of a model that moves go with it, from substep to substep; a particle looks as far for them as the model
 // comes in the step. Friction and speed are relative to it.
@@ -59,6 +60,13 @@ struct alignas(64) Neighbour {
     // For what models get from it:
     gphys_model_id getting;  // the model that gets the next two:
     Vec3 given, turning;     // m/s, what it has lost to it, and the moment of that about the cloth's origin
+
+    /// At the beginning of a step.
+    void rest() {
+        touched = 0;
+        touching = -1;
+        total = slowed = crept = 0;
+    }
 };
 
 struct ClothContacts {
@@ -80,7 +88,8 @@ struct ClothContacts {
     Vector<uint32_t> place;        // by particle: in neighbours, or nowhere
     Vector<float> balls;           // four floats a particle: centre, square of the radius
     Vector<float> normals, pulls;  // four floats a particle, as ClothSurfaces takes them
-    Vector<uint32_t> escaped;      // of this substep; at its beginning all that move
+    Vector<uint32_t> escaped;      // of this substep; at its beginning those that look around
+    uint64_t neighbourhood = 0;    // a hash of the models that were around when the last step ended
     bool pushed = false;           // whether any that touches is, by a model that moves
 
     bool touches() const { return !touching.empty(); }

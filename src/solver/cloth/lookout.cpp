@@ -1,7 +1,5 @@
 #include "solver/cloth/lookout.h"
 
-#include "solver/quads.h"
-
 namespace gphys {
 namespace {
 
@@ -11,8 +9,6 @@ double clearance(const Body& body, uint32_t p, Vec3 at) {
     return skin(body.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
 }
 
-Vec3 place_of(const Body& body, uint32_t p) { return get(&body.cloth.at[4 * size_t{p}]); }
-
 Box around(const Aabb& places, double room, Vec3 origin) {
     const Vec3 r{room, room, room};
     return bounds(Aabb{origin + places.min - r, origin + places.max + r});
@@ -21,6 +17,20 @@ Box around(const Aabb& places, double room, Vec3 origin) {
 }  // namespace
 
 void Lookout::look(const uint32_t* particles, uint32_t count) {
+    again_ = false;
+    for (uint32_t i = 0; i < count; ++i) {
+        const size_t at = 4 * size_t{particles[i]};
+        put(&body_.cloth.looked[at], get(&body_.cloth.at[at]));
+    }
+    look_from_looked(particles, count);
+}
+
+void Lookout::look_again(const uint32_t* particles, uint32_t count) {
+    again_ = true;
+    look_from_looked(particles, count);
+}
+
+void Lookout::look_from_looked(const uint32_t* particles, uint32_t count) {
     for (uint32_t first = 0, together; first < count; first += together) {
         together = count_together(particles + first, count - first);
         if (look_together(particles + first, together)) continue;
@@ -34,10 +44,10 @@ double Lookout::farthest(uint32_t p) const { return std::max(body_.plan.batches.
 /// Those that follow the first one within a box of eight times the size of what it may see.
 uint32_t Lookout::count_together(const uint32_t* particles, uint32_t count) const {
     const double size = 16 * (body_.radius[particles[0]] + farthest(particles[0]));
-    Aabb places{place_of(body_, particles[0]), place_of(body_, particles[0])};
+    Aabb places{place_of(particles[0]), place_of(particles[0])};
     uint32_t together = 1;
     for (; together < std::min(count, most_points); ++together) {
-        const Vec3 at = place_of(body_, particles[together]);
+        const Vec3 at = place_of(particles[together]);
         places = {min(places.min, at), max(places.max, at)};
         if (max_component(places.max - places.min) > size) break;
     }
@@ -46,15 +56,15 @@ uint32_t Lookout::count_together(const uint32_t* particles, uint32_t count) cons
 
 /// False, and nothing is done, if there is too much around.
 bool Lookout::look_together(const uint32_t* particles, uint32_t count) {
-    Aabb places{place_of(body_, particles[0]), place_of(body_, particles[0])};
+    Aabb places{place_of(particles[0]), place_of(particles[0])};
     double range = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t p = particles[i];
-        places = {min(places.min, place_of(body_, p)), max(places.max, place_of(body_, p))};
+        places = {min(places.min, place_of(p)), max(places.max, place_of(p))};
         range = std::max(range, body_.radius[p] + farthest(p));
     }
     if (!find_movers_near(places, range)) return false;
-    for (uint32_t i = 0; i < count; ++i) reach_[i] = wanted_reach(particles[i]);
+    for (uint32_t i = 0; i < count; ++i) reach_[i] = reach(particles[i]);
     if (!collect(particles, count)) return false;
     for (uint32_t i = 0; i < count; ++i) settle(particles[i], i);
     return true;
@@ -62,9 +72,9 @@ bool Lookout::look_together(const uint32_t* particles, uint32_t count) {
 
 /// Among too much it sees less far, and at last as far as is swept in each substep anyway.
 void Lookout::look_alone(uint32_t p) {
-    const Vec3 at = place_of(body_, p);
+    const Vec3 at = place_of(p);
     const bool follows_all = find_movers_near({at, at}, body_.radius[p] + farthest(p));
-    reach_[0] = wanted_reach(p);
+    reach_[0] = reach(p);
     bool complete = collect(&p, 1);
     for (int halvings = 0; !complete && halvings < 3; ++halvings) {
         reach_[0] /= 2;
@@ -94,7 +104,7 @@ bool Lookout::find_movers_near(const Aabb& places, double range) {
 
 /// As far as it comes by itself and with what may push it, and half as far again.
 double Lookout::wanted_reach(uint32_t p) const {
-    const Vec3 at = place_of(body_, p), velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
+    const Vec3 at = place_of(p), velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
     double pushed = 0;
     for (uint32_t i = 0; i < mover_count_; ++i) {
         pushed = std::max(pushed, body_.cloth_contacts.movers[near_movers_[i]].travel(at));
@@ -102,9 +112,15 @@ double Lookout::wanted_reach(uint32_t p) const {
     return std::min(1.5 * (time_ * (length(velocity) + time_ * length(gravity_)) + pushed), farthest(p));
 }
 
+double Lookout::reach(uint32_t p) {
+    float& far = body_.cloth.looked[4 * size_t{p} + 3];
+    if (!again_) far = static_cast<float>(wanted_reach(p));
+    return far;
+}
+
 /// What it reaches; of models that move, if they may come as near in the rest of the step.
 void Lookout::place_balls(uint32_t p, uint32_t point) {
-    const Vec3 origin = body_.cloth.origin, at = place_of(body_, p);
+    const Vec3 origin = body_.cloth.origin, at = place_of(p);
     const double range = body_.radius[p] + reach_[point];
     balls_[point] = {origin + at, range};
     for (uint32_t m = 0; m < mover_count_; ++m) {
@@ -118,10 +134,10 @@ bool Lookout::collect(const uint32_t* particles, uint32_t count) {
     const Vec3 origin = body_.cloth.origin;
     const Vector<Mover>& movers = body_.cloth_contacts.movers;
     parts_.clear(count);
-    Aabb places{place_of(body_, particles[0]), place_of(body_, particles[0])};
+    Aabb places{place_of(particles[0]), place_of(particles[0])};
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        const Vec3 at = place_of(body_, particles[i]);
+        const Vec3 at = place_of(particles[i]);
         place_balls(particles[i], i);
         places = {min(places.min, at), max(places.max, at)};
         farthest = std::max(farthest, balls_[i].radius);
@@ -140,21 +156,22 @@ bool Lookout::collect(const uint32_t* particles, uint32_t count) {
 /// The ball and the walls of a particle from what was collected around it.
 void Lookout::settle(uint32_t p, uint32_t point) {
     ClothContacts& contacts = body_.cloth_contacts;
-    float* const at = &body_.cloth.at[4 * size_t{p}];
     Neighbour found{};
     found.particle = p;
+    found.touching = -1;
     for (int halvings = 0; parts_.look_from(point) > most_parts && halvings < 3; ++halvings) {
         reach_[point] /= 2;
         place_balls(p, point);
     }
     double reach = reach_[point];
-    choose_walls(p, get(at), reach, found);
-    for (uint32_t i = 0; i < found.wall_count; ++i) {
-        const double depth = found.walls[i].offset - dot(found.walls[i].normal, get(at));
-        if (depth > 0) put(at, get(at) + found.walls[i].normal * depth);
-    }
+    choose_walls(p, place_of(p), reach, found);
     float* const ball = &contacts.balls[4 * size_t{p}];
-    put(ball, get(at));
+    put(ball, place_of(p));
+    for (uint32_t i = 0; i < found.wall_count; ++i) {
+        const double depth = found.walls[i].offset - dot(found.walls[i].normal, get(ball));
+        if (depth > 0) put(ball, get(ball) + found.walls[i].normal * depth);
+    }
+    if (!again_) put(&body_.cloth.at[4 * size_t{p}], get(ball));
     ball[3] = static_cast<float>(reach * reach);
     uint32_t& place = contacts.place[p];
     if (found.wall_count == 0 && place == ClothContacts::nowhere) return;

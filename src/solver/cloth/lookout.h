@@ -3,6 +3,7 @@
 
 #include "scene/near_parts.h"
 #include "solver/contact/collision.h"
+#include "solver/quads.h"
 
 namespace gphys {
 
@@ -17,6 +18,8 @@ public:
     /// Find the balls and the walls of particles, which are pushed out of what they are in. What they have touched
     /// before is recorded.
     void look(const uint32_t* particles, uint32_t count);
+    /// The same from where they have looked before, with nothing moving around, for walls and balls alone.
+    void look_again(const uint32_t* particles, uint32_t count);
 
 private:
     static constexpr uint32_t most_points = NearParts::most_points;
@@ -26,12 +29,15 @@ private:
     // that is free.
     static constexpr uint32_t most_parts = 64;
 
+    void look_from_looked(const uint32_t* particles, uint32_t count);
+    Vec3 place_of(uint32_t p) const { return get(&body_.cloth.looked[4 * size_t{p}]); }
     double farthest(uint32_t p) const;
     uint32_t count_together(const uint32_t* particles, uint32_t count) const;
     bool look_together(const uint32_t* particles, uint32_t count);
     void look_alone(uint32_t p);
     bool find_movers_near(const Aabb& places, double range);
     double wanted_reach(uint32_t p) const;
+    double reach(uint32_t p);
     bool collect(const uint32_t* particles, uint32_t count);
     void place_balls(uint32_t p, uint32_t point);
     void settle(uint32_t p, uint32_t point);
@@ -42,6 +48,7 @@ private:
     Body& body_;
     const Vec3 gravity_;
     const double time_;
+    bool again_ = false;
     uint32_t near_movers_[most_movers];  // numbers in the body's list
     uint32_t mover_count_ = 0;
     double reach_[most_points];  // metres beyond the particle's radius

@@ -226,6 +226,14 @@ inline bool collides(const Body& body, const Surroundings& around) { return arou
 /// cloth_contacts.cpp: by turns before and after the chains of a substep.
 void reserve_cloth_contacts(Body& body);
 void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity);
+/// kept_walls.cpp: what holds of the step before. Nothing, and then nobody has looked; or from where particles have
+/// looked; or what they saw as well.
+enum class Kept { nothing, places, walls };
+/// Whether the origin, which all that is relative to, is still near the middle of the box.
+bool keeps_origin(const Body& body, const Aabb& box);
+Kept kept_walls(Body& body, const Surroundings& around);
+/// At the end of a step.
+void keep_walls(Body& body, const Surroundings& around);
 void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
 void note_places(Body& body);
 void leave_walls(Body& body);

@@ -26,7 +26,7 @@ bool sizes_agree(const Body& body) {
            body.settings.self_collision <= 1 && body.placed.size() == (body.settings.self_collision ? n : 0) &&
            none_or(body.start.size(), n) && none_or(body.start_velocity.size(), n) &&
            none_or(body.touches.size(), n * touches_per_particle) && none_or(body.stuck.size(), n) &&
-           body.triangles.size() % 3 == 0;
+           none_or(body.cloth.looked.size(), 4 * n) && body.triangles.size() % 3 == 0;
 }
 
 /// Empty, or of finite floats.
@@ -47,7 +47,8 @@ bool particles_fine(const Body& body) {
            all(body.rest_position, vector_finite) && all(body.placed, vector_finite) &&
            all(body.start, vector_finite) && all(body.start_velocity, is_speed) &&
            all(body.cloth.moved, float_finite) && all(body.cloth.velocity_before, float_finite) &&
-           is_amount(body.earlier_step) && is_amount(body.sleep.calm) && fine_box(body.sleep.box);
+           all(body.cloth.looked, float_finite) && in_range(body.cloth.origin) && is_amount(body.earlier_step) &&
+           is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
 bool impulses_fine(const Body& body) {

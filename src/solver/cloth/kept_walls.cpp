@@ -1,0 +1,90 @@
+// What cloth has found around it in one step and need not look for in the next. A particle keeps its ball and its
+// walls while it stays in the ball and the models around the body are those that were there when the last step
+// ended; then nothing in the ball can have changed. Cloth that lies or hangs beside models hardly looks around.
+//
+// Balls and walls follow from where the particles looked, how far, and the models. So only the former are in a
+// snapshot, and a body that comes out of one, or finds other models, looks again from there.
+#include "mesh/mesh.h"
+#include "solver/contact/collision.h"
+#include "solver/snapshot/archive.h"
+
+namespace gphys {
+namespace {
+
+Aabb places_of(const Body& body) {
+    Aabb box{body.position[0], body.position[0]};
+    for (const Vec3 at : body.position) box = {min(box.min, at), max(box.max, at)};
+    return box;
+}
+
+/// What balls reach: each is as large as a link, or as its particle, and beyond it there is the particle's radius.
+Box around_balls(const Body& body) {
+    const double reach = std::max(body.plan.batches.link_length, body.largest_radius);
+    const double room = 2 * (reach + body.largest_radius);
+    const Aabb box = places_of(body);
+    return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
+}
+
+/// What a particle may touch of a model.
+uint64_t hash_of(const Scene& scene, gphys_model_id model) {
+    WordHash hash;
+    const gphys_shape_type type = scene.type(model);
+    hash.put(&model, 1);
+    hash.put(&type, 1);
+    hash.put(&scene.world(model), sizeof(gphys_transform) / 4);
+    if (const Mesh* const mesh = scene.mesh(model)) {
+        // A mesh does not change, and a later one at the same address seldom has the same size.
+        const uint32_t triangles = mesh->triangle_count();
+        Box box;
+        scene.bounds(model, box);
+        hash.put(&mesh, sizeof mesh / 4);
+        hash.put(&triangles, 1);
+        hash.put(&box, sizeof box / 4);
+    } else {
+        uint32_t shape[sizeof(gphys_obb) / 4] = {};  // the largest
+        scene.copy_shape(model, shape);
+        hash.put(shape, sizeof shape / 4);
+    }
+    return hash.value();
+}
+
+/// Of the models around a body: a sum over them, which no order changes.
+uint64_t neighbourhood(const Body& body, const Scene& scene) {
+    uint64_t sum = 0;
+    scene.for_each_in_box(around_balls(body), body.settings.layers,
+                          [&](gphys_model_id model) { sum += hash_of(scene, model); });
+    return sum;
+}
+
+}  // namespace
+
+bool keeps_origin(const Body& body, const Aabb& box) {
+    // Coordinates are then a quarter larger than they have to be, and so is their rounding.
+    constexpr double farthest_aside = 1.0 / 8;
+    if (body.cloth.looked.empty()) return false;
+    const Vec3 aside = (box.min + box.max) / 2 - body.cloth.origin;
+    return max_component(abs(aside)) <= farthest_aside * max_component(box.max - box.min);
+}
+
+Kept kept_walls(Body& body, const Surroundings& around) {
+    Vector<float>& looked = body.cloth.looked;
+    const ClothContacts& contacts = body.cloth_contacts;
+    if (looked.empty() || !contacts.movers.empty()) {
+        looked.assign(4 * size_t{body.size()}, ClothState::not_looked);
+        return Kept::nothing;
+    }
+    return contacts.neighbourhood == neighbourhood(body, *around.scene) ? Kept::walls : Kept::places;
+}
+
+void keep_walls(Body& body, const Surroundings& around) {
+    ClothContacts& contacts = body.cloth_contacts;
+    const bool has_walls = std::any_of(contacts.neighbours.begin(), contacts.neighbours.end(),
+                                       [](const Neighbour& n) { return n.wall_count > 0; });
+    if (!has_walls || !contacts.movers.empty()) {
+        body.cloth.looked.clear();
+        return;
+    }
+    contacts.neighbourhood = neighbourhood(body, *around.scene);
+}
+
+}  // namespace gphys
