@@ -13,7 +13,7 @@ cd "$(dirname "$0")"
 source cmake/install_packages.sh
 
 presets=(release asan-ubsan)
-packages=(cmake ninja-build g++ clang pkg-config dpkg-dev catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
+packages=(cmake ninja-build g++ clang pkg-config dpkg-dev file catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
     python3 python3-cffi luajit abigail-tools)
 configuration=()
 case ${1:-} in
