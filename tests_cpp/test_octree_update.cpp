@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "foundation/workers.h"
+#include "meshes.h"
 #include "octree/octree.h"
 #include "resources.h"
 #include "test.h"
@@ -255,6 +256,27 @@ TEST_CASE("any number of workers makes the same octree, bit for bit") {
             }
             require_sound(shared);
             REQUIRE(same_nodes(alone, shared));
+        }
+    }
+}
+
+TEST_CASE("the box around a node is that around its lanes in use, on any instruction set") {
+    test::Random random(12);
+    for (int round = 0; round < 2000; ++round) {
+        OctreeNode node{};
+        node.count = 1 + random.index(8);
+        Box around;
+        for (int i = 0; i < 8; ++i) {
+            const auto number = [&] { return random.uniform_float(-1, 1) * std::exp2(random.uniform_float(-149, 52)); };
+            const float x = number(), y = number(), z = number();
+            const Box box{{x, y, z}, {x + std::fabs(number()), y, z + 1}};
+            node.boxes.set_lane(i, box);
+            if (static_cast<uint32_t>(i) < node.count) around.include(box);
+        }
+        for (const Isa isa : test::isas()) {
+            Box same;
+            octree_kernels(isa).around(node, same);
+            REQUIRE(same == around);
         }
     }
 }

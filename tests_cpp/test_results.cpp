@@ -2,9 +2,11 @@
 
 #include <vector>
 
+#include "meshes.h"
+#include "scene/slot_set.h"
 #include "test.h"
 
-using gphys::Smallest;
+using namespace gphys;
 
 TEST_CASE("Smallest keeps the smallest values in ascending order, whatever the order of arrival") {
     test::Random random(1);
@@ -54,4 +56,29 @@ TEST_CASE("Smallest takes any order") {
     for (int value : {4, 9, -2, 7, 1, 9}) largest.add(value);
     REQUIRE(largest.finish() == 6);
     REQUIRE((out[0] == 9 && out[1] == 9 && out[2] == 7));
+}
+
+TEST_CASE("a set of slots lists their entries by ascending slots, on any instruction set, and spares what is behind") {
+    test::Random random(5);
+    for (int round = 0; round < 300; ++round) {
+        const uint32_t slots = random.index(200), untouched = 0xabcdef01;
+        const double share = random.uniform(0, 1);
+        std::vector<uint32_t> entries(slots), added, expected;
+        for (uint32_t& entry : entries) entry = random.index(0xffffffff);
+        for (uint32_t slot = 0; slot < slots; ++slot) {
+            if (random.uniform(0, 1) > share) continue;
+            added.insert(added.begin() + random.index(static_cast<uint32_t>(added.size()) + 1), slot);
+            expected.push_back(entries[slot]);
+        }
+        for (const Isa isa : test::isas()) {
+            std::vector<uint32_t> words(SlotSet::words_for(slots), ~0u);
+            SlotSet set(words.data(), slots);
+            for (const uint32_t slot : added) set.add(slot);
+            std::vector<uint32_t> out(added.size() + SlotSet::spare + 1, untouched);
+            const uint32_t* const end = set.list(slot_set_kernels(isa), entries.data(), out.data());
+            REQUIRE(end == out.data() + added.size());
+            REQUIRE(std::equal(expected.begin(), expected.end(), out.begin()));
+            REQUIRE(out.back() == untouched);
+        }
+    }
 }

@@ -208,7 +208,9 @@ bool cull_agrees(RandomScene& world) {
     std::vector<gphys_model_id> found(1000);
     found.resize(unwrap(world.scene)->cull(frustum, layers, found.data(), 1000));
     // With less room, the lowest; whether or not there is some for ordering.
-    for (const size_t room : {found.size() / 2, found.size(), found.size() + 1, found.size() + 5}) {
+    std::vector<size_t> rooms{found.size() / 2};
+    for (size_t more = 0; more < 30; ++more) rooms.push_back(found.size() + more);
+    for (const size_t room : rooms) {
         std::vector<gphys_model_id> lowest(room);
         const uint32_t total = unwrap(world.scene)->cull(frustum, layers, lowest.data(), static_cast<uint32_t>(room));
         if (total != found.size()) return false;

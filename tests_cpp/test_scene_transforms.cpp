@@ -2,6 +2,9 @@
 #include <cfenv>
 #include <cstring>
 
+#include "meshes.h"
+#include "scene/bounds_kernels.h"
+#include "scene/quick_shape.h"
 #include "scene_fixture.h"
 
 using namespace gphys;
@@ -173,6 +176,86 @@ TEST_CASE("the world box of a turned box holds its corners, and little more") {
             const long double more = 3 * 0x1p-23L * furthest + 0x1p-19L * sizes + 0x1p-41L * magnitude;
             REQUIRE(box_min[k] >= low - more);
             REQUIRE(box_max[k] <= high + more);
+        }
+    }
+}
+
+TEST_CASE("the boxes of eight turned Aabbs at once are those of each, on any instruction set") {
+    struct Stored {
+        gphys_transform world;
+        float words[2] = {NAN, INFINITY};
+        gphys_aabb box;
+    };
+    test::Random random(32);
+    int told = 0;
+    for (int round = 0; round < 2000; ++round) {
+        Stored stored[8];
+        const float* models[8];
+        for (int k = 0; k < 8; ++k) {
+            const float far = std::exp2(random.uniform_float(-140, 49)),
+                        size = std::exp2(random.uniform_float(-140, 30));
+            const gphys_vec3 p = random.point(far), h = random.point(size);
+            stored[k].world = {p, random.rotation(), std::exp2(random.uniform_float(-10, 10))};
+            // Faces with the signs that they have, flat ones among them.
+            stored[k].box = {{-std::fabs(h.x), -std::fabs(h.y), -std::fabs(h.z)},
+                             {std::fabs(h.x), std::fabs(h.y), std::fabs(h.z)}};
+            if (random.index(4) == 0) stored[k].box.min.y = -0.0f, stored[k].box.max.y = 0;
+            if (random.index(8) == 0) stored[k].box.min.z = stored[k].box.max.z = 0;
+            if (random.index(8) == 0) stored[k].box.min.x = std::nextafter(stored[k].box.min.x, -INFINITY);
+            if (random.index(8) == 0) stored[k].world.rotation = test::no_rotation;
+            if (random.index(8) == 0) stored[k].world.rotation = {0, 0, std::numeric_limits<float>::denorm_min(), 1};
+            models[7 - k] = &stored[k].world.position.x;
+        }
+        for (const Isa isa : test::isas()) {
+            Box8 boxes;
+            const uint32_t known = bounds_kernels(isa).turned_aabbs(models, boxes);
+            for (int k = 0; k < 8; ++k) {
+                const Stored& one = stored[7 - k];
+                const bool known_one = (known >> k & 1) != 0;
+                REQUIRE(known_one == (is_turned(one.world.rotation) && is_centered(one.box)));
+                if (!known_one) continue;
+                ++told;
+                const Box truth = quick_bounds(one.box, one.world), box = boxes.lane(k);
+                REQUIRE(std::memcmp(&box, &truth, sizeof box) == 0);
+            }
+        }
+    }
+    CHECK(told > 8000);
+}
+
+TEST_CASE("models of all types that move at once stand where each alone would, and raise nothing") {
+    const gphys_aabb box{{-1, -2, -3}, {1, 2, 3}}, corner{{0, 0, 0}, {1, 2, 3}};
+    const gphys_obb obb{{1, 0, 0}, {1, 2, 3}, {0.6f, 0, 0, 0.8f}};
+    const gphys_sphere sphere{{1, 0, 0}, 2};
+    const gphys_capsule capsule{{-1, 0, 0}, {1, 0, 0}, 1};
+    const gphys_plane plane{{0, 1, 0}, 1};
+    const gphys_triangle triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::pair<gphys_shape_type, const void*> shapes[] = {
+        {GPHYS_SHAPE_AABB, &box},          {GPHYS_SHAPE_SPHERE, &sphere},  {GPHYS_SHAPE_AABB, &corner},
+        {GPHYS_SHAPE_OBB, &obb},           {GPHYS_SHAPE_PLANE, &plane},    {GPHYS_SHAPE_AABB, &box},
+        {GPHYS_SHAPE_TRIANGLE, &triangle}, {GPHYS_SHAPE_CAPSULE, &capsule}};
+    test::Random random(33);
+    for (const uint32_t count : {1u, 7u, 8u, 9u, 100u, 3000u}) {
+        SceneFixture together, alone;
+        std::vector<gphys_model_id> models;
+        std::vector<gphys_transform> to;
+        for (uint32_t i = 0; i < count; ++i) {
+            const auto& [type, shape] = shapes[random.index(std::size(shapes))];
+            models.push_back(together.add(type, shape, at(0, 0, 0)));
+            REQUIRE(alone.add(type, shape, at(0, 0, 0)) == models.back());
+            to.push_back({random.point(100), random.rotation(), random.uniform_float(0.5f, 2)});
+            if (random.index(4) == 0) to.back().rotation = test::no_rotation;
+        }
+        std::feclearexcept(FE_ALL_EXCEPT);
+        REQUIRE(move(together, models, to) == GPHYS_OK);
+        CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
+        CHECK(together.sound());
+        for (uint32_t i = 0; i < count; ++i) {
+            REQUIRE(alone.move(models[i], to[i]) == GPHYS_OK);
+            gphys_aabb one, other;
+            const gphys_status status = gphys_scene_get_bounds(alone.scene, models[i], &one);
+            REQUIRE(gphys_scene_get_bounds(together.scene, models[i], &other) == status);
+            if (status == GPHYS_OK) REQUIRE(std::memcmp(&one, &other, sizeof one) == 0);
         }
     }
 }

@@ -222,16 +222,36 @@ class FrustumTest {
 public:
     static constexpr uint32_t all_planes = 0x3f;
 
-    explicit FrustumTest(const FrustumProbe& probe) : probe_(probe) {}
-
-    /// Lanes that are not wholly outside one of `planes`; inside[p] are those wholly inside plane p.
-    uint32_t hits(const Box8& boxes, uint32_t planes, uint32_t inside[6]) const {
-        Float8 low[3], high[3], magnitude[3];
-        for (int k = 0; k < 3; ++k) {
-            low[k] = load(boxes.row[k]) - splat(probe_.origin_high[k]);
-            high[k] = load(boxes.row[3 + k]) - splat(probe_.origin_low[k]);
-            magnitude[k] = max(high[k], splat(0) - low[k]);  // of whichever has the larger one
+    explicit FrustumTest(const FrustumProbe& probe) : probe_(probe) {
+        for (int p = 0; p < 6; ++p) {
+            for (uint32_t k = 0; k < 3; ++k) {
+                const bool positive = probe.planes[p].normal[k] >= 0;
+                inner_face_[p][k] = positive ? 3 + k : k;
+                outer_face_[p][k] = positive ? k : 3 + k;
+            }
         }
+    }
+
+    /// Lanes that are not wholly outside one of `planes`. crossed: for each lane those of them that it is not
+    /// wholly inside, a set of bits as a whole number.
+    uint32_t hits(const Box8& boxes, uint32_t planes, Float8& crossed) const {
+        return test<true>(boxes, planes, crossed);
+    }
+    uint32_t hits(const Box8& boxes, uint32_t planes) const {
+        Float8 crossed;
+        return test<false>(boxes, planes, crossed);
+    }
+
+private:
+    template <bool also_crossed>
+    uint32_t test(const Box8& boxes, uint32_t planes, Float8& crossed) const {
+        Float8 face[6], magnitude[3];  // as seen from the origin
+        for (int k = 0; k < 3; ++k) {
+            face[k] = load(boxes.row[k]) - splat(probe_.origin_high[k]);
+            face[3 + k] = load(boxes.row[3 + k]) - splat(probe_.origin_low[k]);
+            magnitude[k] = max(face[3 + k], splat(0) - face[k]);  // of whichever has the larger one
+        }
+        crossed = splat(0);
         uint32_t hit = 0xff;
         for (uint32_t rest = planes; rest != 0; rest &= rest - 1) {
             const int p = __builtin_ctz(rest);
@@ -239,20 +259,21 @@ public:
             // Of the corners furthest in and furthest out.
             Float8 upper = splat(0), lower = splat(0), error = splat(0);
             for (int k = 0; k < 3; ++k) {
-                const bool positive = plane.normal[k] >= 0;
                 const Float8 normal = splat(plane.normal[k]);
-                upper = upper + (positive ? high[k] : low[k]) * normal;
-                lower = lower + (positive ? low[k] : high[k]) * normal;
+                upper = upper + face[inner_face_[p][k]] * normal;
+                if (also_crossed) lower = lower + face[outer_face_[p][k]] * normal;
                 error = error + magnitude[k] * splat(plane.error[k]);
             }
             hit &= bits(splat(plane.outside_below) <= upper + error);
-            inside[p] = bits(splat(plane.inside_above) <= lower - error);
+            if (!also_crossed) continue;
+            const Mask8 inside = splat(plane.inside_above) <= lower - error;
+            crossed = crossed + choose(inside, splat(0), splat(static_cast<float>(1 << p)));
         }
         return hit;
     }
 
-private:
     const FrustumProbe& probe_;
+    uint32_t inner_face_[6][3], outer_face_[6][3];
 };
 
 }  // namespace gphys::GPHYS_ISA

@@ -67,34 +67,34 @@ bool walk_frustum(const OctreeNode* nodes, uint32_t root, const FrustumProbe& pr
     const FrustumTest test(probe);
     const BoxTest around(probe.around);
     FoundItems found(to);
-    struct Entry {
-        uint32_t ref, planes;
+    NodesToVisit crossing(nodes);
+    crossing.push_root(root, FrustumTest::all_planes);
+    uint32_t wholly, planes[8];  // lanes that are inside, and the planes of the others
+    const auto look = [&](const OctreeNode& node, uint32_t planes_of_node) {
+        Float8 crossed;
+        const uint32_t hits = lanes_of(node) & around.hits(node.boxes) & test.hits(node.boxes, planes_of_node, crossed);
+        wholly = hits & bits(crossed <= splat(0));
+        const Float8 sets = integer_bits(crossed);
+        std::memcpy(planes, &sets, sizeof planes);
+        return hits;
     };
-    Entry stack[stack_size];
-    int size = 0;
-    stack[size++] = {root, FrustumTest::all_planes};
-    while (size > 0) {
-        const Entry entry = stack[--size];
-        const OctreeNode& node = node_at(nodes, entry.ref);
-        uint32_t inside[6];
-        const uint32_t hits = lanes_of(node) & around.hits(node.boxes) & test.hits(node.boxes, entry.planes, inside);
-        uint32_t wholly = hits;
-        for (uint32_t rest = entry.planes; rest != 0; rest &= rest - 1) wholly &= inside[__builtin_ctz(rest)];
-        if (is_leaf(entry.ref)) {
-            if (!found.add(node.child, hits, wholly)) return false;
-            continue;
+    while (!crossing.empty()) {
+        while (!crossing.leaf_is_next()) {
+            const auto [node, planes_of_node] = crossing.take_inner();
+            const uint32_t hits = look(node, planes_of_node);
+            crossing.push(node, hits & ~wholly, planes);
+            if (wholly != 0 && !found.add_below(nodes, node, wholly)) return false;
         }
-        for (uint32_t rest = hits & ~wholly; rest != 0; rest &= rest - 1) {
-            const int lane = __builtin_ctz(rest);
-            uint32_t planes = 0;
-            for (uint32_t left = entry.planes; left != 0; left &= left - 1) {
-                const int p = __builtin_ctz(left);
-                planes |= (~inside[p] >> lane & 1) << p;
+        while (crossing.has_leaf()) {
+            const auto [leaf, planes_of_leaf] = crossing.take_leaf();
+            if (to.asks_inside) {
+                const uint32_t hits = look(leaf, planes_of_leaf);
+                if (!found.add(leaf.child, hits, wholly)) return false;
+            } else {
+                const uint32_t hits = around.hits(leaf.boxes) & test.hits(leaf.boxes, planes_of_leaf);
+                if (!found.add(leaf.child, hits & lanes_of(leaf))) return false;
             }
-            fetch_ahead(&node_at(nodes, node.child[lane]), sizeof(OctreeNode));
-            stack[size++] = {node.child[lane], planes};
         }
-        if (!found.add_below(nodes, node, wholly)) return false;
     }
     return found.finish();
 }
@@ -141,6 +141,35 @@ bool walk_pairs(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_
     return true;
 }
 
+/// Of three rows the least of each, of both halves of the lanes: out[k] or out[4 + k].
+void least_of_rows(const Float8 (&rows)[3], float (&out)[8]) {
+    Float8 least;
+    for (int i = 0; i < register_count; ++i) {
+        FloatRegister lanes[4] = {rows[0].part[i], rows[1].part[i], rows[2].part[i], rows[2].part[i]};
+        transpose(lanes);
+        least.part[i] = minimum(minimum(lanes[0], lanes[1]), minimum(lanes[2], lanes[3]));
+    }
+    store(out, least);
+}
+
+void around_node(const OctreeNode& node, Box& out) {
+    static constexpr float numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const Mask8 used = load(numbers) <= splat(static_cast<float>(node.count) - 1);
+    const Float8 beyond_all = splat(__FLT_MAX__), zero = splat(0);
+    Float8 low[3], high[3];  // the latter with the other sign
+    for (int k = 0; k < 3; ++k) {
+        low[k] = choose(used, load(node.boxes.row[k]), beyond_all);
+        high[k] = choose(used, zero - load(node.boxes.row[3 + k]), beyond_all);
+    }
+    float min[8], less_max[8];
+    least_of_rows(low, min);
+    least_of_rows(high, less_max);
+    for (int k = 0; k < 3; ++k) {
+        out.min[k] = min[k] < min[4 + k] ? min[k] : min[4 + k];
+        out.max[k] = 0 - (less_max[k] < less_max[4 + k] ? less_max[k] : less_max[4 + k]);
+    }
+}
+
 }  // namespace
 
 extern const OctreeKernels octree_kernels{
@@ -148,7 +177,7 @@ extern const OctreeKernels octree_kernels{
     walk_rays,    walk_nearest_first<PointTest, PointProbe>,
     walk_ray_any, walk_box,
     walk_ball,    walk_frustum,
-    walk_pairs,
+    walk_pairs,   around_node,
 };
 
 }  // namespace gphys::GPHYS_ISA

@@ -36,6 +36,7 @@ struct OctreeListVisitor {
     bool (*visit)(void* context, const uint32_t* items, uint32_t count, bool inside);
     void* context;
     ItemMemory items, items_inside;
+    bool asks_inside;  // else no item need be told to lie inside
 };
 
 /// Gets pairs of items. Returns whether to go on.
@@ -64,6 +65,8 @@ struct OctreeKernels {
     bool (*frustum)(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeListVisitor& to);
     bool (*pairs)(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_nodes, uint32_t other_root,
                   const OctreePairVisitor& to);
+    /// The smallest box around all of a node's.
+    void (*around)(const OctreeNode& node, Box& out);
 };
 
 GPHYS_DECLARE_KERNELS(OctreeKernels, octree_kernels)

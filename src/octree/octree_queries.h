@@ -103,15 +103,18 @@ void Octree::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory 
 /// A visitor of lists, or of single items as one of lists.
 template <class Visit>
 OctreeListVisitor Octree::list_visitor(Visit& visit, ItemMemory items, ItemMemory items_inside) {
-    const auto all = [](void* context, const uint32_t* list, uint32_t count, bool inside) -> bool {
+    constexpr bool of_any = std::is_invocable_v<Visit&, const uint32_t*, uint32_t>;
+    const auto all = [](void* context, const uint32_t* list, uint32_t count, [[maybe_unused]] bool inside) -> bool {
         Visit& to = *static_cast<Visit*>(context);
-        if constexpr (std::is_invocable_v<Visit&, const uint32_t*, uint32_t, bool>) {
+        if constexpr (of_any) {
+            return to(list, count);
+        } else if constexpr (std::is_invocable_v<Visit&, const uint32_t*, uint32_t, bool>) {
             return to(list, count, inside);
         } else {
             return std::all_of(list, list + count, [&](uint32_t item) { return to(item, inside); });
         }
     };
-    return {all, const_cast<void*>(static_cast<const void*>(&visit)), items, items_inside};
+    return {all, const_cast<void*>(static_cast<const void*>(&visit)), items, items_inside, !of_any};
 }
 
 template <class Visit>

@@ -7,11 +7,12 @@
 
 namespace gphys::GPHYS_ISA {
 
-inline void fetch_ahead(const void* memory, uint32_t size) {
+// Inlined always: gcc takes a function that only fetches for one without effect, and leaves out its calls.
+[[gnu::always_inline]] inline void fetch_ahead(const void* memory, uint32_t size) {
     for (uint32_t byte = 0; byte < size; byte += 64) __builtin_prefetch(static_cast<const char*>(memory) + byte);
 }
 
-inline void fetch_item(const ItemMemory& items, uint32_t item) {
+[[gnu::always_inline]] inline void fetch_item(const ItemMemory& items, uint32_t item) {
     // Mostly of one line; what is fetched of no memory does no harm.
     const char* first = static_cast<const char*>(items.first) + size_t{item} * items.size;
     __builtin_prefetch(first);
@@ -110,6 +111,70 @@ bool everywhere(const OctreeNode* nodes, uint32_t root, const Hits& hits, const 
     return true;
 }
 
+/// Fetch nodes that are to be visited, of which is read what begins at `read_from`. Mostly there are few; a loop
+/// that ran as often as there are would surprise the processor.
+template <size_t read_from = 0>
+[[gnu::always_inline]] inline void fetch_nodes(const OctreeNode* nodes, const uint32_t* refs, uint32_t count) {
+    constexpr uint32_t often = 4, size = sizeof(OctreeNode) - read_from;
+    const char* const first = reinterpret_cast<const char*>(nodes) + read_from;
+    const auto at = [&](uint32_t i) { return first + sizeof(OctreeNode) * size_t{refs[i] & ~octree_leaf_bit}; };
+    for (uint32_t i = 0; i < often; ++i) fetch_ahead(at(i < count ? i : 0), size);
+    for (uint32_t i = often; i < count; ++i) fetch_ahead(at(i), size);
+}
+
+/// Nodes to be visited in no order, each with a mark. Leaves are apart from the others and are visited many in
+/// a row: which of the two comes next is not to be guessed each time.
+template <size_t read_from = 0>
+class NodesToVisit {
+public:
+    explicit NodesToVisit(const OctreeNode* nodes) : nodes_(nodes) {}
+
+    struct Entry {
+        const OctreeNode& node;
+        uint32_t mark;
+    };
+    bool empty() const { return inner_.size == 0 && leaves_.size == 0; }
+    bool leaf_is_next() const { return inner_.size == 0 || leaves_.size > many_leaves; }
+    bool has_leaf() const { return leaves_.size != 0; }
+    Entry take_inner() { return inner_.take(nodes_); }
+    Entry take_leaf() { return leaves_.take(nodes_); }
+
+    void push_root(uint32_t root, uint32_t mark) {
+        const uint32_t roots[8] = {root}, marks[8] = {mark};
+        is_leaf(root) ? leaves_.push(nodes_, roots, 1, marks) : inner_.push(nodes_, roots, 1, marks);
+    }
+    /// Some lanes of an inner node, with the marks of all.
+    void push(const OctreeNode& node, uint32_t lanes, const uint32_t marks[8]) {
+        const uint32_t leaf_lanes = bits(signs(load(reinterpret_cast<const float*>(node.child))));
+        inner_.push(nodes_, node.child, lanes & ~leaf_lanes, marks);
+        leaves_.push(nodes_, node.child, lanes & leaf_lanes, marks);
+    }
+
+private:
+    template <uint32_t capacity>
+    struct List {
+        uint32_t size = 0;
+        uint32_t refs[capacity + 8], marks[capacity + 8];
+
+        Entry take(const OctreeNode* nodes) {
+            --size;
+            return {node_at(nodes, refs[size]), marks[size]};
+        }
+        void push(const OctreeNode* nodes, const uint32_t children[8], uint32_t lanes, const uint32_t all_marks[8]) {
+            if (lanes == 0) return;
+            const uint32_t count = take_lanes(refs + size, children, lanes);
+            take_lanes(marks + size, all_marks, lanes);
+            fetch_nodes<read_from>(nodes, refs + size, count);
+            size += count;
+        }
+    };
+    static constexpr uint32_t many_leaves = 32;
+
+    const OctreeNode* nodes_;
+    List<stack_size> inner_;
+    List<many_leaves + 8> leaves_;
+};
+
 /// Items that a walk without order has found. They are kept back for a while, until what a visit
 /// reads of the first has come from memory.
 class FoundItems {
@@ -118,21 +183,24 @@ public:
 
     // Each returns whether to go on.
 
-    /// Some `lanes` of a leaf, of which some are inside the query.
+    /// Some `lanes` of a leaf; those of which some are inside the query.
+    bool add(const uint32_t children[8], uint32_t lanes) { return open_.add(children, lanes); }
     bool add(const uint32_t children[8], uint32_t lanes, uint32_t inside) {
         return open_.add(children, lanes & ~inside) && inside_.add(children, inside);
     }
     /// All items below some `lanes` of an inner node, which are inside the query.
     bool add_below(const OctreeNode* nodes, const OctreeNode& node, uint32_t lanes) {
-        uint32_t stack[stack_size];
-        int size = push_below(nodes, node, lanes, stack, 0);
-        while (size > 0) {
-            const uint32_t ref = stack[--size];
-            const OctreeNode& below = node_at(nodes, ref);
-            if (!is_leaf(ref)) {
-                size = push_below(nodes, below, lanes_of(below), stack, size);
-            } else if (!inside_.add(below.child, lanes_of(below))) {
-                return false;
+        constexpr uint32_t unmarked[8] = {};
+        NodesToVisit<offsetof(OctreeNode, child)> below(nodes);  // whose boxes need not be read
+        below.push(node, lanes, unmarked);
+        while (!below.empty()) {
+            while (!below.leaf_is_next()) {
+                const OctreeNode& inner = below.take_inner().node;
+                below.push(inner, lanes_of(inner), unmarked);
+            }
+            while (below.has_leaf()) {
+                const OctreeNode& leaf = below.take_leaf().node;
+                if (!inside_.add(leaf.child, lanes_of(leaf))) return false;
             }
         }
         return true;
@@ -149,6 +217,7 @@ private:
             if (count_ > capacity - 8 && !pass_on()) return false;
             const uint32_t first = count_;
             count_ += take_lanes(items_ + first, children, lanes);
+            if (memory_.size == 0) return true;
             // Mostly there are at most two; a loop that ran as often as there are would surprise the processor.
             fetch_item(memory_, items_[first]);
             fetch_item(memory_, items_[first + 1]);
@@ -171,16 +240,6 @@ private:
         uint32_t items_[capacity];
     };
 
-    /// Of a node wholly inside only the children are read, not their boxes.
-    static int push_below(const OctreeNode* nodes, const OctreeNode& node, uint32_t lanes, uint32_t* stack, int size) {
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const uint32_t child = node.child[__builtin_ctz(lanes)];
-            fetch_ahead(node_at(nodes, child).child, 1);
-            stack[size++] = child;
-        }
-        return size;
-    }
-
     List open_, inside_;
 };
 
@@ -199,17 +258,12 @@ public:
     /// Some lanes of a node, which are fetched.
     void push(const OctreeNode* nodes, const OctreeNode& node, uint32_t lanes) {
         const uint32_t first = (first_ + size_) % capacity, count = take_lanes(refs_ + first, node.child, lanes);
-        for (uint32_t i = 0; i < often; ++i) {
-            fetch_ahead(&node_at(nodes, refs_[first + (i < count ? i : 0)]), sizeof(OctreeNode));
-        }
-        for (uint32_t i = often; i < count; ++i) fetch_ahead(&node_at(nodes, refs_[first + i]), sizeof(OctreeNode));
+        fetch_nodes(nodes, refs_ + first, count);
         for (uint32_t i = capacity; i < first + count; ++i) refs_[i - capacity] = refs_[i];  // around the end
         size_ += count;
     }
 
 private:
-    /// Mostly no more are pushed at once. As above, the processor is to foresee how often loops run.
-    static constexpr uint32_t often = 4;
     static constexpr uint32_t few = 64, capacity = 512;
     static_assert(capacity >= few + stack_size);
 

@@ -24,6 +24,11 @@ constexpr float spoiling_growth = 1.5f;
 float smaller(float a, float b) { return a < b ? a : b; }
 float larger(float a, float b) { return a > b ? a : b; }
 
+void fetch_ahead(const OctreeNode& node) {
+    const char* first = reinterpret_cast<const char*>(&node);
+    for (size_t byte = 0; byte < sizeof node; byte += 64) __builtin_prefetch(first + byte);
+}
+
 }  // namespace
 
 void Octree::reserve_nodes(uint32_t count) {
@@ -146,13 +151,16 @@ void Octree::refit_upward(uint32_t index) {
 double Octree::refit_below(NodeRef ref, Box& box) {
     Node& node = nodes_[index_of(ref)];
     double area = 0;
-    for (uint32_t i = 0; !is_leaf(ref) && i < node.count; ++i) {
-        Box child_box;
-        area += refit_below(node.child[i], child_box);
-        area += half_area(child_box);
-        node.boxes.set_lane(static_cast<int>(i), child_box);
+    if (!is_leaf(ref)) {
+        for (uint32_t i = 0; i < node.count; ++i) fetch_ahead(nodes_[index_of(node.child[i])]);
+        for (uint32_t i = 0; i < node.count; ++i) {
+            Box child_box;
+            area += refit_below(node.child[i], child_box);
+            area += half_area(child_box);
+            node.boxes.set_lane(static_cast<int>(i), child_box);
+        }
     }
-    box = union_of(node);
+    kernels_.around(node, box);
     return area;
 }
 

@@ -23,8 +23,10 @@
 #include "foundation/workers.h"
 #include "intersect/intersect.h"
 #include "octree/octree.h"
+#include "scene/bounds_kernels.h"
 #include "scene/quick_shape.h"
 #include "scene/scene_kernels.h"
+#include "scene/slot_set.h"
 
 namespace gphys {
 
@@ -212,8 +214,10 @@ private:
     const char* place(uint32_t slot, const gphys_transform& world, Box& box) const;
     const char* place(uint32_t slot, const gphys_transform& world) const;
     float farthest_point(uint32_t slot) const;
-    template <class PutOne>
-    void put_all(uint32_t count, bool on_any_thread, const PutOne& put_one) const;
+    template <class PutSome>
+    void put_all(uint32_t count, bool on_any_thread, const PutSome& put_some) const;
+    template <class Put>
+    void put_eight(const gphys_model_id* models, uint32_t count, const Put& put) const;
     /// What is wrong with one of the transforms: then none has moved.
     const char* move_alone(const gphys_model_id* models, const Strided<gphys_transform>& local, uint32_t count);
     const char* move_with_relatives(const gphys_model_id* models, const Strided<gphys_transform>& local,
@@ -228,6 +232,8 @@ private:
     void put_back_relatives(const gphys_model_id* models, uint32_t count);
 
     const SceneKernels& kernels_ = scene_kernels(chosen_isa());
+    const BoundsKernels& bounds_kernels_ = bounds_kernels(chosen_isa());
+    const SlotSetKernels& slot_set_kernels_ = slot_set_kernels(chosen_isa());
     const Workers workers_;
     IdTable ids_{&memory};
     Vector<Model> models_{&memory};           // by slot

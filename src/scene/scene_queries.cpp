@@ -444,34 +444,43 @@ gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t laye
 
 uint32_t Scene::cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const {
     const bool all_in_layers = (common_layers_ & layers) != 0;
+    // Calls add(slot), and returns how often.
     const auto walk = [&](const auto& add) {
+        uint32_t total = 0;
+        const auto add_if_in_layers = [&](uint32_t slot) {
+            if (!(models_[slot].layers & layers)) return;
+            add(slot);
+            ++total;
+        };
         for (const uint32_t slot : unbounded_) {
-            if (!(models_[slot].layers & layers)) continue;
-            if (with_shape(slot, [&](const auto& shape) { return overlaps_shape(shape, frustum); })) add(slot);
+            const auto is_seen = [&](const auto& shape) { return overlaps_shape(shape, frustum); };
+            if (with_shape(slot, is_seen)) add_if_in_layers(slot);
         }
-        octree_.frustum(frustum, box_around(frustum), [&](uint32_t slot, bool) {
-            if (all_in_layers || (models_[slot].layers & layers)) add(slot);
+        octree_.frustum(frustum, box_around(frustum), [&](const uint32_t* slots, uint32_t count) {
+            if (all_in_layers) {
+                std::for_each(slots, slots + count, add);
+                total += count;
+            } else {
+                std::for_each(slots, slots + count, add_if_in_layers);
+            }
             return true;
         });
+        return total;
     };
 
     // Thousands of ids cost more to sort than to find. Where the array has room for it behind them,
     // a set of their slots puts them in order.
-    const uint32_t words = SlotSet::words_for(ids_.slots());
-    if (capacity > words) {
-        SlotSet slots(out + (capacity - words), ids_.slots());
-        walk([&](uint32_t slot) { slots.add(slot); });
-        if (slots.size() <= capacity - words) {
-            gphys_model_id* end = out;
-            bool ascending = true;
-            slots.for_each([&](uint32_t slot) {
-                *end = ids_.id(slot);
-                ascending = ascending && (end == out || end[-1] < *end);
-                ++end;
-            });
-            // Slots that were used again have later generations.
-            if (!ascending) std::sort(out, end);
-            return slots.size();
+    const uint32_t beyond = SlotSet::words_for(ids_.slots()) + SlotSet::spare;
+    if (capacity > beyond) {
+        SlotSet slots(out + (capacity - beyond + SlotSet::spare), ids_.slots());
+        const uint32_t total = walk([&](uint32_t slot) { slots.add(slot); });
+        if (total <= capacity - beyond) {
+            slots.list(slot_set_kernels_, ids_.ids(), out);
+            // Slots that were used again have later generations. Counted to the end, several are compared at once.
+            uint32_t descents = 0;
+            for (uint32_t i = 1; i < total; ++i) descents += out[i] < out[i - 1];
+            if (descents != 0) std::sort(out, out + total);
+            return total;
         }
     }
     Smallest<gphys_model_id> lowest(out, capacity);

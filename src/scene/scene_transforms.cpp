@@ -57,10 +57,11 @@ Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
     return nullptr;
 }
 
-/// The same for a valid transform, without the box. Nearly always all is far within the range.
+/// The same for a valid transform, without the box. Nearly always all is far within the range: no
+/// position is beyond GPHYS_MAX_COORDINATE.
 inline const char* Scene::place(uint32_t slot, const gphys_transform& world) const {
-    const float farthest = sum(abs(load4(world.position)))[0] + farthest_point_ * world.scale;
-    if (farthest < max_box_coordinate / 2 && world.scale >= 1 / max_scale) return nullptr;
+    constexpr float max_reach = max_box_coordinate / 2 - GPHYS_MAX_COORDINATE;
+    if (farthest_point_ * world.scale < max_reach && world.scale >= 1 / max_scale) return nullptr;
     Box box;
     return place(slot, world, box);
 }
@@ -110,14 +111,39 @@ gphys_status Scene::set_transforms(const gphys_model_id* models, const gphys_tra
     return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong) : GPHYS_OK;
 }
 
-/// put_one(i) for all models that move: by the workers if they are different items of the octree.
-template <class PutOne>
-void Scene::put_all(uint32_t count, bool on_any_thread, const PutOne& put_one) const {
+/// put_some(begin, end) for all models that move: by the workers if they are different items of the octree.
+template <class PutSome>
+void Scene::put_all(uint32_t count, bool on_any_thread, const PutSome& put_some) const {
     workers_.run(on_any_thread ? count / models_per_task + 1 : 1, [&](uint32_t task) {
         const uint32_t begin = on_any_thread ? task * models_per_task : 0;
-        const uint32_t end = on_any_thread ? std::min(begin + models_per_task, count) : count;
-        for (uint32_t i = begin; i < end; ++i) put_one(i);
+        put_some(begin, on_any_thread ? std::min(begin + models_per_task, count) : count);
     });
+}
+
+/// Tell the octree where up to eight models are.
+template <class Put>
+void Scene::put_eight(const gphys_model_id* models, uint32_t count, const Put& put) const {
+    const auto model = [&](uint32_t k) -> const Model& { return models_[IdTable::slot_of(models[k])]; };
+    constexpr uint32_t worth_it = 3;  // two one by one take about as long as eight at once
+    uint32_t aabbs = 0;
+    for (uint32_t k = 0; count >= worth_it && k < count; ++k) {
+        aabbs |= uint32_t{model(k).type() == GPHYS_SHAPE_AABB} << k;
+    }
+    Box8 boxes;
+    if (aabbs != 0) {
+        const auto first = static_cast<uint32_t>(__builtin_ctz(aabbs));
+        const float* quads[8];
+        for (uint32_t k = 0; k < 8; ++k) quads[k] = &model((aabbs >> k & 1) != 0 ? k : first).world.position.x;
+        aabbs &= bounds_kernels_.turned_aabbs(quads, boxes);
+    }
+    for (uint32_t k = 0; k < count; ++k) {
+        const uint32_t slot = IdTable::slot_of(models[k]);
+        if ((aabbs >> k & 1) != 0) {
+            put(slot, boxes.lane(static_cast<int>(k)));
+        } else if (models_[slot].type() != GPHYS_SHAPE_PLANE) {
+            put(slot, world_box(slot, models_[slot].world));
+        }
+    }
 }
 
 /// No model stands twice or has relatives: once all are checked nothing can fail.
@@ -126,10 +152,16 @@ const char* Scene::move_alone(const gphys_model_id* models, const Strided<gphys_
         if (const char* wrong = place(IdTable::slot_of(models[i]), local[i])) return wrong;
     }
     octree_.update_many(count, [&](const auto& put, bool on_any_thread) {
-        put_all(count, on_any_thread, [&](uint32_t i) {
-            const uint32_t slot = IdTable::slot_of(models[i]);
-            models_[slot].world = local[i];
-            if (models_[slot].type() != GPHYS_SHAPE_PLANE) put(slot, world_box(slot, local[i]));
+        put_all(count, on_any_thread, [&](uint32_t begin, uint32_t end) {
+            for (uint32_t first = begin; first < end; first += 8) {
+                // Two turns ahead, so that it has come by then.
+                for (uint32_t i = first + 16; i < std::min(first + 24, end); ++i) {
+                    octree_.fetch_place(IdTable::slot_of(models[i]));
+                }
+                const uint32_t some = std::min(end - first, 8u);
+                for (uint32_t i = first; i < first + some; ++i) models_[IdTable::slot_of(models[i])].world = local[i];
+                put_eight(models + first, some, put);
+            }
         });
     });
     return nullptr;
@@ -169,9 +201,11 @@ const char* Scene::move_with_relatives(const gphys_model_id* models, const Strid
     if (!wrong) {
         octree_.update_many(moved, [&](const auto& put, bool on_any_thread) {
             // If each stands once and takes none along, they are different items.
-            put_all(count, on_any_thread && !with_relatives && moved == count, [&](uint32_t i) {
-                const uint32_t slot = IdTable::slot_of(models[i]);
-                if (!models_[slot].carried) put_below(slot, put);
+            put_all(count, on_any_thread && !with_relatives && moved == count, [&](uint32_t begin, uint32_t end) {
+                for (uint32_t i = begin; i < end; ++i) {
+                    const uint32_t slot = IdTable::slot_of(models[i]);
+                    if (!models_[slot].carried) put_below(slot, put);
+                }
             });
         });
     }

@@ -3,38 +3,36 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
+
+#include "scene/slot_set_kernels.h"
 
 namespace gphys {
 
 class SlotSet {
 public:
     static uint32_t words_for(uint32_t slots) { return slots / 32 + 1; }
+    /// What list may write behind what it lists.
+    static constexpr uint32_t spare = 8;
 
-    SlotSet(uint32_t* words, uint32_t slots) : words_(words), word_count_(words_for(slots)) {
-        std::fill(words_, words_ + word_count_, 0);
+    SlotSet(uint32_t* words, uint32_t slots) : words_(words), slots_(slots) {
+        std::fill(words_, words_ + words_for(slots), 0);
     }
 
-    /// Slots are added once each.
-    void add(uint32_t slot) {
-        words_[slot / 32] |= 1u << slot % 32;
-        ++size_;
-    }
-    uint32_t size() const { return size_; }
+    void add(uint32_t slot) { words_[slot / 32] |= 1u << slot % 32; }
 
-    /// Ascending: visit(slot).
-    template <class Visit>
-    void for_each(Visit&& visit) const {
-        for (uint32_t word = 0; word < word_count_; ++word) {
-            for (uint32_t rest = words_[word]; rest != 0; rest &= rest - 1) {
-                visit(32 * word + static_cast<uint32_t>(__builtin_ctz(rest)));
-            }
+    /// Of each slot in the set its entry in `entries`, by ascending slots; returns the end.
+    uint32_t* list(const SlotSetKernels& kernels, const uint32_t* entries, uint32_t* out) const {
+        const uint32_t whole = slots_ / 32;
+        out = kernels.take(words_, whole, entries, out);
+        for (uint32_t rest = words_[whole]; rest != 0; rest &= rest - 1) {
+            *out++ = entries[32 * whole + static_cast<uint32_t>(__builtin_ctz(rest))];
         }
+        return out;
     }
 
 private:
     uint32_t* words_;
-    uint32_t word_count_, size_ = 0;
+    uint32_t slots_;
 };
 
 }  // namespace gphys
