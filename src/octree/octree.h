@@ -47,12 +47,6 @@ public:
     /// for different items if on_any_thread is true.
     template <class Moves>
     void update_many(uint32_t count, Moves&& moves) noexcept;
-    /// Have what update_many will write of an item come from memory. One that is not there does no harm.
-    void fetch_place(uint32_t item) const {
-        if (!contains(item)) return;
-        const Box8& boxes = node_of(item).boxes;
-        for (uint32_t row = 0; row < 6; row += 2) __builtin_prefetch(boxes.row[row], 1);  // two in a cache line
-    }
     void clear() noexcept;
 
     bool contains(uint32_t item) const { return item < place_of_.size() && place_of_[item] != none; }

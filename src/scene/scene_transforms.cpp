@@ -154,10 +154,6 @@ const char* Scene::move_alone(const gphys_model_id* models, const Strided<gphys_
     octree_.update_many(count, [&](const auto& put, bool on_any_thread) {
         put_all(count, on_any_thread, [&](uint32_t begin, uint32_t end) {
             for (uint32_t first = begin; first < end; first += 8) {
-                // Two turns ahead, so that it has come by then.
-                for (uint32_t i = first + 16; i < std::min(first + 24, end); ++i) {
-                    octree_.fetch_place(IdTable::slot_of(models[i]));
-                }
                 const uint32_t some = std::min(end - first, 8u);
                 for (uint32_t i = first; i < first + some; ++i) models_[IdTable::slot_of(models[i])].world = local[i];
                 put_eight(models + first, some, put);
