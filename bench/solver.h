@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -85,6 +86,15 @@ struct RainResult {
 std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& depth);
 /// Seconds of a frame: the median.
 double measure_drape(Method& method, double seconds);
+/// The same sheet with a target of strain instead of a number of substeps.
+struct DrapeFrames {
+    double mean = 0, longest = 0;  // seconds of a frame
+    double substeps = 0;           // of a frame, on average
+    uint32_t most_substeps = 0;
+};
+/// seen(positions) after each frame.
+DrapeFrames measure_drape_within(const Drape& drape, float max_strain, uint32_t max_substeps, double seconds,
+                                 const std::function<void(const std::vector<gphys_vec3>&)>& seen);
 /// How deep the deepest particle is in the ball, metres.
 double depth_in_ball(const std::vector<gphys_vec3>& positions);
 

@@ -19,10 +19,8 @@ void check(gphys_status status) {
 
 class GamephysInScene final : public Method {
 public:
-    explicit GamephysInScene(uint32_t substeps) {
-        gphys_solver_desc desc;
-        check(gphys_solver_desc_init(&desc, sizeof desc));
-        desc.substeps = substeps;
+    explicit GamephysInScene(uint32_t substeps) : GamephysInScene(with_substeps(substeps)) {}
+    explicit GamephysInScene(gphys_solver_desc desc) {
         desc.gravity = {0, -static_cast<float>(gravity), 0};
         check(gphys_solver_create(&desc, &solver));
         check(gphys_scene_create(nullptr, &scene));
@@ -45,6 +43,13 @@ public:
     gphys_scene* scene = nullptr;
     gphys_mesh* mesh = nullptr;
     std::vector<std::pair<gphys_body_id, uint32_t>> bodies;
+
+    static gphys_solver_desc with_substeps(uint32_t substeps) {
+        gphys_solver_desc desc;
+        check(gphys_solver_desc_init(&desc, sizeof desc));
+        desc.substeps = substeps;
+        return desc;
+    }
 
 private:
     template <class Get>
@@ -156,8 +161,9 @@ std::unique_ptr<Method> make_gamephys_rain(const Rain& rain) {
     return world;
 }
 
-std::unique_ptr<Method> make_gamephys_drape(const Drape& drape, uint32_t substeps) {
-    auto world = std::make_unique<GamephysInScene>(substeps);
+namespace {
+
+std::unique_ptr<GamephysInScene> drape_in(std::unique_ptr<GamephysInScene> world, const Drape& drape) {
     check(gphys_mesh_create(nullptr, drape.vertices.data(), 12, static_cast<uint32_t>(drape.vertices.size() / 3),
                             drape.indices.data(), static_cast<uint32_t>(drape.indices.size()), &world->mesh));
     world->add(GPHYS_SHAPE_MESH, world->mesh);
@@ -175,6 +181,12 @@ std::unique_ptr<Method> make_gamephys_drape(const Drape& drape, uint32_t substep
     check(gphys_solver_add_cloth(world->solver, &desc, &at[0], &u, &v, n, n, &body));
     world->bodies.emplace_back(body, n * n);
     return world;
+}
+
+}  // namespace
+
+std::unique_ptr<Method> make_gamephys_drape(const Drape& drape, uint32_t substeps) {
+    return drape_in(std::make_unique<GamephysInScene>(substeps), drape);
 }
 
 std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& depth) {
@@ -196,6 +208,30 @@ std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& d
 }
 
 double measure_drape(Method& method, double seconds) { return median(time_steps(method, seconds)); }
+
+DrapeFrames measure_drape_within(const Drape& drape, float max_strain, uint32_t max_substeps, double seconds,
+                                 const std::function<void(const std::vector<gphys_vec3>&)>& seen) {
+    gphys_solver_desc desc;
+    check(gphys_solver_desc_init(&desc, sizeof desc));
+    desc.max_strain = max_strain;
+    desc.max_substeps = max_substeps;
+    const std::unique_ptr<GamephysInScene> world = drape_in(std::make_unique<GamephysInScene>(desc), drape);
+    const long frames = std::lround(seconds / frame);
+    DrapeFrames result;
+    for (long i = 0; i < frames; ++i) {
+        const double start = seconds_of_thread();
+        world->step();
+        const double taken = seconds_of_thread() - start;
+        uint32_t substeps = 0;
+        check(gphys_solver_get_substeps(world->solver, world->bodies[0].first, &substeps));
+        result.mean += taken / static_cast<double>(frames);
+        result.substeps += substeps / static_cast<double>(frames);
+        result.longest = std::max(result.longest, taken);
+        result.most_substeps = std::max(result.most_substeps, substeps);
+        seen(world->positions());
+    }
+    return result;
+}
 
 double depth_in_ball(const std::vector<gphys_vec3>& positions) {
     double depth = 0;

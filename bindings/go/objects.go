@@ -2093,9 +2093,9 @@ func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftove
 // With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
 // their length follows from what the last step measured, the largest strain of its rigid constraints
 // and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-// most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
-// target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
-// jump, by contacts, the error is that of the jump.
+// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+// target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
+// met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
 func (o *Solver) Substeps(body BodyID) (substeps uint32, err error) {
 	self, err := o.open()
 	if err != nil {

@@ -102,7 +102,8 @@ struct ClothState {
           gains(memory),
           extents(memory),
           tether_diagonal(memory),
-          tether_off(memory) {}
+          tether_off(memory),
+          strained(memory) {}
 
     Vec3 origin;              // of the positions
     double average_mass = 1;  // of the particles
@@ -118,6 +119,10 @@ struct ClothState {
     Vector<ClothExtent> extents;             // by share of particles
     ClothBalance balance;
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth
+    // Of cloth that is relaxed (relax_links.cpp):
+    double most_strain = 0;         // the error target of its links; 0: it is not relaxed
+    double wanted_substep = 0;      // seconds: the longest that would have done, in the worst substep of this step
+    Vector<StrainedLink> strained;  // room for all links
 };
 
 /// What some particles are in, and the largest of their speeds by axis.

@@ -24,11 +24,12 @@ void give_tensions(Body& body, const Surroundings& around, double h);
 /// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds.
 void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end);
 
-/// One of the substeps of a step.
+/// One of the substeps of a step, or of the rest of one.
 inline Surroundings part_of_step(const Surroundings& step, uint32_t i, uint32_t substeps) {
     Surroundings part = step;
-    part.begin = static_cast<double>(i) / substeps;
-    part.end = static_cast<double>(i + 1) / substeps;
+    const double length = step.end - step.begin;
+    part.begin = step.begin + length * (static_cast<double>(i) / substeps);
+    part.end = i + 1 < substeps ? step.begin + length * (static_cast<double>(i + 1) / substeps) : step.end;
     return part;
 }
 

@@ -20,6 +20,7 @@
 //     plan_cloth.cpp     chains and limits, packed for the kernels
 //     cloth.cpp          a substep
 //     cloth_contacts.cpp what cloth touches, as part of its chains
+//     relax_links.cpp    what chains have left strained beyond an error target
 //     kept_walls.cpp     what of it holds from step to step
 //     reach_limits.cpp   how far cloth can be from its pins
 //     volume.cpp         what closed cloth encloses
@@ -104,8 +105,11 @@ void fall_asleep(Body& body, const Scene* scene, double dt);
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
 void wake(Body& body);
 
-/// error_targets.cpp: in how many substeps a body takes a step, and what it has measured after it.
+/// error_targets.cpp: in how many substeps a body takes a step; at least, beside models, if its fastest particle has
+/// that speed; for the rest of it, when a part is done in so many; and what it has measured after it.
 uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt);
+uint32_t substeps_near_models(const Body& body, const SolverSettings& settings, double fastest, double dt);
+uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, double dt, double done, uint32_t made);
 void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_t substeps);
 
 class Solver {
@@ -185,6 +189,7 @@ private:
         uint32_t size, slot, substeps;
         bool undisturbed = false;  // a rope that meets nothing while it stays in the box
         bool starts = false;       // again: of undisturbed ropes
+        double fastest = 0;        // m/s, no particle is faster
         Box nearby{};              // where it may come near to models,
         uint32_t models_near = 0;  // and how many are there
         bool together = false;     // with others, in an island
@@ -229,7 +234,8 @@ private:
     bool is_worth_sharing(const Moving& moving, size_t particles) const;
     void move_shared(const Moving& moving, const Scene* scene, double dt);
     void begin_moving(const Moving& moving, const Scene* scene, double dt);
-    void end_moving(const Moving& moving, const Scene* scene, double dt);
+    void end_moving(const Moving& moving, const Scene* scene, double dt, uint32_t substeps);
+    uint32_t move_in_substeps(Body& body, uint32_t count, const Surroundings& step);
     void move_through(const Moving& moving, const Scene* scene, double dt);
     void move_part(const Task& task, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);

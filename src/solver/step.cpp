@@ -301,6 +301,9 @@ void Solver::prepare(const Scene* scene, double dt) {
         const bool changed = !body.plan.chains_current;
         if (changed) joints_current_ = false;
         update_plan(body);
+        // What systems of joints have placed stays there.
+        const bool relaxed = body.plan.method == GPHYS_SOLVE_GRAPH && !body.joined;
+        body.cloth.most_strain = relaxed ? state_.settings.max_strain : 0;
         if (body.settings.self_collision && (changed || body.linked_begin.empty())) list_linked(body);
         reserve_history(body);
         if (body.largest_radius < 0) {
@@ -356,7 +359,7 @@ void Solver::look_around(const Scene& scene, double dt) {
     }
     for (Moving& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
-        const double fastest = length(body.extent->fastest);
+        const double fastest = moving.fastest = length(body.extent->fastest);
         const Aabb box = body.extent->box;
         body.extent.reset();
         // Twice as far as a particle may come in this step, and a model in the next: what it can meet then.
@@ -370,7 +373,10 @@ void Solver::look_around(const Scene& scene, double dt) {
             next_seen_.push_back({model, scene.world(model)});
         });
         moving.models_near = static_cast<uint32_t>(next_seen_.size() - before);
-        if (moving.models_near > 0) moving.undisturbed = false;
+        if (moving.models_near == 0) continue;
+        moving.undisturbed = false;
+        const uint32_t least = substeps_near_models(state_.bodies[moving.slot], state_.settings, moving.fastest, dt);
+        moving.substeps = std::max(moving.substeps, least);
     }
     std::sort(next_seen_.begin(), next_seen_.end());
     const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
@@ -450,16 +456,33 @@ void Solver::begin_moving(const Moving& moving, const Scene* scene, double dt) {
     give_attached(body, {scene, &moved_, dt, 0, 0}, 1, {}, 0);
 }
 
-void Solver::end_moving(const Moving& moving, const Scene* scene, double dt) {
+void Solver::end_moving(const Moving& moving, const Scene* scene, double dt, uint32_t substeps) {
     Body& body = state_.bodies[moving.slot];
     add_parts(body);
     for (const FlightPart& part : body.parts) {
         if (!body.extent) body.extent.emplace();
         body.extent->add(part.extent);
     }
-    meet_targets(body, state_.settings, dt, moving.substeps);
+    meet_targets(body, state_.settings, dt, substeps);
     give_attached(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
     rest(body, scene, state_.settings, dt);
+}
+
+/// In so many, or more if the first show that these are too long. Returns how many it were.
+uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const Surroundings& step) {
+    Surroundings rest = step;
+    uint32_t made = 0;
+    for (uint32_t i = 0; i < count;) {
+        const Surroundings part = part_of_step(rest, i++, count);
+        move(body, part, state_.settings.gravity, step.step_time * (rest.end - rest.begin) / count);
+        ++made;
+        const uint32_t wanted = substeps_of_rest(body, state_.settings, step.step_time, part.end, made);
+        if (wanted <= count - i) continue;
+        rest.begin = part.end;
+        count = wanted;
+        i = 0;
+    }
+    return made;
 }
 
 /// All substeps of one body. Touches nothing of other bodies, allocates nothing.
@@ -467,19 +490,18 @@ void Solver::move_through(const Moving& moving, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
     const Vec3 gravity = state_.settings.gravity;
     const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
+    uint32_t substeps = moving.substeps;
     begin_moving(moving, scene, dt);
     if (body.plan.method == GPHYS_SOLVE_FREE) {
-        body.extent = fly_through(body, 0, body.size(), {body.impulses, body.touched}, whole, gravity, moving.substeps);
+        body.extent = fly_through(body, 0, body.size(), {body.impulses, body.touched}, whole, gravity, substeps);
     } else {
         begin_touches(body);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
-        for (uint32_t i = 0; i < moving.substeps; ++i) {
-            move(body, part_of_step(whole, i, moving.substeps), gravity, dt / moving.substeps);
-        }
+        substeps = move_in_substeps(body, substeps, whole);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         end_touches(body);
     }
-    end_moving(moving, scene, dt);
+    end_moving(moving, scene, dt, substeps);
 }
 
 /// The same of a part of a body, between its beginning and its end.
@@ -552,7 +574,7 @@ void Solver::step(const Scene* scene, double dt) {
             }
         }
     });
-    each_divided([&](const Moving& moving) { end_moving(moving, scene, dt); });
+    each_divided([&](const Moving& moving) { end_moving(moving, scene, dt, moving.substeps); });
     state_.seen.swap(next_seen_);
     add_impulses();
 }

@@ -1047,9 +1047,9 @@ public:
     // With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
     // their length follows from what the last step measured, the largest strain of its rigid constraints
     // and the local error of the time scheme (Milne's device), both of which go with its square. It is at
-    // most quartered and grows by at most a sixteenth from one step to the next, so a sudden blow exceeds a
-    // target for a few steps; what no number of substeps can meet takes max_substeps. Where positions
-    // jump, by contacts, the error is that of the jump.
+    // most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
+    // target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
+    // met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
     uint32_t get_substeps(gphys_body_id body) const {
         uint32_t out_substeps{};
         check(gphys_solver_get_substeps(handle(), body, &out_substeps));

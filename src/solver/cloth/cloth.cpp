@@ -268,6 +268,7 @@ void reserve_cloth(Body& body) {
         values->resize(floats);
     }
     cloth.gains.resize((floats + block_floats - 1) / block_floats);
+    if (cloth.most_strain > 0) cloth.strained.resize(body.plan.batches.rest.size());
     cloth.extents.resize((4 * size_t{body.size()} + share_floats - 1) / share_floats);
     if (!body.attachments.empty()) body.cloth_contacts.pulls.resize(floats);
     if (body.volume.held) body.volume.gradient.resize(body.size());
@@ -281,6 +282,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
         cloth.looked.clear();
     }
     cloth.average_mass = extent.mass / body.size();
+    cloth.wanted_substep = infinity;
     cloth.pulled = body.earlier_step == 0 && !body.touched;
     share_particles(body, [&](uint32_t p) {
         const size_t i = 4 * size_t{p};
@@ -388,8 +390,12 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
         body.touched = captured || body.cloth_contacts.touches();
         turn_velocities(body, around, quiet_speed(gravity, h), h);
         if (body.cloth_contacts.pushed) ease_links(body);
-        catch_escaped(body, around, gravity, h);
     }
+    if (cloth.most_strain > 0) {
+        const double lost = relax_links(body, collides, h);
+        if (lost > 0 && cloth.balance.closed && !(collides && body.cloth_contacts.pushed)) take_back(cloth, lost);
+    }
+    if (collides) catch_escaped(body, around, gravity, h);
     body.earlier_step = body.touched ? 0 : h;
 }
 
@@ -401,6 +407,7 @@ void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, dou
 }
 
 void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    if (body.cloth.most_strain > 0 && collides(body, around)) look_ahead(body, around, gravity, h);
     predict_cloth(body, around, h);
     end_cloth_substep(body, around, gravity, h);
 }

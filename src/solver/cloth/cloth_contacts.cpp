@@ -127,6 +127,17 @@ void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
                  }));
 }
 
+void look_ahead(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    const ClothContacts& contacts = body.cloth_contacts;
+    const double fall = h * length(gravity);
+    const uint32_t count = list_moving(body, [&](uint32_t p) {
+        const double way = h * (length(get(&body.cloth.velocity[4 * size_t{p}])) + fall);
+        return std::sqrt(double{squared_from_ball(body, p)}) + way >=
+               std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
+    });
+    Lookout(around, body, gravity, around.step_time * (1 - around.begin)).look(contacts.escaped.data(), count);
+}
+
 void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
     ClothState& cloth = body.cloth;
     const BodySettings& settings = body.settings;
@@ -288,16 +299,17 @@ void turn_velocities(Body& body, const Surroundings& around, double quiet, doubl
     }
 }
 
+void shift(Body& body, uint32_t particle, Vec3 way, bool collides) {
+    float* const at = &body.cloth.at[4 * size_t{particle}];
+    put(at, get(at) + way);
+    if (collides) stay_outside(body, particle);
+}
+
 void ease_links(Body& body) {
     // In parts of the length: what nobody sees is left alone.
     constexpr double slack = 5e-3;
     ClothState& cloth = body.cloth;
     ClothContacts& contacts = body.cloth_contacts;
-    const auto shift = [&](uint32_t p, Vec3 way) {
-        float* const at = &cloth.at[4 * size_t{p}];
-        put(at, get(at) + way);
-        push_out(contacts.neighbours[contacts.place[p]], at);
-    };
     const auto touches = [&](uint32_t p) {
         const uint32_t place = contacts.place[p];
         return place != ClothContacts::nowhere && contacts.neighbours[place].touching >= 0;
@@ -311,8 +323,8 @@ void ease_links(Body& body) {
         if (std::fabs(error) <= slack * link.rest || length == 0 || mobility == 0) continue;
         if (link.limit && error < 0) continue;
         const Vec3 correction = along * (error / (length * mobility));
-        shift(link.a, correction * a[3]);
-        shift(link.b, correction * -b[3]);
+        shift(body, link.a, correction * a[3], true);
+        shift(body, link.b, correction * -b[3], true);
     }
 }
 

@@ -316,6 +316,26 @@ void solve_pulling(float* at, float* pulls, const ClothChains& chains, const Cha
     solve_either(at, NoSurfacesPulling(pulls), chains, batch, rows);
 }
 
+uint32_t list_strained(const float* at, const ClothChains& chains, const ChainBatch& batch, float part,
+                       StrainedLink* links) {
+    const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
+    const float* rest = chains.rest + 8 * size_t{batch.first_link};
+    const float* softness = chains.softness + 8 * size_t{batch.first_link};
+    Quads8 a = load_quads(at, particles);
+    uint32_t count = 0;
+    for (uint32_t j = 0; j < batch.link_count; ++j, particles += 8, rest += 8, softness += 8) {
+        const Quads8 b = load_quads(at, particles + 8);
+        const Float8 error = direction(a, b).length - load(rest);
+        const Mask8 strained = load(rest) * splat(part) <= (batch.limit ? error : abs(error));
+        const uint32_t lanes = bits(strained & (load(softness) <= splat(0)));
+        for (uint32_t lane = 0; lanes >> lane != 0; ++lane) {
+            if (lanes >> lane & 1) links[count++] = {particles[lane], particles[8 + lane], rest[lane], batch.limit};
+        }
+        a = b;
+    }
+    return count;
+}
+
 double stored(const float* at, const ClothChains& chains, const ChainBatch& batch) {
     const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
     Quads8 a = load_quads(at, particles);
@@ -389,7 +409,7 @@ double finish(const ClothMotion& motion, const ClothStep& step) {
 
 }  // namespace
 
-const ClothKernels cloth_kernels = {predict, solve, solve_touching, solve_pulling, solve_joined,
-                                    stored,  limit, limit_pulling,  finish};
+const ClothKernels cloth_kernels = {predict,       solve,  solve_touching, solve_pulling, solve_joined,
+                                    list_strained, stored, limit,          limit_pulling, finish};
 
 }  // namespace gphys::GPHYS_ISA

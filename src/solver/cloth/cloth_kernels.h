@@ -24,6 +24,12 @@ struct ClothChains {
     const float* stiffness;     // 1 / (compliance * average mass); 0: holds no energy
 };
 
+struct StrainedLink {
+    uint32_t a, b;
+    float rest;
+    uint32_t limit;  // as of a ChainBatch
+};
+
 /// Eight particles at most this far from eight anchors.
 struct ClothLimits {
     const uint32_t *particles, *anchors;
@@ -74,6 +80,10 @@ struct ClothKernels {
     void (*solve_pulling)(float* at, float* pulls, const ClothChains& chains, const ChainBatch& batch, float* rows);
     void (*solve_joined)(float* at, const ClothTethers& tethers, const ClothChains& chains, const ChainBatch& batch,
                          float* rows);
+    /// Rigid links longer or, unless they only pull, shorter than they should be by this part of their length or
+    /// more. Returns how many.
+    uint32_t (*list_strained)(const float* at, const ClothChains& chains, const ChainBatch& batch, float part,
+                              StrainedLink* links);
     /// What elastic links hold, per average mass.
     double (*stored)(const float* at, const ClothChains& chains, const ChainBatch& batch);
     void (*limit)(float* at, const ClothLimits& limits, uint32_t count);

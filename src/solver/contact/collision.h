@@ -234,6 +234,8 @@ bool keeps_origin(const Body& body, const Aabb& box);
 Kept kept_walls(Body& body, const Surroundings& around);
 /// At the end of a step.
 void keep_walls(Body& body, const Surroundings& around);
+/// Before a substep: those that it would take out of their balls look around now, so that chains know their walls.
+void look_ahead(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
 void note_places(Body& body);
 void leave_walls(Body& body);
@@ -242,6 +244,8 @@ void turn_velocities(Body& body, const Surroundings& around, double quiet, doubl
 /// A model that moves carries particles further in a substep than friction should: links between two that touch
 /// something get their lengths back.
 void ease_links(Body& body);
+/// Moves a particle aside, but not into its walls.
+void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
 void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void record_touches(Body& body, const Surroundings& around);
 /// What the particle has touched and given to models, before its neighbour is replaced.
@@ -259,6 +263,10 @@ void solve_cloth(Body& body);
 void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h);  // what follows predict_cloth
 void end_cloth(Body& body, const Surroundings& around);
+
+/// relax_links.cpp: after a substep of h seconds, links that it has left strained beyond the target. Returns the energy
+/// that forces have lost by it, per average mass.
+double relax_links(Body& body, bool collides, double h);
 
 /// rope_limits.cpp: after the prediction, and after the new velocities. Whether a link has become taut.
 void predict_flying(Body& body, Vec3 gravity, double h);
