@@ -52,10 +52,10 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
                FloatRay* rays, float* limits, uint32_t count, bool together) {
     rays_at_once(
         nodes, root, [&](uint32_t ray) -> const RayProbe& { return along[ray]; }, limits, count, together,
-        [&](uint32_t ray, uint32_t number) {
+        one_by_one([&](uint32_t ray, uint32_t number) {
             if (meet(packets[number], rays[ray])) limits[ray] = along[ray].limit(static_cast<double>(rays[ray].t));
             return limits[ray];
-        },
+        }),
         [&](uint32_t number) { fetch_ahead(packets + number, sizeof(TrianglePacket)); });
 }
 

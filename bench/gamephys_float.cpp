@@ -173,14 +173,19 @@ private:
         prepared_.assign(rays, rays + count);
         gphys::Ray exact[Octree::rays_at_once];
         for (uint32_t i = 0; i < count; ++i) exact[i] = gphys::widen(rays[i]);
-        octree_->raycast_many(exact, count, [&](uint32_t i, uint32_t item, double& t_max) {
-            FloatRay& ray = prepared_[i];
-            float t;
-            if (!shapes[item].hit(ray, t)) return;
-            if (t == ray.t && item > ray.item) return;
-            ray.t = t;
-            ray.item = item;
-            t_max = static_cast<double>(t);
+        octree_->raycast_many(exact, count, [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
+            uint32_t shorter = 0;
+            for (uint32_t k = 0; k < size; ++k) {
+                FloatRay& ray = prepared_[numbers[k]];
+                const uint32_t item = items[k];
+                float t;
+                if (!shapes[item].hit(ray, t) || (t == ray.t && item > ray.item)) continue;
+                ray.t = t;
+                ray.item = item;
+                exact[numbers[k]].t_max = static_cast<double>(t);
+                shorter |= 1u << k;
+            }
+            return shorter;
         });
         for (uint32_t i = 0; i < count; ++i) {
             const FloatRay& ray = prepared_[i];

@@ -210,17 +210,25 @@ void compare_ray(const Octree& tree, const Boxes& boxes, const Ray& ray, double 
 }
 
 /// Rays at once against each by itself.
-void compare_rays(const Octree& tree, const Boxes& boxes, const std::vector<Ray>& rays) {
+void compare_rays(const Octree& tree, const Boxes& boxes, std::vector<Ray> rays) {
     std::vector<std::set<uint32_t>> visited(rays.size()), visited_alone(rays.size());
     std::vector<Nearest> nearest(rays.size()), nearest_alone(rays.size());
     const auto count = static_cast<uint32_t>(rays.size());
+    const std::vector<Ray> whole = rays;
     std::feclearexcept(FE_ALL_EXCEPT);
-    tree.raycast_many(rays.data(), count,
-                      [&](uint32_t i, uint32_t item, double&) { REQUIRE(visited[i].insert(item).second); });
-    REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
-    tree.raycast_many(rays.data(), count, [&](uint32_t i, uint32_t item, double& t_max) {
-        nearest[i].meet(item, boxes.at(item), rays[i], 0, t_max);
+    tree.raycast_many(rays.data(), count, [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
+        for (uint32_t k = 0; k < size; ++k) REQUIRE(visited[numbers[k]].insert(items[k]).second);
+        return 0u;
     });
+    REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+    tree.raycast_many(rays.data(), count, [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
+        for (uint32_t k = 0; k < size; ++k) {
+            const uint32_t i = numbers[k];
+            nearest[i].meet(items[k], boxes.at(items[k]), whole[i], 0, rays[i].t_max);
+        }
+        return (1u << size) - 1;
+    });
+    rays = whole;
     for (uint32_t i = 0; i < count; ++i) {
         tree.raycast(rays[i], [&](uint32_t item, double&) { visited_alone[i].insert(item); });
         tree.raycast(rays[i], [&](uint32_t item, double& t_max) {

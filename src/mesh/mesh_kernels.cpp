@@ -73,11 +73,11 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
     for (uint32_t i = 0; i < count; ++i) limits[i] = rays[i].limit;
     rays_at_once(
         nodes, root, [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; }, limits, count, together,
-        [&](uint32_t ray, uint32_t number) {
+        one_by_one([&](uint32_t ray, uint32_t number) {
             const uint32_t lanes = TriangleTest(rays[ray].triangles).hits(packets[number], limits[ray]);
             if (lanes != 0) limits[ray] = to.visit(to.context, ray, packets[number], lanes);
             return limits[ray];
-        },
+        }),
         [&](uint32_t number) { fetch_packet(packets, number); });
 }
 

@@ -62,16 +62,11 @@ public:
     template <class Visit>
     void raycast(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
     /// Up to rays_at_once rays. Neighbours that go much the same way share a walk; the others take
-    /// turns, so that none waits for memory. visit(i, item, t_max); each ray has its own t_max. Before
-    /// that, select(rays, items, count) tells which of up to eight visits are worth it: bit k of the result
-    /// is for rays[k] and items[k].
+    /// turns, so that none waits for memory. visit(numbers, items, count) is for up to eight rays, each with
+    /// an item, cuts short what it will of them, and tells which: bit k of the result is for rays[numbers[k]].
     static constexpr uint32_t rays_at_once = octree_most_rays;
-    struct Every {
-        uint32_t operator()(const uint32_t*, const uint32_t*, uint32_t count) const { return (1u << count) - 1; }
-    };
-    template <class Visit, class Select = Every>
-    void raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items = {},
-                      Select&& select = Select()) const;
+    template <class Visit>
+    void raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items = {}) const;
     /// In no order, until visit(item) is true for one: then the result is.
     template <class Visit>
     bool raycast_any(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;

@@ -25,9 +25,8 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, c
                bool together, const OctreeRayVisitor& to) {
     rays_at_once(
         nodes, root, [&](uint32_t ray) -> const RayProbe& { return probes[ray]; }, limits, count, together,
-        [&](uint32_t ray, uint32_t item) { return to.visit(to.context, ray, item); },
-        [&](const uint32_t* rays, const uint32_t* items, uint32_t size) {
-            return to.select(to.context, rays, items, size);
+        [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
+            return to.visit(to.context, rays, items, some, new_limits);
         },
         [&](uint32_t item) { fetch_item(to.items, item); });
 }

@@ -23,9 +23,9 @@ struct OctreeVisitor {
 
 /// The same for many rays at once.
 struct OctreeRayVisitor {
-    float (*visit)(void* context, uint32_t ray, uint32_t item);
-    /// Before that: whether items[k] is worth a visit to rays[k], k < count <= 8, tells bit k.
-    uint32_t (*select)(void* context, const uint32_t* rays, const uint32_t* items, uint32_t count);
+    /// items[k] is for rays[k], k < count <= 8. Which of these rays have a new limit tells bit k; it is in
+    /// limits[k] then.
+    uint32_t (*visit)(void* context, const uint32_t* rays, const uint32_t* items, uint32_t count, float* limits);
     void* context;
     ItemMemory items;
 };

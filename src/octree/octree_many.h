@@ -7,12 +7,11 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// All nearest first. probe_of(ray) is a RayProbe; visit(ray, item) returns the new limit of that ray.
-/// Before that fetch(item) prepares for it, and select(rays, items, count) tells which of up to eight visits
-/// are worth it.
-template <class ProbeOf, class Visit, class Select, class Fetch>
+/// All nearest first. probe_of(ray) is a RayProbe; visit(rays, items, count, limits) is for up to eight, as
+/// that of OctreeRayVisitor. Before that fetch(item) prepares for each.
+template <class ProbeOf, class Visit, class Fetch>
 void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
-                   const Visit& visit, const Select& select, const Fetch& fetch) {
+                   const Visit& visit, const Fetch& fetch) {
     constexpr uint32_t most = 16;
     // Turns are taken in groups: to look side by side lets their arithmetic overlap, and loops that run
     // as often each time do not surprise the processor.
@@ -68,14 +67,15 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     const auto visit_some = [&](uint32_t size) {
         Turn* now[visits];
         uint32_t rays[visits], items[visits];
+        float new_limits[visits];
         for (uint32_t i = 0; i < size; ++i) {
             now[i] = &visiting.take();
             rays[i] = now[i]->ray;
             items[i] = now[i]->walk.item();
         }
-        for (uint32_t worth_it = select(rays, items, size); worth_it != 0; worth_it &= worth_it - 1) {
-            const int i = __builtin_ctz(worth_it);
-            now[i]->walk.set_limit(visit(rays[i], items[i]));
+        for (uint32_t moved = visit(rays, items, size, new_limits); moved != 0; moved &= moved - 1) {
+            const int i = __builtin_ctz(moved);
+            now[i]->walk.set_limit(new_limits[i]);
         }
         for (uint32_t i = 0; i < size; ++i) go_on(*now[i], now[i]->walk.leave_item());
     };
@@ -97,21 +97,22 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
 
 /// The same for up to RayBundling::most rays with the same signs of direction, nearest first by all
 /// of them.
-template <class ProbeOf, class Visit, class Select, class Fetch>
+template <class ProbeOf, class Visit, class Fetch>
 void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* first_limits,
-                   uint32_t count, const Visit& visit, const Select& select, const Fetch& fetch) {
+                   uint32_t count, const Visit& visit, const Fetch& fetch) {
     constexpr uint32_t numbers[RayBundling::most] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     float limits[RayBundling::most];
     for (uint32_t i = 0; i < RayBundling::most; ++i) limits[i] = i < count ? first_limits[i] : -1;
     BundleTest test(probe_of, limits, count);
     if (test.limit() < 0) return;
-    // Of the boxes of a leaf, nearest first: to select eight visits takes as long as one.
+    // Of the boxes of a leaf, nearest first: eight visits take little longer than one.
     constexpr uint32_t visits = 8;
     uint32_t rays[2 * visits], items[2 * visits], waiting = 0;
     const auto visit_first = [&](uint32_t some) {
-        for (uint32_t worth_it = select(rays, items, some); worth_it != 0; worth_it &= worth_it - 1) {
-            const int i = __builtin_ctz(worth_it);
-            limits[rays[i]] = visit(rays[i], items[i]);
+        float new_limits[visits];
+        for (uint32_t moved = visit(rays, items, some, new_limits); moved != 0; moved &= moved - 1) {
+            const int i = __builtin_ctz(moved);
+            limits[rays[i]] = new_limits[i];
         }
         waiting -= some;
         for (uint32_t i = 0; i < waiting; ++i) {
@@ -161,21 +162,22 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     }
 }
 
-template <class ProbeOf, class Visit, class Select, class Fetch>
-void rays_at_once(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
-                  bool together, const Visit& visit, const Select& select, const Fetch& fetch) {
-    if (together) {
-        rays_together(nodes, root, probe_of, limits, count, visit, select, fetch);
-    } else {
-        rays_in_turns(nodes, root, probe_of, limits, count, visit, select, fetch);
-    }
-}
-/// Where all visits are worth it.
 template <class ProbeOf, class Visit, class Fetch>
 void rays_at_once(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
                   bool together, const Visit& visit, const Fetch& fetch) {
-    const auto every = [](const uint32_t*, const uint32_t*, uint32_t some) { return (1u << some) - 1; };
-    rays_at_once(nodes, root, probe_of, limits, count, together, visit, every, fetch);
+    if (together) {
+        rays_together(nodes, root, probe_of, limits, count, visit, fetch);
+    } else {
+        rays_in_turns(nodes, root, probe_of, limits, count, visit, fetch);
+    }
+}
+/// Visits of rays_at_once, one after the other: visit(ray, item) returns the new limit of the ray.
+template <class Visit>
+auto one_by_one(const Visit& visit) {
+    return [visit](const uint32_t* rays, const uint32_t* items, uint32_t count, float* limits) {
+        for (uint32_t k = 0; k < count; ++k) limits[k] = visit(rays[k], items[k]);
+        return (1u << count) - 1;
+    };
 }
 
 }  // namespace gphys::GPHYS_ISA

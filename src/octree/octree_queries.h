@@ -35,44 +35,40 @@ void Octree::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
     walk_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
 }
 
-template <class Visit, class Select>
-void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items, Select&& select) const {
+template <class Visit>
+void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
     if (root_ == none || count == 0) return;
     struct Walk {
-        Walk(std::remove_reference_t<Visit>& v, std::remove_reference_t<Select>& s) : visit(v), select(s) {}
+        Walk(const Ray* r, std::remove_reference_t<Visit>& v) : rays(r), visit(v) {}
 
         RayProbe probes[rays_at_once];
-        double bounds[rays_at_once];
         float limits[rays_at_once];
         uint32_t first;  // of the rays that the kernel has been given
+        const Ray* rays;
         std::remove_reference_t<Visit>& visit;
-        std::remove_reference_t<Select>& select;
 
-        float take(uint32_t ray, uint32_t item) {
-            const double before = bounds[ray];
-            visit(ray, item, bounds[ray]);
-            if (bounds[ray] != before) limits[ray] = probes[ray].limit(bounds[ray]);
-            return limits[ray];
+        uint32_t take(const uint32_t* from_first, const uint32_t* some, uint32_t size, float* new_limits) {
+            uint32_t numbers[8];
+            for (uint32_t k = 0; k < size; ++k) numbers[k] = first + from_first[k];
+            const uint32_t shorter = visit(numbers, some, size);
+            for (uint32_t rest = shorter; rest != 0; rest &= rest - 1) {
+                const int k = __builtin_ctz(rest);
+                new_limits[k] = probes[numbers[k]].limit(rays[numbers[k]].t_max);
+            }
+            return shorter;
         }
     };
-    Walk walk(visit, select);
+    Walk walk(rays, visit);
     kernels_.probes(rays, count, RaysRoot(bounds_), walk.probes, walk.limits);
-    for (uint32_t i = 0; i < count; ++i) walk.bounds[i] = rays[i].t_max;
-    const auto step = [](void* context, uint32_t ray, uint32_t item) {
-        Walk& w = *static_cast<Walk*>(context);
-        return w.take(w.first + ray, item);
-    };
-    const auto select_some = [](void* context, const uint32_t* from_first, const uint32_t* some, uint32_t size) {
-        Walk& w = *static_cast<Walk*>(context);
-        uint32_t numbers[8] = {};
-        for (uint32_t k = 0; k < size; ++k) numbers[k] = w.first + from_first[k];
-        return w.select(numbers, some, size);
+    const auto take = [](void* context, const uint32_t* from_first, const uint32_t* some, uint32_t size,
+                         float* new_limits) {
+        return static_cast<Walk*>(context)->take(from_first, some, size, new_limits);
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
     RayBundling(bounds_, size_).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         walk.first = first;
         kernels_.rays(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
-                      {step, select_some, &walk, items});
+                      {take, &walk, items});
     });
 }
 

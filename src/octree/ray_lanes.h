@@ -10,12 +10,15 @@ struct Rays8 {
     Double8 origin[3], direction[3], t_max;
 
     /// `count` is at least 1; the last is repeated.
-    Rays8(const Ray* rays, uint32_t count) {
+    Rays8(const Ray* rays, uint32_t count)
+        : Rays8([&](int i) -> const Ray& {
+              return rays[static_cast<uint32_t>(i) < count ? static_cast<uint32_t>(i) : count - 1];
+          }) {}
+    /// ray_at(i) is each of them.
+    template <class RayAt>
+    [[gnu::always_inline]] explicit Rays8(const RayAt& ray_at) {
         static_assert(sizeof(Ray) == 7 * sizeof(double));
-        const auto at = [&](int i, int number) {
-            const uint32_t ray = static_cast<uint32_t>(i) < count ? static_cast<uint32_t>(i) : count - 1;
-            return reinterpret_cast<const double*>(rays + ray) + number;
-        };
+        const auto at = [&](int i, int number) { return &ray_at(i).origin.x + number; };
         Double8 four[4];
         load_fours([&](int i) { return at(i, 0); }, four);
         for (int k = 0; k < 3; ++k) origin[k] = four[k];

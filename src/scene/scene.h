@@ -3,7 +3,8 @@
 //
 //   scene_models.cpp      models come and go, and hang below one another
 //   scene_transforms.cpp  they move, and their descendants with them
-//   scene_queries.cpp     rays, overlaps, nearest, sweeps, culling
+//   scene_rays.cpp        rays
+//   scene_queries.cpp     overlaps, nearest, sweeps, culling
 //   scene_contact.cpp     one model and one point, for collision response
 //   scene_check.cpp       is everything in agreement?
 //
@@ -24,6 +25,7 @@
 #include "intersect/intersect.h"
 #include "octree/octree.h"
 #include "scene/bounds_kernels.h"
+#include "scene/hit_kernels.h"
 #include "scene/quick_shape.h"
 #include "scene/scene_kernels.h"
 #include "scene/slot_set.h"
@@ -161,6 +163,7 @@ private:
     static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
     class FirstOfRay;
+    class EightPairs;
     class QuickRays;
     class SharedModel;
 
@@ -183,6 +186,8 @@ private:
     template <class Quick, class Exact>
     bool decide(uint32_t slot, Quick&& quick, Exact&& exact) const;
     bool meets_unbounded(const Ray& ray, uint32_t layers) const;
+    template <class Met>
+    uint32_t hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const;
     void store_shape(uint32_t slot, const void* shape);
     void discard_shape(uint32_t slot);
     void list_unbounded(uint32_t slot);
@@ -234,6 +239,7 @@ private:
     const SceneKernels& kernels_ = scene_kernels(chosen_isa());
     const BoundsKernels& bounds_kernels_ = bounds_kernels(chosen_isa());
     const SlotSetKernels& slot_set_kernels_ = slot_set_kernels(chosen_isa());
+    const HitKernels& hit_kernels_ = hit_kernels(chosen_isa());
     const Workers workers_;
     IdTable ids_{&memory};
     Vector<Model> models_{&memory};           // by slot

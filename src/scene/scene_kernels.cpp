@@ -74,14 +74,14 @@ private:
 
 /// The placements of eight models.
 struct Worlds8 {
-    explicit Worlds8(const RaysAndModels& pairs) : Worlds8(quads(pairs, 0), quads(pairs, 4)) {}
+    explicit Worlds8(const RaysAndModels<RayQuads>& pairs) : Worlds8(quads(pairs, 0), quads(pairs, 4)) {}
 
     Vector8 position;
     Turn8 turn;
     Float8 scale;
 
 private:
-    static Quads8 quads(const RaysAndModels& pairs, int from) {
+    static Quads8 quads(const RaysAndModels<RayQuads>& pairs, int from) {
         return load_quads([&](int i) { return pairs.model[i] + from; });
     }
     Worlds8(const Quads8& a, const Quads8& b) : position{a.x, a.y, a.z}, turn({a.w, b.x, b.y}, b.z), scale(b.w) {}
@@ -90,7 +90,7 @@ private:
 /// Eight rays, seen from the centres of the shapes that they ask about.
 struct Sight8 {
     /// `center` is in its model.
-    [[gnu::always_inline]] Sight8(const RaysAndModels& pairs, const Worlds8& world, const Vector8& center) {
+    [[gnu::always_inline]] Sight8(const RaysAndModels<RayQuads>& pairs, const Worlds8& world, const Vector8& center) {
         const Quads8 head = load_quads([&](int i) { return pairs.ray[i]->head; });
         const Quads8 rest = load_quads([&](int i) { return pairs.ray[i]->rest; });
         const Quads8 to = load_quads([&](int i) { return pairs.ray[i]->direction; });
@@ -154,7 +154,7 @@ Verdicts8 rays_and_boxes(const Sight8& sight, const Vector8& half, Float8 unit, 
     return {bits(may) ^ 0xff, bits(must) & (bits(behind) ^ 0xff)};
 }
 
-Verdicts8 rays_and_aabbs(const RaysAndModels& pairs) {
+Verdicts8 rays_and_aabbs(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 a = load_quads([&](int i) { return pairs.model[i] + shape_at; });
     const Quads8 b = load_quads([&](int i) { return pairs.model[i] + shape_at + 2; });
     const Vector8 low{a.x, a.y, a.z}, high{b.y, b.z, b.w};
@@ -164,7 +164,7 @@ Verdicts8 rays_and_aabbs(const RaysAndModels& pairs) {
                           [&](const Vector8& v) { return world.turn.back(v); });
 }
 
-Verdicts8 rays_and_obbs(const RaysAndModels& pairs) {
+Verdicts8 rays_and_obbs(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 a = load_quads([&](int i) { return pairs.model[i] + shape_at; });
     const Quads8 b = load_quads([&](int i) { return pairs.model[i] + shape_at + 2; });
     const Quads8 q = load_quads([&](int i) { return pairs.other[i]; });
@@ -182,7 +182,7 @@ Verdicts8 rays_and_obbs(const RaysAndModels& pairs) {
 /// component 1, the way to the closest point is off by 10 u s and three times what these coordinates are
 /// off by; the point itself on each axis by that, by 5 u s, and once more by the coordinates. float_slack is
 /// 128 u.
-Verdicts8 rays_and_spheres(const RaysAndModels& pairs) {
+Verdicts8 rays_and_spheres(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 sphere = load_quads([&](int i) { return pairs.other[i]; });
     const Worlds8 world(pairs);
     const Sight8 sight(pairs, world, {sphere.x, sphere.y, sphere.z});

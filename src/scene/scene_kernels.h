@@ -1,7 +1,7 @@
 // What many rays ask of many models, and a ball of many boxes, once for each instruction set.
 #pragma once
 
-#include "foundation/isa.h"
+#include "scene/eight_models.h"
 #include "scene/quick_shape.h"
 
 namespace gphys {
@@ -18,16 +18,6 @@ inline float ray_end(double t_max, Vec3 direction) {
     return static_cast<float>(std::min(t_max * std::max(max_component(abs(direction)), least_speed), most_end));
 }
 
-/// Where the shape of a stored model begins, in floats.
-constexpr uint32_t shape_at = 10;
-
-/// Eight rays, and the model that each asks about.
-struct RaysAndModels {
-    const RayQuads* ray[8];
-    const float* model[8];  // its transform, two words of no interest, and the first six of its shape
-    const float* other[8];  // the sphere, of which there may be another one around a shape; the rotation of an obb
-};
-
 /// A ball: what QuickPoint (quick_tests.h) knows of it.
 struct BallLanes {
     float head[3], rest[3];  // of the centre, as those of SplitPoint
@@ -43,19 +33,14 @@ struct BallLanes {
     }
 };
 
-/// Of eight questions, those whose answer is certainly no, and yes; the others are open.
-struct Verdicts8 {
-    uint32_t no, yes;
-};
-
 struct SceneKernels {
     /// What QuickRay knows of many rays. `count` is at least 1; what is written is rounded up to a multiple
     /// of eight.
     void (*ray_quads)(const Ray* rays, uint32_t count, RayQuads* to);
     // Whether each ray meets its model until its end, all of which are of one type.
-    Verdicts8 (*rays_and_spheres)(const RaysAndModels& pairs);
-    Verdicts8 (*rays_and_aabbs)(const RaysAndModels& pairs);
-    Verdicts8 (*rays_and_obbs)(const RaysAndModels& pairs);
+    Verdicts8 (*rays_and_spheres)(const RaysAndModels<RayQuads>& pairs);
+    Verdicts8 (*rays_and_aabbs)(const RaysAndModels<RayQuads>& pairs);
+    Verdicts8 (*rays_and_obbs)(const RaysAndModels<RayQuads>& pairs);
     /// Of eight models that are Aabbs; those that are not about their origins stay open. Model k has four
     /// quads from first_quad[k] on: its transform, two words of no interest, min and max.
     Verdicts8 (*boxes_near)(const float* quads, const uint32_t* first_quad, const BallLanes& ball);

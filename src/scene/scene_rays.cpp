@@ -1,0 +1,330 @@
+// What rays ask of the scene. Each walks the octree, and asks the exact shape of each candidate unless a
+// quicker test is certain: of one ray that of quick_tests.h, of many those of kernels, eight rays at a time.
+#include <functional>
+#include <new>
+#include <numeric>
+#include <optional>
+
+#include "scene/quick_tests.h"
+#include "scene/scene.h"
+#include "scene/winner.h"
+
+namespace gphys {
+
+namespace {
+
+bool is_met(const MeshInstance& instance, const Ray& ray) { return raycast_any(instance, ray); }
+template <class Primitive>
+bool is_met(const Primitive& shape, const Ray& ray) {
+    Hit hit;
+    return raycast(shape, ray, hit);
+}
+
+}  // namespace
+
+/// Room for what is made later, of which nothing is written until then.
+template <class T>
+class Later {
+public:
+    template <class... Arguments>
+    void make(Arguments&&... arguments) {
+        new (room_) T(std::forward<Arguments>(arguments)...);
+    }
+    T& operator*() { return *std::launder(reinterpret_cast<T*>(room_)); }
+    T* operator->() { return &**this; }
+
+private:
+    static_assert(std::is_trivially_destructible_v<T>);
+    alignas(T) unsigned char room_[sizeof(T)];
+};
+
+/// The first hit of one ray, among candidates in any order.
+class Scene::FirstOfRay {
+public:
+    /// The ray, which must live as long, is cut short where it hits. `out` gets the first hit so far;
+    /// without any it is left alone.
+    FirstOfRay(const Scene& scene, Ray& ray, uint32_t layers, gphys_hit& out)
+        : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
+        for (const uint32_t slot : scene.unbounded_) {
+            if (scene.models_[slot].layers & layers) ask(slot);
+        }
+    }
+
+    // Models in the layers. Each tells whether the ray is shorter now.
+
+    bool ask(uint32_t slot) {
+        return scene_->with_shape(slot, [&](const auto& shape) { return ask(slot, shape); });
+    }
+    template <class Placed>
+    bool ask(uint32_t slot, const Placed& shape) {
+        Hit hit;
+        return gphys::raycast(shape, *rest_, hit) &&
+               take(slot, hit.t, [&](uint32_t model, uint32_t tag) { return to_hit(hit, model, tag); });
+    }
+    /// A hit at t, as hit_of(id, tag) makes it.
+    template <class HitOf>
+    bool take(uint32_t slot, double t, const HitOf& hit_of) {
+        if (!winner_.is_beaten_by(t, slot, scene_->ids_)) return false;
+        winner_ = {t, slot};
+        *out_ = hit_of(scene_->ids_.id(slot), scene_->tags_[slot]);
+        // Shapes tell exactly what lies beyond t_max, while t is rounded (to 2^-50 of it at worst).
+        // The slack keeps those in whose rounded t is the same, for the lower id to win.
+        rest_->t_max = std::min(t_max_, t * (1 + 0x1p-40));
+        return true;
+    }
+
+    gphys_status status() const { return winner_.exists() ? GPHYS_OK : GPHYS_NO_HIT; }
+
+private:
+    const Scene* scene_;
+    Ray* rest_;     // how far other models can still come before the hit
+    double t_max_;  // of the ray as it was given
+    Winner winner_{infinity};
+    gphys_hit* out_;
+};
+
+gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
+    Ray rest = ray;
+    const QuickRay quick_ray(ray);
+    FirstOfRay first(*this, rest, layers, out);
+    const auto quick = [&](const auto& shape) { return quick_ray.refuses(shape, rest.t_max); };
+    const auto visit = [&](uint32_t slot, double& t_max) {
+        if (!(models_[slot].layers & layers)) return;
+        decide(slot, quick, [&](const auto& shape) {
+            first.ask(slot, shape);
+            return true;
+        });
+        t_max = rest.t_max;
+    };
+    octree_.raycast(rest, visit, model_memory());
+    return first.status();
+}
+
+/// Up to eight rays, by their numbers, and the model that each asks about.
+class Scene::EightPairs {
+public:
+    EightPairs(const Scene& scene, const uint32_t* numbers, const uint32_t* slots, uint32_t count, uint32_t layers)
+        : scene_(scene), numbers_(numbers), slots_(slots) {
+        static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
+        for (uint32_t k = 0; k < count; ++k) {
+            const Model& model = scene.models_[slots[k]];
+            of_type_[model.type()] |= uint32_t{(model.layers & layers) != 0} << k;
+        }
+    }
+
+    /// Those whose models are in the layers.
+    uint32_t seen() const { return std::accumulate(std::begin(of_type_), std::end(of_type_), 0u, std::bit_or<>()); }
+    /// What kernel(pairs) says of those of a type.
+    template <class RayForm, class Kernel>
+    Verdicts8 ask(gphys_shape_type type, const RayForm* rays, const Kernel& kernel) const {
+        const uint32_t some = of_type_[type];
+        if (some == 0) return {0, 0};
+        RaysAndModels<RayForm> pairs;
+        // Lanes of another type ask what the first of this type does.
+        const auto first = static_cast<uint32_t>(__builtin_ctz(some));
+        for (uint32_t k = 0; k < 8; ++k) {
+            const uint32_t pair = (some >> k & 1) != 0 ? k : first, slot = slots_[pair];
+            pairs.ray[k] = rays + numbers_[pair];
+            pairs.model[k] = &scene_.models_[slot].world.position.x;
+            pairs.other[k] = other_words(type, slot);
+        }
+        const Verdicts8 verdicts = kernel(pairs);
+        return {verdicts.no & some, verdicts.yes & some};
+    }
+
+private:
+    const float* other_words(gphys_shape_type type, uint32_t slot) const {
+        switch (type) {
+            case GPHYS_SHAPE_SPHERE:
+                return reinterpret_cast<const float*>(scene_.models_[slot].shape);
+            case GPHYS_SHAPE_OBB:
+                return reinterpret_cast<const float*>(scene_.shape_tails_[slot].words);
+            case GPHYS_SHAPE_MESH:
+                return &scene_.stored<const Mesh*>(slot)->ball().center.x;
+            default:
+                return nullptr;
+        }
+    }
+
+    const Scene& scene_;
+    const uint32_t *numbers_, *slots_;
+    uint32_t of_type_[GPHYS_SHAPE_MESH + 1] = {};
+};
+
+/// The quick tests of many rays, eight at a time.
+class Scene::QuickRays {
+public:
+    /// The rays must live as long.
+    QuickRays(const Scene& scene, const Ray* rays, uint32_t count) : kernels_(scene.kernels_), rays_(rays) {
+        if (count > 0) kernels_.ray_quads(rays, count, quads_);
+    }
+
+    Verdicts8 ask(const EightPairs& pairs) const {
+        Verdicts8 all = {0, 0};
+        for (const Verdicts8& verdicts : {pairs.ask(GPHYS_SHAPE_SPHERE, quads_, kernels_.rays_and_spheres),
+                                          pairs.ask(GPHYS_SHAPE_AABB, quads_, kernels_.rays_and_aabbs),
+                                          pairs.ask(GPHYS_SHAPE_OBB, quads_, kernels_.rays_and_obbs)}) {
+            all.no |= verdicts.no;
+            all.yes |= verdicts.yes;
+        }
+        // Of a mesh the ball is around it.
+        all.no |= pairs.ask(GPHYS_SHAPE_MESH, quads_, kernels_.rays_and_spheres).no;
+        return all;
+    }
+    /// The ray ends earlier.
+    void shorten(uint32_t ray) { quads_[ray].end = ray_end(rays_[ray].t_max, rays_[ray].direction); }
+
+private:
+    const SceneKernels& kernels_;
+    const Ray* rays_;
+    RayQuads quads_[rays_at_once];
+};
+
+/// A primitive that several rays in a row ask about, placed once for all of them.
+class Scene::SharedModel {
+public:
+    explicit SharedModel(const Scene& scene) : scene_(scene) {}
+
+    /// What is about to be asked about.
+    void expect(const uint32_t* slots, uint32_t count) {
+        expected_ = count > 1 && (slots[0] == slots[1] || slots[count - 2] == slots[count - 1]);
+    }
+    /// Null if that is not worth it.
+    const Shape* place(uint32_t slot) {
+        if (!expected_ || scene_.models_[slot].type() == GPHYS_SHAPE_MESH) return nullptr;
+        if (slot != slot_) {
+            scene_.with_shape(slot, [&](const auto& shape) {
+                if constexpr (std::is_constructible_v<Shape, decltype(shape)>) placed_.emplace(shape);
+            });
+            slot_ = slot;
+        }
+        return &*placed_;
+    }
+
+private:
+    const Scene& scene_;
+    bool expected_ = false;
+    uint32_t slot_ = none;
+    std::optional<Shape> placed_;
+};
+
+/// met(k, hits) for those that are answered at once with a hit. Returns those that are answered.
+template <class Met>
+uint32_t Scene::hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const {
+    uint32_t answered =
+        pairs.ask(GPHYS_SHAPE_MESH, rays,
+                  [&](const auto& some) {
+                      return Verdicts8{hit_kernels_.miss_balls(some), 0};
+                  })
+            .no;
+    const auto ask = [&](gphys_shape_type type, auto kernel) {
+        Hits8 hits;
+        const Verdicts8 verdicts = pairs.ask(type, rays, [&](const auto& some) { return kernel(some, hits); });
+        answered |= verdicts.no | verdicts.yes;
+        for (uint32_t rest = verdicts.yes; rest != 0; rest &= rest - 1) {
+            met(static_cast<uint32_t>(__builtin_ctz(rest)), hits);
+        }
+    };
+    ask(GPHYS_SHAPE_SPHERE, hit_kernels_.spheres);
+    ask(GPHYS_SHAPE_AABB, hit_kernels_.aabbs);
+    ask(GPHYS_SHAPE_OBB, hit_kernels_.obbs);
+    return answered;
+}
+
+void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
+    Later<FirstOfRay> first[rays_at_once];
+    for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], layers, *out[i]);
+    QuickRays quick(*this, rays, hit_kernels_.worth_it ? 0 : count);
+    SharedModel shared(*this);
+    const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
+        const EightPairs pairs(*this, numbers, slots, size, layers);
+        uint32_t open = pairs.seen(), shorter = 0;
+        if (hit_kernels_.worth_it) {
+            open &= ~hit_at_once(pairs, rays, [&](uint32_t k, const Hits8& hits) {
+                const auto hit_of = [&](uint32_t model, uint32_t tag) {
+                    const Hits8::Rounded& hit = hits.rounded[k];
+                    return gphys_hit{model, tag, hit.t, hit.point, hit.normal, GPHYS_NO_TRIANGLE, 0, 0, 0};
+                };
+                shorter |= uint32_t{first[numbers[k]]->take(slots[k], hits.t[k], hit_of)} << k;
+            });
+        } else {
+            open &= ~quick.ask(pairs).no;
+            shared.expect(slots, size);
+        }
+        for (; open != 0; open &= open - 1) {
+            const auto k = static_cast<uint32_t>(__builtin_ctz(open));
+            FirstOfRay& of = *first[numbers[k]];
+            const Shape* placed = shared.place(slots[k]);
+            if (!(placed ? of.ask(slots[k], *placed) : of.ask(slots[k]))) continue;
+            shorter |= 1u << k;
+            quick.shorten(numbers[k]);
+        }
+        return shorter;
+    };
+    octree_.raycast_many(rays, count, visit, model_memory());
+}
+
+/// Whether a ray meets a plane, which no octree holds.
+bool Scene::meets_unbounded(const Ray& ray, uint32_t layers) const {
+    return std::any_of(unbounded_.begin(), unbounded_.end(), [&](uint32_t slot) {
+        return (models_[slot].layers & layers) &&
+               with_shape(slot, [&](const auto& shape) { return is_met(shape, ray); });
+    });
+}
+
+bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
+    if (meets_unbounded(ray, layers)) return true;
+    const QuickRay quick_ray(ray);
+    const auto quick = [&](const auto& shape) { return quick_ray(shape, ray.t_max); };
+    const auto exact = [&](const auto& shape) { return is_met(shape, ray); };
+    const auto ask = [&](uint32_t slot) { return (models_[slot].layers & layers) && decide(slot, quick, exact); };
+    return octree_.raycast_any(ray, ask, model_memory());
+}
+
+uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const {
+    uint64_t met = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!meets_unbounded(rays[i], layers)) continue;
+        met |= uint64_t{1} << i;
+        // Those that are done already have no way to go.
+        rays[i].t_max = -1;
+    }
+    const QuickRays quick(*this, rays, count);
+    const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
+        const EightPairs pairs(*this, numbers, slots, size, layers);
+        const Verdicts8 verdicts = quick.ask(pairs);
+        uint32_t done = verdicts.yes;
+        for (uint32_t open = pairs.seen() & ~(verdicts.no | verdicts.yes); open != 0; open &= open - 1) {
+            const auto k = static_cast<uint32_t>(__builtin_ctz(open));
+            const auto exact = [&](const auto& shape) { return is_met(shape, rays[numbers[k]]); };
+            if ((met >> numbers[k] & 1) == 0 && with_shape(slots[k], exact)) done |= 1u << k;
+        }
+        for (uint32_t rest = done; rest != 0; rest &= rest - 1) {
+            const uint32_t ray = numbers[__builtin_ctz(rest)];
+            met |= uint64_t{1} << ray;
+            rays[ray].t_max = -1;
+        }
+        return done;
+    };
+    octree_.raycast_many(rays, count, visit, model_memory());
+    return met;
+}
+
+void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const {
+    const QuickRay quick_ray(ray);
+    Hit hit;
+    const auto quick = [&](const auto& shape) { return quick_ray.refuses(shape, ray.t_max); };
+    const auto exact = [&](const auto& shape) {
+        hit = Hit();
+        return gphys::raycast(shape, ray, hit);
+    };
+    const auto ask = [&](uint32_t slot) {
+        if (!(models_[slot].layers & layers) || !decide(slot, quick, exact)) return;
+        out.add(to_hit(hit, ids_.id(slot), tags_[slot]));
+    };
+    for (const uint32_t slot : unbounded_) ask(slot);
+    octree_.raycast(
+        ray, [&](uint32_t slot, double&) { ask(slot); }, model_memory());
+}
+
+}  // namespace gphys
