@@ -211,7 +211,7 @@ void compare_ray(const Octree& tree, const Boxes& boxes, const Ray& ray, double 
 
 /// Rays at once against each by itself.
 void compare_rays(const Octree& tree, const Boxes& boxes, std::vector<Ray> rays) {
-    std::vector<std::set<uint32_t>> visited(rays.size()), visited_alone(rays.size());
+    std::vector<std::set<uint32_t>> visited(rays.size()), visited_in_no_order(rays.size()), visited_alone(rays.size());
     std::vector<Nearest> nearest(rays.size()), nearest_alone(rays.size());
     const auto count = static_cast<uint32_t>(rays.size());
     const std::vector<Ray> whole = rays;
@@ -220,7 +220,21 @@ void compare_rays(const Octree& tree, const Boxes& boxes, std::vector<Ray> rays)
         for (uint32_t k = 0; k < size; ++k) REQUIRE(visited[numbers[k]].insert(items[k]).second);
         return 0u;
     });
+    tree.raycast_any_many(rays.data(), count, [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
+        for (uint32_t k = 0; k < size; ++k) REQUIRE(visited_in_no_order[numbers[k]].insert(items[k]).second);
+        return 0u;
+    });
     REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+    // Those that end where they first meet something.
+    std::vector<bool> ended(rays.size());
+    tree.raycast_any_many(rays.data(), count, [&](const uint32_t* numbers, const uint32_t*, uint32_t size) {
+        for (uint32_t k = 0; k < size; ++k) {
+            ended[numbers[k]] = true;
+            rays[numbers[k]].t_max = -1;
+        }
+        return (1u << size) - 1;
+    });
+    rays = whole;
     tree.raycast_many(rays.data(), count, [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
         for (uint32_t k = 0; k < size; ++k) {
             const uint32_t i = numbers[k];
@@ -235,6 +249,8 @@ void compare_rays(const Octree& tree, const Boxes& boxes, std::vector<Ray> rays)
             nearest_alone[i].meet(item, boxes.at(item), rays[i], 0, t_max);
         });
         REQUIRE(visited[i] == visited_alone[i]);
+        REQUIRE(visited_in_no_order[i] == visited_alone[i]);
+        REQUIRE(ended[i] == !visited_alone[i].empty());
         REQUIRE(nearest[i].item == nearest_alone[i].item);
         REQUIRE(nearest[i].entry == nearest_alone[i].entry);
     }

@@ -67,6 +67,9 @@ public:
     static constexpr uint32_t rays_at_once = octree_most_rays;
     template <class Visit>
     void raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items = {}) const;
+    /// The same in no order, for visits that end a ray, by a t_max below zero, or leave it as it is.
+    template <class Visit>
+    void raycast_any_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items = {}) const;
     /// In no order, until visit(item) is true for one: then the result is.
     template <class Visit>
     bool raycast_any(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
@@ -179,6 +182,9 @@ private:
     template <class Probe, class Visit>
     void walk_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
                        const Probe& probe, double bound, Visit& visit, ItemMemory items) const;
+    template <class Visit>
+    void walk_many(decltype(OctreeKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
+                   ItemMemory items) const;
     template <class Visit>
     static OctreeListVisitor list_visitor(Visit& visit, ItemMemory items, ItemMemory items_inside);
 

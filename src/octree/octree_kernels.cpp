@@ -21,9 +21,10 @@ void walk_nearest_first(const OctreeNode* nodes, uint32_t root, const Probe& pro
     nearest_first(nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); });
 }
 
+template <class Walk>
 void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
                bool together, const OctreeRayVisitor& to) {
-    rays_at_once(
+    rays_at_once<Walk>(
         nodes, root, [&](uint32_t ray) -> const RayProbe& { return probes[ray]; }, limits, count, together,
         [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
             return to.visit(to.context, rays, items, some, new_limits);
@@ -172,11 +173,17 @@ void around_node(const OctreeNode& node, Box& out) {
 }  // namespace
 
 extern const OctreeKernels octree_kernels{
-    make_probes,  walk_nearest_first<RayTest, RayProbe>,
-    walk_rays,    walk_nearest_first<PointTest, PointProbe>,
-    walk_ray_any, walk_box,
-    walk_ball,    walk_frustum,
-    walk_pairs,   around_node,
+    make_probes,
+    walk_nearest_first<RayTest, RayProbe>,
+    walk_rays<NearestFirst>,
+    walk_rays<InNoOrder>,
+    walk_nearest_first<PointTest, PointProbe>,
+    walk_ray_any,
+    walk_box,
+    walk_ball,
+    walk_frustum,
+    walk_pairs,
+    around_node,
 };
 
 }  // namespace gphys::GPHYS_ISA

@@ -54,6 +54,9 @@ struct OctreeKernels {
     /// Many rays. Up to RayBundling::most with the same signs of direction may go together.
     void (*rays)(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
                  bool together, const OctreeRayVisitor& to);
+    /// The same for visits that end a ray, by a negative limit, or leave its limit as it is; not in order.
+    void (*rays_any)(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits,
+                     uint32_t count, bool together, const OctreeRayVisitor& to);
     void (*point)(const OctreeNode* nodes, uint32_t root, const PointProbe& probe, float limit,
                   const OctreeVisitor& to);
     // In no order.

@@ -7,9 +7,9 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// All nearest first. probe_of(ray) is a RayProbe; visit(rays, items, count, limits) is for up to eight, as
-/// that of OctreeRayVisitor. Before that fetch(item) prepares for each.
-template <class ProbeOf, class Visit, class Fetch>
+/// All nearest first, or InNoOrder. probe_of(ray) is a RayProbe; visit(rays, items, count, limits) is for up
+/// to eight, as that of OctreeRayVisitor. Before that fetch(item) prepares for each.
+template <class Walk, class ProbeOf, class Visit, class Fetch>
 void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
                    const Visit& visit, const Fetch& fetch) {
     constexpr uint32_t most = 16;
@@ -20,7 +20,7 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
         RayTest test;
         uint32_t ray;
         Found found;
-        NearestFirst walk;
+        Walk walk;
     };
     struct Queue {
         Turn* turns[most];
@@ -33,7 +33,7 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
         }
     };
     Turn turns[most];
-    NearestFirst::Stack stacks[most];
+    typename Walk::Stack stacks[most];
     Queue looking, visiting;  // those that are at a node, and at an item
     uint32_t next = 0;
     const auto begin = [&](Turn& turn) {
@@ -162,13 +162,13 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     }
 }
 
-template <class ProbeOf, class Visit, class Fetch>
+template <class Walk = NearestFirst, class ProbeOf, class Visit, class Fetch>
 void rays_at_once(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
                   bool together, const Visit& visit, const Fetch& fetch) {
     if (together) {
         rays_together(nodes, root, probe_of, limits, count, visit, fetch);
     } else {
-        rays_in_turns(nodes, root, probe_of, limits, count, visit, fetch);
+        rays_in_turns<Walk>(nodes, root, probe_of, limits, count, visit, fetch);
     }
 }
 /// Visits of rays_at_once, one after the other: visit(ray, item) returns the new limit of the ray.

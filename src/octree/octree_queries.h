@@ -36,16 +36,17 @@ void Octree::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
 }
 
 template <class Visit>
-void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
+void Octree::walk_many(decltype(OctreeKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
+                       ItemMemory items) const {
     if (root_ == none || count == 0) return;
     struct Walk {
-        Walk(const Ray* r, std::remove_reference_t<Visit>& v) : rays(r), visit(v) {}
+        Walk(const Ray* r, Visit& v) : rays(r), visit(v) {}
 
         RayProbe probes[rays_at_once];
         float limits[rays_at_once];
         uint32_t first;  // of the rays that the kernel has been given
         const Ray* rays;
-        std::remove_reference_t<Visit>& visit;
+        Visit& visit;
 
         uint32_t take(const uint32_t* from_first, const uint32_t* some, uint32_t size, float* new_limits) {
             uint32_t numbers[8];
@@ -67,9 +68,19 @@ void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMe
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
     RayBundling(bounds_, size_).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         walk.first = first;
-        kernels_.rays(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
-                      {take, &walk, items});
+        kernel(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
+               {take, &walk, items});
     });
+}
+
+template <class Visit>
+void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
+    walk_many(kernels_.rays, rays, count, visit, items);
+}
+
+template <class Visit>
+void Octree::raycast_any_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
+    walk_many(kernels_.rays_any, rays, count, visit, items);
 }
 
 template <class Visit>

@@ -52,14 +52,23 @@ public:
         size_ = push_nearest_last(stack_, size_, node_at(nodes, ref).child, found, is_leaf(ref));
         return next();
     }
-    void set_limit(float limit) { limit_ = limit; }
+    /// A nearer one. What lies behind it is dropped at once: how much of that there is on top could not be
+    /// foreseen each time that something is taken from there.
+    void set_limit(float limit) {
+        limit_ = limit;
+        int kept = 1;
+        for (int i = 1; i < size_; ++i) {
+            const KeyedChild entry = stack_[i];
+            stack_[kept] = entry;
+            kept += key_of(entry) <= limit;
+        }
+        size_ = kept;
+    }
     bool leave_item() { return next(); }
 
 private:
     bool next() {
-        do {
-            at_ = stack_[--size_];
-        } while (!(key_of(at_) <= limit_));
+        at_ = stack_[--size_];
         return at_ != bottom;
     }
 
@@ -67,6 +76,51 @@ private:
     float limit_;
     int size_;
     KeyedChild* stack_;
+};
+
+/// The same in no order, for walks whose limit stays until it ends them.
+class InNoOrder {
+public:
+    using Stack = uint32_t[stack_size + 8];  // take_lanes writes eight
+
+    void begin(uint32_t root, float limit, Stack& stack) {
+        stack_ = stack;
+        limit_ = limit;
+        at_ = root;
+        size_ = 0;
+    }
+
+    bool at_item() const { return (at_ & item_bit) != 0; }
+    uint32_t item() const { return at_ & ~item_bit; }
+    const OctreeNode& node(const OctreeNode* nodes) const { return node_at(nodes, at_); }
+
+    template <class Test>
+    void look(const OctreeNode* nodes, const Test& test, Found& found) const {
+        const OctreeNode& here = node(nodes);
+        Float8 keys;
+        found.hits = test.hits(here.boxes, limit_, keys) & lanes_of(here);
+    }
+    bool leave_node(const OctreeNode* nodes, const Found& found) {
+        uint32_t* const top = stack_ + size_;
+        size_ += static_cast<int>(take_lanes(top, node(nodes).child, found.hits));
+        const uint32_t mark = is_leaf(at_) ? item_bit : 0;
+        for (int i = 0; i < 8; ++i) top[i] |= mark;
+        return leave_item();
+    }
+    void set_limit(float) { size_ = 0; }
+    bool leave_item() {
+        if (size_ == 0) return false;
+        at_ = stack_[--size_];
+        return true;
+    }
+
+private:
+    static constexpr uint32_t item_bit = octree_leaf_bit >> 1;
+
+    uint32_t at_;
+    float limit_;
+    int size_;
+    uint32_t* stack_;
 };
 
 template <class Test, class Visit>
@@ -79,7 +133,9 @@ void nearest_first(const OctreeNode* nodes, uint32_t root, const Test& test, flo
     bool goes_on;
     do {
         if (walk.at_item()) {
-            walk.set_limit(visit(walk.item()));
+            const float before = limit;
+            limit = visit(walk.item());
+            if (limit < before) walk.set_limit(limit);
             goes_on = walk.leave_item();
         } else {
             walk.look(nodes, test, found);

@@ -306,7 +306,7 @@ uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) con
         }
         return done;
     };
-    octree_.raycast_many(rays, count, visit, model_memory());
+    octree_.raycast_any_many(rays, count, visit, model_memory());
     return met;
 }
 
