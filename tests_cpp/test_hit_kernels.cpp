@@ -74,12 +74,19 @@ void compare_eight(Cases& cases, int round, Tallies& tallies, const MakeShape& m
         rays[ray_of[k]] = {rays[ray_of[k]].origin, at - rays[ray_of[k]].origin, infinity};
     }
     if (touching) {
-        // Past one of them, nearly or just touching it; or up to it.
+        // Past one of them, an edge mostly, by no more than roundings or a little more.
         with_placed(shapes[0], models[0].world, [&](const auto& placed) {
-            const Vec3 origin = rays[2].origin, surface = closest_point(placed, origin), out = origin - surface;
+            const Vec3 surface = closest_point(placed, rays[2].origin), out = rays[2].origin - surface;
             const Vec3 across = cross(out, Vec3{1, 2, 3});
-            rays[2] = {surface + out * std::exp2(cases.number(12) - 30) - across, across, infinity};
-            rays[0] = {origin, surface - origin, 1 + std::exp2(cases.number(12) - 40) * (round % 8 < 4 ? 1 : -1)};
+            rays[2] = {surface + out * std::exp2(cases.number(24) - 42) - across, across, infinity};
+        });
+        // Up to another, to the last bit.
+        with_placed(shapes[2], models[2].world, [&](const auto& placed) {
+            rays[0] = {rays[0].origin, closest_point(placed, rays[0].origin) - rays[0].origin, infinity};
+            Hit hit;
+            if (!raycast(placed, rays[0], hit)) return;
+            const double before = std::nextafter(hit.t, 0), after = std::nextafter(hit.t, infinity);
+            rays[0].t_max = round % 12 == 1 ? before : round % 12 == 5 ? hit.t : after;
         });
     }
     RaysAndModels<Ray> pairs;

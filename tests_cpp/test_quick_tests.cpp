@@ -133,12 +133,16 @@ void compare_eight(Cases& cases, int round, Tallies& tallies, const MakeShape& m
         ray = {widen(narrow(ray.origin * scale)), ray.direction, ray.t_max * scale};
     }
     if (touching) {
-        // Past one of them, nearly or just touching it; or up to it.
+        // Past one of them, nearly or just touching it.
         with_placed(shapes[0], models[0].world, [&](const auto& placed) {
-            const Vec3 origin = rays[2].origin, surface = closest_point(placed, origin), out = origin - surface;
+            const Vec3 surface = closest_point(placed, rays[2].origin), out = rays[2].origin - surface;
             const Vec3 across = cross(out, Vec3{1, 2, 3});
             rays[2] = {surface + out * std::exp2(cases.number(12) - 30) - across, across, infinity};
-            rays[0] = {origin, surface - origin, 1 + std::exp2(cases.number(12) - 40) * (round % 8 < 4 ? 1 : -1)};
+        });
+        // Up to another.
+        with_placed(shapes[2], models[2].world, [&](const auto& placed) {
+            const Vec3 way = closest_point(placed, rays[0].origin) - rays[0].origin;
+            rays[0] = {rays[0].origin, way, 1 + std::exp2(cases.number(12) - 40) * (round % 8 < 4 ? 1 : -1)};
         });
     }
     RayQuads quads[8], same_quads[8];
