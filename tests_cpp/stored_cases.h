@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <ostream>
 
 #include "scene/eight_models.h"
 #include "scene/quick_shape.h"
@@ -60,6 +61,14 @@ struct Tally {
         return verdict == Verdict::open || (verdict == Verdict::yes) == truth;
     }
 };
+inline std::ostream& operator<<(std::ostream& out, const Tally& tally) {
+    return out << tally.no << " " << tally.yes << " " << tally.open;
+}
+
+/// That of one of eight questions.
+inline Verdict verdict_of(const Verdicts8& verdicts, int k) {
+    return verdict_of((verdicts.no >> k & 1) != 0, (verdicts.yes >> k & 1) != 0);
+}
 
 /// As scenes keep models.
 struct StoredModel {

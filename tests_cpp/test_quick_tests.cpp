@@ -3,9 +3,9 @@
 #include <cfenv>
 #include <cstring>
 
+#include "eight_cases.h"
 #include "meshes.h"
 #include "scene/scene_kernels.h"
-#include "stored_cases.h"
 
 using namespace gphys;
 
@@ -89,117 +89,35 @@ namespace {
 
 using AskEight = Verdicts8 (*SceneKernels::*)(const RaysAndModels<RayQuads>& pairs);
 
-AskEight asks(const gphys_sphere&) { return &SceneKernels::rays_and_spheres; }
-AskEight asks(const gphys_aabb&) { return &SceneKernels::rays_and_aabbs; }
-AskEight asks(const gphys_obb&) { return &SceneKernels::rays_and_obbs; }
-const float* other_of(const gphys_sphere& sphere) { return &sphere.center.x; }
-const float* other_of(const gphys_aabb&) { return nullptr; }
-const float* other_of(const gphys_obb& box) { return &box.rotation.x; }
-
-void shift(gphys_sphere& sphere, Vec3 by) { sphere.center = narrow(widen(sphere.center) + by); }
-void shift(gphys_aabb& box, Vec3 by) { box = {narrow(widen(box.min) + by), narrow(widen(box.max) + by)}; }
-void shift(gphys_obb& box, Vec3 by) { box.center = narrow(widen(box.center) + by); }
-
-struct Tallies {
-    Tally fine, touching, tiny;
-};
-
-/// Eight rays and as many models, in any order, of which some are met by several rays and some by none.
-template <class MakeShape>
-void compare_eight(Cases& cases, int round, Tallies& tallies, const MakeShape& make_shape) {
-    constexpr uint32_t model_of[8] = {6, 2, 0, 5, 3, 1, 4, 2}, ray_of[8] = {1, 0, 2, 7, 4, 3, 6, 4};
-    // Numbers below the smallest normal float, too.
-    const bool tiny = round % 8 == 0, touching = round % 4 == 1, shifted = round % 8 == 2;
-    const float scale = tiny ? 0x1p-147f : 1;
-    using Stored = decltype(make_shape(scale));
-    std::vector<Stored> shapes;
-    std::vector<StoredModel> models;
-    for (int i = 0; i < 7; ++i) {
-        gphys_transform world = cases.transform();
-        world.position = narrow(widen(world.position) * scale);
-        if (round % 3 == 0) world = {world.position, {0, 0, 0, 1}, 1};
-        shapes.push_back(make_shape(scale));
-        if (shifted) {
-            // Far from the origin of its model, which is as far away on the other side.
-            const Vec3 by = widen(cases.point(10000));
-            shift(shapes.back(), by);
-            world.position = narrow(widen(world.position) - widen(world).apply_to_vector(by));
-        }
-        models.emplace_back(world, shapes.back());
-    }
-    Ray rays[8];
-    for (Ray& ray : rays) {
-        ray = cases.ray();
-        ray = {widen(narrow(ray.origin * scale)), ray.direction, ray.t_max * scale};
-    }
-    if (touching) {
-        // Past one of them, nearly or just touching it.
-        with_placed(shapes[0], models[0].world, [&](const auto& placed) {
-            const Vec3 surface = closest_point(placed, rays[2].origin), out = rays[2].origin - surface;
-            const Vec3 across = cross(out, Vec3{1, 2, 3});
-            rays[2] = {surface + out * std::exp2(cases.number(12) - 30) - across, across, infinity};
-        });
-        // Up to another.
-        with_placed(shapes[2], models[2].world, [&](const auto& placed) {
-            const Vec3 way = closest_point(placed, rays[0].origin) - rays[0].origin;
-            rays[0] = {rays[0].origin, way, 1 + std::exp2(cases.number(12) - 40) * (round % 8 < 4 ? 1 : -1)};
-        });
-    }
-    RayQuads quads[8], same_quads[8];
-    scene_kernels(Isa::scalar).ray_quads(rays, 8, quads);
-    RaysAndModels<RayQuads> pairs;
-    for (int k = 0; k < 8; ++k) {
-        pairs.ray[k] = quads + ray_of[k];
-        pairs.model[k] = &models[model_of[k]].world.position.x;
-        pairs.other[k] = other_of(shapes[model_of[k]]);
-    }
-    const AskEight ask = asks(shapes[0]);
-    const Verdicts8 verdicts = (scene_kernels(Isa::scalar).*ask)(pairs);
-    for (const Isa isa : test::isas()) {
-        scene_kernels(isa).ray_quads(rays, 8, same_quads);
-        REQUIRE(std::memcmp(quads, same_quads, sizeof quads) == 0);
-        const Verdicts8 same = (scene_kernels(isa).*ask)(pairs);
-        REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));
-    }
-    REQUIRE((verdicts.no & verdicts.yes) == 0);
-    for (int k = 0; k < 8; ++k) {
-        const bool truth = with_placed(shapes[model_of[k]], models[model_of[k]].world, [&](const auto& placed) {
-            Hit hit;
-            return raycast(placed, rays[ray_of[k]], hit);
-        });
-        const uint32_t no = verdicts.no >> k & 1, yes = verdicts.yes >> k & 1;
-        const bool near = touching && (ray_of[k] == 0 || ray_of[k] == 2);
-        Tally& tally = tiny ? tallies.tiny : near || shifted || cases.coarse() ? tallies.touching : tallies.fine;
-        REQUIRE(tally.add(no ? Verdict::no : yes ? Verdict::yes : Verdict::open, truth));
-    }
-}
+AskEight kernel_for(const EightCases<gphys_sphere>&) { return &SceneKernels::rays_and_spheres; }
+AskEight kernel_for(const EightCases<gphys_aabb>&) { return &SceneKernels::rays_and_aabbs; }
+AskEight kernel_for(const EightCases<gphys_obb>&) { return &SceneKernels::rays_and_obbs; }
 
 }  // namespace
 
 TEST_CASE("of eight rays at once each is told the truth about its model, or nothing, the same on any instruction set") {
-    Cases cases(74);
     Tallies spheres, aabbs, obbs;
-    for (int i = 0; i < 12000; ++i) {
-        cases.next();
-        const auto scaled = [](gphys_vec3 v, float scale) { return narrow(widen(v) * scale); };
-        compare_eight(cases, i, spheres, [&](float scale) {
-            const gphys_sphere sphere = cases.sphere();
-            return gphys_sphere{scaled(sphere.center, scale), sphere.radius * scale};
-        });
-        compare_eight(cases, i, aabbs, [&](float scale) {
-            const gphys_aabb box = cases.aabb();
-            return gphys_aabb{scaled(box.min, scale), scaled(box.max, scale)};
-        });
-        compare_eight(cases, i, obbs, [&](float scale) {
-            const gphys_obb box = cases.obb();
-            return gphys_obb{scaled(box.center, scale), scaled(box.half_extents, scale), box.rotation};
-        });
-    }
+    compare_many_eights(74, spheres, aabbs, obbs, [](const auto& eight, Tallies& tallies) {
+        RayQuads quads[8], same_quads[8];
+        scene_kernels(Isa::scalar).ray_quads(eight.rays, 8, quads);
+        const auto pairs = eight.pairs(quads);
+        const AskEight ask = kernel_for(eight);
+        const Verdicts8 verdicts = (scene_kernels(Isa::scalar).*ask)(pairs);
+        for (const Isa isa : test::isas()) {
+            scene_kernels(isa).ray_quads(eight.rays, 8, same_quads);
+            REQUIRE(std::memcmp(quads, same_quads, sizeof quads) == 0);
+            const Verdicts8 same = (scene_kernels(isa).*ask)(pairs);
+            REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));
+        }
+        REQUIRE((verdicts.no & verdicts.yes) == 0);
+        for (int k = 0; k < 8; ++k) {
+            Hit hit;
+            REQUIRE(eight.tally_of(k, tallies).add(verdict_of(verdicts, k), eight.meets(k, hit)));
+        }
+    });
     for (const Tallies* tallies : {&spheres, &aabbs, &obbs}) {
-        const Tally &fine = tallies->fine, &touching = tallies->touching;
-        INFO(fine.no << " " << fine.yes << " " << fine.open << ", " << touching.no << " " << touching.yes << " "
-                     << touching.open << ", " << tallies->tiny.no << " " << tallies->tiny.yes << " "
-                     << tallies->tiny.open);
+        const Tally &fine = tallies->fine, &touching = tallies->touching, &tiny = tallies->tiny;
+        INFO(fine << ", " << touching << ", " << tiny);
         CHECK(fine.no > 20000);
         CHECK(fine.yes > 500);
         CHECK(fine.open < 100);
@@ -288,10 +206,9 @@ TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the 
             const bool truth = with_placed(box, stored[order[k]].world, [&](const auto& placed) {
                 return overlaps(Shape(Sphere{center, radius}), Shape(placed));
             });
-            const uint32_t no = verdicts.no >> k & 1, yes = verdicts.yes >> k & 1;
             const bool centered = widen(box.min) == -widen(box.max);
             Tally& tally = !centered ? elsewhere : tiny || touching || cases.coarse() ? coarse : fine;
-            REQUIRE(tally.add(no ? Verdict::no : yes ? Verdict::yes : Verdict::open, truth));
+            REQUIRE(tally.add(verdict_of(verdicts, k), truth));
         }
     }
     CHECK(fine.no > 10000);
