@@ -115,7 +115,7 @@ public:
     }
 
 private:
-    static constexpr uint32_t item_bit = octree_leaf_bit >> 1;
+    static constexpr uint32_t item_bit = octree_leaf_bit >> 1;  // neither nodes nor items are ever so many
 
     uint32_t at_;
     float limit_;
