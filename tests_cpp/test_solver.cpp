@@ -53,7 +53,7 @@ TEST_CASE("an elastic link oscillates at the right rate, with an error of second
     // 1 kg on a compliance 1 / (2 pi)^2: 1 Hz. Started 1 m stretched, no gravity.
     double amplitude = 0, errors[3];
     for (int level = 0; level < 3; ++level) {
-        World world(10u << level, {0, 0, 0});
+        World world(5u << level, {0, 0, 0});
         gphys_body_desc desc = World::body_desc();
         desc.mass = 2;
         desc.compliance = static_cast<float>(1 / (4 * pi * pi));
@@ -64,7 +64,7 @@ TEST_CASE("an elastic link oscillates at the right rate, with an error of second
         for (int i = 0; i < 585; ++i) world.step(1.0f / 60);
         errors[level] = std::fabs(world.position(body, 1).x - 10);
         for (int i = 0; i < 15; ++i) world.step(1.0f / 60);
-        if (level == 0) amplitude = std::fabs(world.position(body, 1).x - 11);
+        if (level == 1) amplitude = std::fabs(world.position(body, 1).x - 11);
     }
     figure("oscillator, amplitude lost in 10 s at 600 Hz", amplitude, "");
     CHECK(amplitude < 1e-4);
@@ -154,7 +154,7 @@ std::vector<Vec3> swinging_chain_reference() {
     std::vector<Vec3> x(n), before(n);
     for (uint32_t i = 0; i < n; ++i) x[i] = {i * l, 0, 0};
     const auto inverse_mass = [](uint32_t i) { return i == 0 ? 0.0 : i == n - 1 ? 0.1 : 1.0; };
-    for (uint32_t i = 0; i < n; ++i) before[i] = x[i] - (i ? Vec3{0, -g * h * h / 2, 0} : Vec3{});
+    for (uint32_t i = 0; i < n; ++i) before[i] = x[i] + (i ? Vec3{0, -g * h * h / 2, 0} : Vec3{});
     for (int step = 0; step < 100000; ++step) {
         std::vector<Vec3> next(n);
         for (uint32_t i = 0; i < n; ++i) next[i] = i ? x[i] * 2 - before[i] + Vec3{0, -g * h * h, 0} : x[i];
@@ -220,7 +220,7 @@ TEST_CASE("a swinging chain follows the reference") {
     for (const uint32_t substeps : {4u, 8u, 16u}) {
         const SwingingChain chain = swing_chain(World::desc(substeps), reference);
         std::printf("    chain of 30, %u substeps: rms %.3g m from the reference\n", substeps, chain.rms);
-        CHECK(chain.rms <= 0.1 / (substeps * substeps));  // an error of second order
+        CHECK(chain.rms <= 0.016 / (substeps * substeps));  // 1e-3 with 4, and an error of second order
     }
 }
 

@@ -15,6 +15,7 @@
 #include "solver/cloth/volume.h"
 #include "solver/contact/impulses.h"
 #include "solver/plan.h"
+#include "solver/time_scheme.h"
 
 namespace gphys {
 
@@ -216,6 +217,7 @@ struct Body {
     Vector<Vec3> start, start_velocity, earlier, earlier_velocity;
     Vector<uint8_t> flying;   // by particle, of ropes with limits: whether none of its links was taut at the start
     double earlier_step = 0;  // seconds between the two; 0 when motion was interrupted, by the caller or a contact
+    bool in_stages = false;   // whether the substeps of the step under way are made by both formulas of TimeScheme
 
     Vector<Vec3> solved;  // of ropes: the positions that the links had found when they met models
 
@@ -248,11 +250,16 @@ inline const Attachment* find_attachment(const Body& body, uint32_t particle) {
     return at != body.attachments.end() && at->particle == particle ? &*at : nullptr;
 }
 
-/// The force in newtons with which a link of a rope, from a to b, pulls its particle a.
-inline Vec3 link_pull(const Body& body, uint32_t a, uint32_t b, uint32_t link) {
+/// Unit. Coincident particles part along a fixed axis: any direction is as good.
+inline Vec3 link_direction(const Body& body, uint32_t a, uint32_t b) {
     const Vec3 along = body.position[b] - body.position[a];
     const double length = gphys::length(along);
-    return (length > 0 ? along / length : Vec3{1, 0, 0}) * body.plan.tension[link];
+    return length > 0 ? along / length : Vec3{1, 0, 0};
+}
+/// What a link of a rope, from a to b, has given to its particle a in a substep, newton seconds.
+inline Vec3 link_impulse(const Body& body, uint32_t a, uint32_t b, uint32_t link, const TimeScheme& scheme) {
+    const Plan& plan = body.plan;
+    return link_direction(body, a, b) * (plan.tension[link] * scheme.h + plan.earlier_tension[link] * scheme.lean);
 }
 
 /// Metres by which a constraint is too long or, below 0, too short; a maximum distance is never too short.

@@ -6,6 +6,7 @@
 // Cloth that moves alone meets its target of strain in each substep (relax_links.cpp). There the measure is how much
 // relaxing that took, and when it was too much the rest of the step is divided anew.
 #include "solver/solver.h"
+#include "solver/time_scheme.h"
 
 namespace gphys {
 namespace {
@@ -25,7 +26,7 @@ double largest_strain(const Body& body) {
 
 /// What the last substep, of h seconds, did to a particle.
 struct Advance {
-    Vec3 way, velocity_before, velocity;
+    Vec3 way, velocity_earlier, velocity_before, velocity;
 };
 
 /// Of a body with constraints. visit(advance) for each particle that moves freely.
@@ -39,9 +40,10 @@ void for_each_advance(const Body& body, Visit&& visit) {
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.pinned(p)) continue;
         if (graph) {
-            visit({at(body.cloth.moved, p), at(body.cloth.velocity_before, p), body.velocity[p]});
+            visit({at(body.cloth.moved, p), {}, at(body.cloth.velocity_before, p), body.velocity[p]});
         } else {
-            visit({body.position[p] - body.start[p], body.start_velocity[p], body.velocity[p]});
+            visit(
+                {body.position[p] - body.start[p], body.earlier_velocity[p], body.start_velocity[p], body.velocity[p]});
         }
     }
 }
@@ -51,7 +53,7 @@ void for_each_advance(const Body& body, Visit&& visit) {
 /// x' - h^2/3 x''' by the second-order backward formula, the trapezoid rule is off by h^3/4 x'''; the
 /// formula itself by 2/9 h^3 x'''. After an interruption the substep was one of backward Euler, where
 /// both are off by h^2/2 x''.
-double local_error(const Body& body, double h) {
+double error_of_one_stage(const Body& body, double h) {
     const bool interrupted = body.earlier_step == 0;
     double largest = 0;
     for_each_advance(body, [&](const Advance& a) {
@@ -59,6 +61,32 @@ double local_error(const Body& body, double h) {
         largest = std::max(largest, length_squared(way - (a.velocity_before + a.velocity) * (h / 2)));
     });
     return std::sqrt(largest) * (interrupted ? 1 : 8.0 / 9);
+}
+
+/// The same of a substep in two stages, of which the first is the part s. The trapezoid rule knows the mean
+/// acceleration of its stage, which is that in the middle, and the backward formula the one at the end: their
+/// difference, over the time between, is x'''. The error is h^3 x''' (3 s^2 - 4 s + 2) / (12 (2 - s)) (Hosea &
+/// Shampine 1996).
+double error_of_two_stages(const Body& body, double h) {
+    constexpr double s = first_stage, constant = (3 * s * s - 4 * s + 2) / (12 * (2 - s));
+    const TimeScheme scheme((1 - s) * h, s * h);
+    double largest = 0;
+    for_each_advance(body, [&](const Advance& a) {
+        const Vec3 mean = (a.velocity_before - a.velocity_earlier) / (s * h);
+        const Vec3 history = scheme.from_history(a.velocity_before, a.velocity_earlier);
+        const Vec3 end = (a.velocity * scheme.next - history) / scheme.h;
+        largest = std::max(largest, length_squared(end - mean));
+    });
+    return std::sqrt(largest) / (1 - s / 2) * constant * h * h;
+}
+
+/// Metres a second.
+double error_rate(const Body& body, double h) {
+    if (body.earlier_step == 0) return error_of_one_stage(body, h) / h;
+    // The last substep of a step may be a part of one.
+    if (!body.in_stages) return error_of_one_stage(body, body.earlier_step) / body.earlier_step;
+    const double whole = body.earlier_step / (1 - first_stage);
+    return error_of_two_stages(body, whole) / whole;
 }
 
 }  // namespace
@@ -103,9 +131,7 @@ void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_
     const bool relaxed = body.cloth.most_strain > 0;
     if (body.plan.method != GPHYS_SOLVE_FREE) {
         if (settings.max_strain > 0 && !relaxed) part = std::max(part, largest_strain(body) / settings.max_strain);
-        // The last substep of a step may be a part of one: body.earlier_step.
-        const double length = body.earlier_step > 0 ? body.earlier_step : h;
-        if (settings.tolerance > 0) part = std::max(part, local_error(body, length) / (length * settings.tolerance));
+        if (settings.tolerance > 0) part = std::max(part, error_rate(body, h) / settings.tolerance);
     }
     const double factor = part > 0 ? std::sqrt(aim / part) : infinity;
     // What grows by less than makes one substep fewer must not be forgotten.

@@ -115,7 +115,9 @@ void Solver::list_islands() {
     }
     for (Moving& moving : moving_) {
         moving.together = together_[moving.slot] != 0;
-        if (moving.together) moving.undisturbed = false;
+        if (!moving.together) continue;
+        moving.undisturbed = false;
+        state_.bodies[moving.slot].in_stages = false;
     }
 }
 

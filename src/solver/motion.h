@@ -17,9 +17,13 @@ void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
 /// Its parts for chains: free particles to where they would go without constraints, attached ones after their
 /// models; the velocities that the time scheme gives for the solved positions; and tensions to the models that
 /// ropes hang from.
-void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
 void finish_chains(Body& body, const TimeScheme& scheme);
-void give_tensions(Body& body, const Surroundings& around, double h);
+void give_tensions(Body& body, const Surroundings& around, const TimeScheme& scheme);
+
+/// All of them for a rope alone; and what follows begin_chains.
+void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void end_rope(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
 
 /// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds.
 void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end);

@@ -4,7 +4,8 @@
 //
 //   builders.cpp       bodies come and go
 //   state.cpp          their particles and constraints are read and changed, or all moved
-//   step.cpp           the step: which body is moved how, attachments, the time scheme
+//   step.cpp           the step: which body is moved how, attachments
+//   time_scheme.h      the formulas by which constrained bodies go on
 //   islands.cpp        bodies that influence each other, moved together
 //   sleep.cpp          bodies at rest
 //   error_targets.cpp  how many substeps a body takes
@@ -12,7 +13,9 @@
 //   particles/         bodies without constraints: exact flight and impacts
 //   rope/              chains and trees: Newton on the whole chain
 //     plan_chains.cpp    which constraints form chains
-//     rope_direct.cpp    one by one, by elimination of matrices
+//     rope_substep.cpp   a substep of one, and what it does beside models
+//     stages.cpp         which go by two formulas, for a seventh of the error
+//     rope_direct.cpp    links, one rope at a time, by elimination of matrices
 //     rope_lanes.cpp     those that nothing disturbs, several side by side
 //     rope_limits.cpp    links that only pull
 //     damping.h          damped links as undamped ones with other numbers
@@ -189,18 +192,22 @@ private:
         uint32_t size, slot, substeps;
         bool undisturbed = false;  // a rope that meets nothing while it stays in the box
         bool starts = false;       // again: of undisturbed ropes
+        bool stages = false;       // of ropes: Body::in_stages
         double fastest = 0;        // m/s, no particle is faster
         Box nearby{};              // where it may come near to models,
         uint32_t models_near = 0;  // and how many are there
         bool together = false;     // with others, in an island
 
         /// Of undisturbed ropes: whether they can be moved together.
-        bool alike(const Moving& other) const { return starts == other.starts && substeps == other.substeps; }
+        bool alike(const Moving& other) const {
+            return starts == other.starts && stages == other.stages && substeps == other.substeps;
+        }
         /// Undisturbed ropes last, those alike beside each other. The largest first: no worker begins a large
         /// body when the others are done.
         bool operator<(const Moving& other) const {
             if (undisturbed != other.undisturbed) return other.undisturbed;
             if (undisturbed && starts != other.starts) return starts;
+            if (undisturbed && stages != other.stages) return stages;
             if (undisturbed && substeps != other.substeps) return substeps > other.substeps;
             return size != other.size ? size > other.size : slot < other.slot;
         }

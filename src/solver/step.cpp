@@ -3,61 +3,15 @@
 //
 //   free         exact flight and impacts                                    free_flight.cpp
 //   direct       predict, solve chains as a whole, new velocities, collide,
-//                solve again beside contacts                                 rope_direct.cpp
+//                solve again beside contacts                                 rope_substep.cpp
 //   graph        predict, chain families, reach limits, velocities, collide  cloth.cpp
-//
-// Time scheme of constrained bodies: the backward differentiation formula of second order for
-// unequal steps, with constraint forces at the end of the substep. Unlike a position difference
-// alone (backward Euler), which takes 9 % of the energy of a pendulum in a second, its damping is of
-// third order in the step, and it is stable however stiff the constraints are (A- and L-stable).
-// After an interruption - a contact, a change by the caller - one step of backward Euler restarts it.
 #include <cstring>
 
 #include "solver/motion.h"
-#include "solver/rope/damping.h"
+#include "solver/rope/rope.h"
 #include "solver/solver.h"
 
 namespace gphys {
-
-namespace {
-
-void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
-    std::swap(body.earlier, body.start);
-    std::swap(body.earlier_velocity, body.start_velocity);
-    body.start = body.position;
-    body.start_velocity = body.velocity;
-    const double drag = scheme.drag(body.settings.damping);
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        const Vec3 acceleration = gravity + body.force[p] * body.inverse_mass[p];
-        body.velocity[p] =
-            (scheme.from_history(body.velocity[p], body.earlier_velocity[p]) + acceleration * scheme.h) * drag;
-        body.position[p] =
-            (scheme.from_history(body.position[p], body.earlier[p]) + body.velocity[p] * scheme.h) * (1 / scheme.next);
-        keep_in_range(body.position[p], body.velocity[p]);
-    }
-    if (body.plan.limited) predict_flying(body, gravity, scheme.h);
-    body.predicted = body.position;
-}
-
-void damp_chains(Body& body, const TimeScheme& scheme) {
-    Plan& plan = body.plan;
-    for (const Chain& chain : plan.chains) {
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t link = chain.first_link + i;
-            if (plan.damping[link] == 0 || plan.compliance[link] == 0) continue;
-            const uint32_t a = plan.particles[chain.first_particle + i],
-                           b = plan.particles[chain.first_particle + i + 1];
-            const DampedLink now =
-                damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
-                       distance(body.start[a], body.start[b]), distance(body.earlier[a], body.earlier[b]));
-            plan.damped_rest[link] = now.rest;
-            plan.damped_compliance[link] = now.compliance;
-        }
-    }
-}
-
-}  // namespace
 
 void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end) {
     const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
@@ -70,130 +24,6 @@ void follow_models(Body& body, double fraction, double h, uint32_t first, uint32
     }
 }
 
-void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
-    const TimeScheme scheme(h, body.earlier_step);
-    predict_chains(body, scheme, gravity);
-    follow_models(body, around.end, h, 0, body.size());
-    if (body.plan.damped) damp_chains(body, scheme);
-}
-
-void finish_chains(Body& body, const TimeScheme& scheme) {
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        keep_in_range(body.position[p], body.velocity[p]);
-        if (body.plan.limited && body.flying[p]) {
-            body.velocity[p] += (body.position[p] - body.predicted[p]) * (scheme.next / scheme.h);
-            continue;
-        }
-        body.velocity[p] =
-            (body.position[p] * scheme.next - scheme.from_history(body.start[p], body.earlier[p])) / scheme.h;
-    }
-}
-
-void hold_touching(Body& body) {
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.held[p]) body.inverse_mass[p] = 0;
-    }
-}
-
-void let_go_touching(Body& body) {
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.held[p]) body.inverse_mass[p] = 1 / body.mass[p];
-    }
-}
-
-void give_tensions(Body& body, const Surroundings& around, double h) {
-    for (const Chain& chain : body.plan.chains) {
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t a = body.plan.particles[chain.first_particle + i];
-            const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            if (!body.pinned(a) && !body.pinned(b)) continue;
-            const Vec3 impulse = link_pull(body, a, b, chain.first_link + i) * h;
-            if (body.pinned(a)) give_anchor(body, around, a, impulse);
-            if (body.pinned(b)) give_anchor(body, around, b, -impulse);
-        }
-    }
-}
-
-namespace {
-
-bool solve_predicted(Body& body, double h) {
-    return solve_directly(body, TimeScheme(h, body.earlier_step).step(body.settings.damping));
-}
-
-/// Once they are solved.
-void end_chains(Body& body, const Surroundings& around, Vec3 gravity, double h) {
-    const TimeScheme scheme(h, body.earlier_step);
-    const double step = scheme.step(body.settings.damping);
-    finish_chains(body, scheme);
-    const bool captured = body.plan.limited && capture(body, around, scheme);
-    const double quiet = quiet_speed(gravity, h);
-    collide(body, around, quiet);
-    if (body.touched) {
-        ease_contacts(body, around);
-        hold_touching(body);
-        solve_directly(body, step);
-        let_go_touching(body);
-        collide_again(body, around, quiet, {step, scheme.next / h});
-    }
-    if (!body.attachments.empty()) give_tensions(body, around, h);
-    body.earlier_step = body.touched || captured ? 0 : h;
-}
-
-/// As it was before begin_chains.
-void take_back(Body& body) {
-    body.position = body.start;
-    body.velocity = body.start_velocity;
-    std::swap(body.earlier, body.start);
-    std::swap(body.earlier_velocity, body.start_velocity);
-    body.plan.tension = body.plan.earlier_tension;
-}
-
-/// Whether rigid links had their lengths before the substep. Those that are put right by it do so at a speed that
-/// grows as it gets shorter.
-bool began_in_shape(const Body& body) {
-    constexpr double most_strain = 0.05;
-    const Plan& plan = body.plan;
-    for (const Chain& chain : plan.chains) {
-        const uint32_t* const particle = &plan.particles[chain.first_particle];
-        for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t link = chain.first_link + i;
-            if (plan.compliance[link] > 0) continue;
-            const double excess = distance(body.start[particle[i]], body.start[particle[i + 1]]) - plan.target[link];
-            if ((plan.limit[link] ? excess : std::fabs(excess)) > most_strain * plan.target[link]) return false;
-        }
-    }
-    return true;
-}
-
-// Half a second becomes parts of 4 ms, in which a link of 1 mm that gravity swings turns by 0.4 radians.
-constexpr int most_halvings = 7;
-constexpr double halves[] = {0.5, 0.5};
-// Where links turn by a radian Newton's method may go about for a while before it converges.
-constexpr int most_solutions = 8;
-
-/// A substep too long for Newton's method is made in halves. What is not found in the shortest ones either is not
-/// looked for any longer. Returns whether all was found.
-bool move_chains(Body& body, const Surroundings& around, Vec3 gravity, double h, int halvings = most_halvings) {
-    body.plan.earlier_tension = body.plan.tension;
-    begin_chains(body, around, gravity, h);
-    bool found = solve_predicted(body, h);
-    const bool may_be_found = found || began_in_shape(body);
-    for (int i = 1; may_be_found && !found && i < most_solutions; ++i) found = solve_predicted(body, h);
-    if (found || !may_be_found || halvings == 0) {
-        end_chains(body, around, gravity, h);
-        return found;
-    }
-    take_back(body);
-    found = true;
-    move_in_parts(halves, around, h, [&](const Surroundings& within, double part) {
-        found = move_chains(body, within, gravity, part, found ? halvings - 1 : 0) && found;
-    });
-    return found;
-}
-
-}  // namespace
-
 void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
@@ -201,13 +31,7 @@ void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);
-            if (body.earlier_step == 0 && !body.touched) {
-                start_slowly(around, h, [&](const Surroundings& within, double part) {
-                    move_chains(body, within, gravity, part);
-                });
-            } else {
-                move_chains(body, around, gravity, h);
-            }
+            move_rope(body, around, gravity, h);
             end_friction(body);
             break;
         default:
@@ -222,7 +46,7 @@ void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h) 
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);
-            begin_chains(body, around, gravity, h);
+            begin_chains(body, around, gravity, TimeScheme(h, body.earlier_step));
             break;
         default:
             predict_cloth(body, around, h);
@@ -234,8 +58,7 @@ void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
         case GPHYS_SOLVE_FREE:
             break;
         case GPHYS_SOLVE_DIRECT:
-            solve_predicted(body, h);
-            end_chains(body, around, gravity, h);
+            end_rope(body, around, gravity, TimeScheme(h, body.earlier_step));
             end_friction(body);
             break;
         default:
@@ -328,6 +151,11 @@ void Solver::prepare(const Scene* scene, double dt) {
         }
     }
     if (!joints_current_) plan_joints();
+    workers_.run(static_cast<uint32_t>(moving_.size()), [&](uint32_t i) {
+        Moving& moving = moving_[i];
+        Body& body = state_.bodies[moving.slot];
+        moving.stages = body.in_stages = may_go_in_stages(body, state_.settings.gravity, dt / moving.substeps);
+    });
     list_islands();
     particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
     if (scene) look_around(*scene, dt);

@@ -1,17 +1,22 @@
-// The backward differentiation formula of second order for unequal steps.
+// How constrained bodies go on in time: by the trapezoid rule in the first part of a substep and the backward
+// differentiation formula of second order in the rest (TR-BDF2; Bank et al. 1985, "Transient simulation of
+// silicon devices and circuits"; Hosea & Shampine 1996, "Analysis and implementation of TR-BDF2"), or by the
+// backward formula alone, for unequal steps.
 #pragma once
 
 #include "foundation/math.h"
 
 namespace gphys {
 
-/// x1 = (now x0 - earlier x_(-1) + h v1) / next, and the same for v1 with h times the acceleration.
-/// As next = now - earlier, it is also x1 - x0 = (earlier (x0 - x_(-1)) + h v1) / next.
+/// x1 = (now x0 - earlier x_(-1) + lean v0 + h v1) / next, and the same for v1 with the acceleration.
+/// Of the backward formula, where next = now - earlier, it is also x1 - x0 = (earlier (x0 - x_(-1)) + h v1) / next.
 struct TimeScheme {
     double h;
-    double next = 1, now = 1, earlier = 0;
+    double next = 1, now = 1, earlier = 0, lean = 0;
+    double advance;  // seconds from x0 to x1
 
-    TimeScheme(double step, double step_before) : h(step) {
+    /// The backward formula.
+    TimeScheme(double step, double step_before) : h(step), advance(step) {
         // Steps that grow faster than 1 + sqrt(2) make the formula unstable (Grigorieff 1983).
         const double ratio = step_before > 0 ? step / step_before : infinity;
         if (ratio > 2) return;
@@ -19,8 +24,19 @@ struct TimeScheme {
         now = 1 + ratio;
         earlier = ratio * ratio / (1 + ratio);
     }
+    static TimeScheme trapezoid(double step) {
+        TimeScheme scheme(step / 2, 0);
+        scheme.lean = scheme.h;
+        scheme.advance = step;
+        return scheme;
+    }
 
-    Vec3 from_history(Vec3 x0, Vec3 x_before) const { return earlier == 0 ? x0 : x0 * now - x_before * earlier; }
+    /// `rate` is that of x0; of no account for the backward formula.
+    template <class Value>
+    Value from_history(Value x0, Value x_before, Value rate = {}) const {
+        if (lean > 0) return x0 + rate * lean;
+        return earlier == 0 ? x0 : x0 * now - x_before * earlier;
+    }
 
     /// 1 / next with damping: it is part of the formula, so it is as accurate as the rest and never
     /// overshoots.
@@ -29,8 +45,13 @@ struct TimeScheme {
     double step(double damping) const { return h / std::sqrt(next * (next + damping * h)); }
 };
 
+/// The part of a substep that goes by the trapezoid rule: 2 - sqrt(2), with which both parts have the same system
+/// of equations, and the error is least.
+constexpr double first_stage = 0.58578643762690495;
+constexpr double stages[] = {first_stage, 1 - first_stage};
+
 /// The first step after an interruption is of first order, and would leave an error of the size of a
-/// substep for good; it is made in these parts of one, the first a quarter as long. The formula allows
+/// substep for good; it is made in these parts of one, the first a quarter as long. The backward formula allows
 /// steps to double.
 constexpr double starting_parts[] = {0.25, 0.25, 0.5};
 

@@ -124,7 +124,7 @@ void damp_links(Body& body, const TimeScheme& scheme) {
     for (const DampedInCloth& link : batches.damped) {
         const Vec3 now = get(&cloth.start[4 * size_t{link.b}]) - get(&cloth.start[4 * size_t{link.a}]);
         const Vec3 before = now - (get(&cloth.moved[4 * size_t{link.b}]) - get(&cloth.moved[4 * size_t{link.a}]));
-        const DampedLink as = damped(link.rest, link.compliance, link.damping, scheme, length(now), length(before));
+        const DampedLink as = damped(link.rest, link.compliance, link.damping, scheme, length(now), length(before), 0);
         batches.target[link.link] = to_float(as.rest, farthest);
         batches.softness[link.link] = to_float(as.compliance * batches.scale, softest);
     }

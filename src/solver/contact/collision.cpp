@@ -370,7 +370,7 @@ void give_through_held(Body& body, const Surroundings& around, const SolvedAgain
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
             if (!body.held[a] && !body.held[b]) continue;
-            const Vec3 pull = link_pull(body, a, b, chain.first_link + i) * to_impulse;
+            const Vec3 pull = link_direction(body, a, b) * (body.plan.tension[chain.first_link + i] * to_impulse);
             give_to_holder(a, pull);
             give_to_holder(b, -pull);
         }

@@ -127,7 +127,7 @@ void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity
             predict_cloth(body, around, h);
         } else {
             begin_friction(body, gravity);
-            begin_chains(body, around, gravity, h);
+            begin_chains(body, around, gravity, TimeScheme(h, body.earlier_step));
         }
     });
 }
@@ -151,7 +151,7 @@ void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, 
         if (is_graph(body)) {
             finish_cloth(body, around, gravity, h);
         } else {
-            if (!body.attachments.empty()) give_tensions(body, around, h);
+            if (!body.attachments.empty()) give_tensions(body, around, TimeScheme(h, body.earlier_step));
             end_friction(body);
             body.earlier_step = body.touched || captured ? 0 : h;
         }

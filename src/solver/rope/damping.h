@@ -1,7 +1,7 @@
 // A damped link as an undamped one with other numbers. With its length l at the end of a substep, and
 // the rate of that by the formula of the time scheme, its tension is
 //
-//     t = (l - rest) / compliance + damping (next l - past) / h,   past = now l0 - earlier l_(-1)
+//     t = (l - rest) / compliance + damping (next l - past) / h,   past = now l0 - earlier l_(-1) + lean l0'
 //
 // which is linear in l, so that it is also (l - rest') / compliance' with
 //
@@ -19,11 +19,11 @@ struct DampedLink {
     double rest, compliance;
 };
 
-/// `length` at the beginning of the substep, `length_before` a substep earlier.
+/// `length` and its rate at the beginning of the substep, `length_before` a substep earlier.
 inline DampedLink damped(double rest, double compliance, double damping, const TimeScheme& scheme, double length,
-                         double length_before) {
+                         double length_before, double rate) {
     const double weight = compliance * damping * scheme.next / scheme.h;
-    const double past = scheme.earlier == 0 ? length : length * scheme.now - length_before * scheme.earlier;
+    const double past = scheme.from_history(length, length_before, rate);
     // Beyond all measure, it keeps the length it would have coasting.
     if (weight > 1e30) return {past / scheme.next, scheme.h / (damping * scheme.next)};
     return {(rest + weight * past / scheme.next) / (1 + weight), compliance / (1 + weight)};

@@ -12,6 +12,14 @@ namespace gphys {
 /// this * t (w_a + w_b), which is 1e-10 of how far one substep's forces could move it.
 constexpr double rope_regularisation = 1e-10;
 
+struct Body;
+
+/// Whether its first substep is made in parts, after an interruption.
+bool starts_again(const Body& body);
+/// Whether its substeps of h seconds may be made in two stages: it goes on without an interruption, and no link
+/// moves by much meanwhile. stages.cpp.
+bool may_go_in_stages(const Body& body, Vec3 gravity, double h);
+
 /// Between two pins that are further apart than the rigid links between them are long together, no link can keep
 /// its length; the stretch that cannot be avoided is shared in proportion.
 /// pinned(i) and at(i) are of particle i of the chain; stretch(i, length) is called for each link that is to be

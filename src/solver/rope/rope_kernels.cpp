@@ -69,25 +69,54 @@ struct Symmetric3 {
     }
 };
 
+/// `force`, in newtons, is that of the links.
 template <int lanes>
-void predict(RopeNode<lanes>& node, const RopeStep<lanes>& step) {
+void predict(RopeNode<lanes>& node, const RopeStep<lanes>& step, const Vector3<Doubles<lanes>>& force) {
     using Value = Doubles<lanes>;
     const Value h = load(step.h), now = load(step.now), earlier = load(step.earlier), curve = load(step.curve);
+    const Value lean = load(step.lean), bend = load(step.bend);
     const Vector3<Value> at = load3(node.position), velocity = load3(node.velocity);
     const Vector3<Value> at_before = load3(node.start), velocity_before = load3(node.start_velocity);
-    const Vector3<Value> history = at * now - at_before * earlier;
+    const Vector3<Value> acceleration = load3(node.acceleration);
+    const Vector3<Value> rate =
+        acceleration + force * (all_of<lanes>(1) / load(node.mass)) - velocity * load(step.damping);
+    const Vector3<Value> history = at * now - at_before * earlier + velocity * lean;
     const Vector3<Value> falling =
-        (velocity * now - velocity_before * earlier + load3(node.acceleration) * h) * load(step.drag);
+        (velocity * now - velocity_before * earlier + rate * lean + acceleration * h) * load(step.drag);
     const Vector3<Value> predicted = (history + falling * h) * load(step.inverse_next);
     // Constraints included, motion goes on as it went: that is where Newton begins.
-    const Vector3<Value> onward = at + velocity * h + (velocity - velocity_before) * curve;
+    const Vector3<Value> onward =
+        at + velocity * load(step.advance) + (velocity - velocity_before) * curve + rate * bend;
     const auto is_free = all_of<lanes>(0) < load(node.free);
-    const auto knows = all_of<lanes>(0) < curve;
+    const auto knows = all_of<lanes>(0) < curve + bend;
     store3(node.start, at);
     store3(node.start_velocity, velocity);
+    store3(node.earlier_velocity, velocity_before);
     store3(node.history, history);
     store3(node.predicted, select3(is_free, predicted, at));
     store3(node.position, select3(is_free, select3(knows, onward, predicted), at));
+}
+
+template <int lanes>
+__attribute__((flatten, noinline)) void predict_all(RopeNode<lanes>* nodes, uint32_t count,
+                                                    const RopeStep<lanes>& step) {
+    using Value = Doubles<lanes>;
+    const Value none = all_of<lanes>(0), one = all_of<lanes>(1), hair = all_of<lanes>(aside);
+    const Vector3<Value> nowhere{none, none, none};
+    Vector3<Value> arriving = nowhere, at = load3(nodes[0].position);
+    const bool leans = any(none < load(step.lean));
+    for (uint32_t i = 0; i < count; ++i) {
+        Vector3<Value> leaving = nowhere, next = at;
+        if (leans && i + 1 < count) {
+            next = load3(nodes[i + 1].position);
+            const Vector3<Value> along = next - at;
+            const Value length = square_root(dot(along, along) + hair * hair);
+            leaving = Vector3<Value>{along.x + hair, along.y, along.z} * (load(nodes[i].tension) * (one / length));
+        }
+        predict(nodes[i], step, leaving - arriving);
+        arriving = leaving;
+        at = next;
+    }
 }
 
 template <class Value>
@@ -248,7 +277,7 @@ auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
 template <int lanes>
 __attribute__((flatten)) void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
                                    RopeBounds<lanes>& bounds) {
-    for (uint32_t i = 0; i < count; ++i) predict(nodes[i], step);
+    predict_all(nodes, count, step);
     auto active = all_of<lanes>(0) < all_of<lanes>(1);
     for (int iteration = 0; iteration < most_iterations && any(active); ++iteration) {
         const Doubles<lanes> reach = eliminate(nodes, count, step);

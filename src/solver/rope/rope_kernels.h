@@ -15,8 +15,9 @@ struct RopeNode {
     using Value = double[lanes];
 
     Value position[3], velocity[3];     // m, m/s
-    Value start[3], start_velocity[3];  // a substep before
-    Value history[3], predicted[3];     // of the substep under way, without constraints
+    Value start[3], start_velocity[3];  // a part of a substep before
+    Value earlier_velocity[3];          // two before
+    Value history[3], predicted[3];     // of the part under way, without constraints
     Value acceleration[3];              // of gravity and forces
     Value mass;                         // kg
     Value free;                         // 0: pinned, else 1
@@ -34,19 +35,22 @@ struct RopeNode {
     Value direction[3], stiffness;  // of the link that leaves
 };
 
-/// Of one substep, as TimeScheme has them.
+/// Of one part of a substep, as TimeScheme has them.
 template <int lanes>
 struct RopeStep {
     using Value = double[lanes];
 
     Value h, rate;  // s, 1/s
-    Value next, inverse_next, now, earlier;
-    Value drag;
+    Value next, inverse_next, now, earlier, lean;
+    Value damping, drag;
     Value step_squared, inverse_step_squared;  // of the scheme: what a force has to do with a position
-    Value curve;                               // h^2 / 2 / the substep before; 0: there was none
+    Value advance;                             // s
+    // advance^2 / 2: times what velocities have changed by, over the part before; and times the acceleration that the
+    // trapezoid rule knows. 0 of what is not known.
+    Value curve, bend;
 };
 
-/// What all nodes have kept within since it was last reset, and whether a substep has ended with lengths of links
+/// What all nodes have kept within since it was last reset, whether a substep has ended with lengths of links
 /// that had not been found: 0 or 1.
 template <int lanes>
 struct RopeBounds {

@@ -41,18 +41,21 @@ public:
         for (const Chain& chain : body_->plan.chains) set_targets(chain);
     }
 
-    void prepare(RopeStep<lanes>& step, double h) {
+    /// One part of a substep, of so many seconds; by the trapezoid rule what leans.
+    void prepare(RopeStep<lanes>& step, double advance, bool leans) {
         const double damping = body_ ? body_->settings.damping : 0;
-        const TimeScheme scheme(h, earlier_step_);
+        const TimeScheme scheme = leans ? TimeScheme::trapezoid(advance) : TimeScheme(advance, earlier_step_);
         const double effective = scheme.step(damping);
-        step.h[lane_] = h, step.rate[lane_] = 1 / h;
+        step.h[lane_] = scheme.h, step.rate[lane_] = 1 / scheme.h;
         step.next[lane_] = scheme.next, step.inverse_next[lane_] = 1 / scheme.next;
-        step.now[lane_] = scheme.now, step.earlier[lane_] = scheme.earlier;
-        step.drag[lane_] = scheme.drag(damping);
+        step.now[lane_] = scheme.now, step.earlier[lane_] = scheme.earlier, step.lean[lane_] = scheme.lean;
+        step.damping[lane_] = damping, step.drag[lane_] = scheme.drag(damping);
         step.step_squared[lane_] = effective * effective;
         step.inverse_step_squared[lane_] = 1 / (effective * effective);
-        step.curve[lane_] = scheme.earlier > 0 ? h * h / (2 * earlier_step_) : 0;
-        earlier_step_ = h;
+        step.advance[lane_] = advance;
+        step.curve[lane_] = scheme.earlier > 0 ? advance * advance / (2 * earlier_step_) : 0;
+        step.bend[lane_] = leans ? advance * advance / 2 : 0;
+        earlier_step_ = advance;
     }
 
     bool stays(const RopeBounds<lanes>& bounds, const Box* box) const {
@@ -76,6 +79,7 @@ public:
         body.velocity[p] = get(node.velocity, lane_);
         body.start[p] = get(node.start, lane_);
         body.start_velocity[p] = get(node.start_velocity, lane_);
+        body.earlier_velocity[p] = get(node.earlier_velocity, lane_);
     }
     /// Once all nodes are taken.
     void finish() const {
@@ -160,8 +164,6 @@ private:
     double earlier_step_ = 0;
 };
 
-constexpr double whole[] = {1};
-
 template <int lanes>
 void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&, RopeBounds<lanes>&),
                 RopeNode<lanes>* nodes, UndisturbedRope* ropes, uint32_t count, Vec3 gravity, double dt,
@@ -183,14 +185,21 @@ void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&,
         std::fill_n(bounds.high[k], lanes, -infinity);
     }
     std::fill_n(bounds.lost, lanes, 0.0);
-    const bool start = starts_again(*ropes[0].body);
+    const auto move_part = [&](double part, bool leans) {
+        RopeStep<lanes> step;
+        for (Lane<lanes>& lane : all) lane.prepare(step, part, leans);
+        move(nodes, longest, step, bounds);
+    };
+    const Body& first = *ropes[0].body;
+    const double h = dt / substeps;
     for (uint32_t i = 0; i < substeps; ++i) {
-        const bool in_parts = start && i == 0;
-        for (const double* part = in_parts ? starting_parts : whole;
-             part != (in_parts ? std::end(starting_parts) : std::end(whole)); ++part) {
-            RopeStep<lanes> step;
-            for (Lane<lanes>& lane : all) lane.prepare(step, dt / substeps * *part);
-            move(nodes, longest, step, bounds);
+        if (i == 0 && starts_again(first)) {
+            for (const double part : starting_parts) move_part(h * part, false);
+        } else if (first.in_stages) {
+            move_part(h * stages[0], true);
+            move_part(h * stages[1], false);
+        } else {
+            move_part(h, false);
         }
     }
     for (uint32_t r = 0; r < count; ++r) {
@@ -213,8 +222,6 @@ bool is_plain_rope(const Body& body) {
     return plan.method == GPHYS_SOLVE_DIRECT && plan.particles.size() == body.size() && !plan.limited && !plan.damped &&
            body.attachments.empty();
 }
-
-bool starts_again(const Body& body) { return body.earlier_step == 0 && !body.touched; }
 
 void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, Vec3 gravity, double dt, uint32_t substeps) {
     const RopeKernels& kernels = rope_kernels(chosen_isa());

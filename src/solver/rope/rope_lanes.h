@@ -29,9 +29,7 @@ constexpr uint32_t longest_rope_together = 320;
 
 /// Whether the kernels take it: chains of links that neither only pull nor are damped, attached to no model.
 bool is_plain_rope(const Body& body);
-/// The first substep after an interruption is made in parts, so it starts only with others that do.
-bool starts_again(const Body& body);
-/// At most ropes_together, which start again all or none; the room holds the longest.
+/// At most ropes_together, which start again all or none, and go in stages all or none; the room holds the longest.
 void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, Vec3 gravity, double dt, uint32_t substeps);
 
 }  // namespace gphys

@@ -20,7 +20,7 @@ bool is_slack(const Body& body, const Vector<Vec3>& position, uint32_t a, uint32
 struct TautLinks {
     Body& body;
     const Surroundings& around;
-    double counted;  // seconds: what is given of a tension to anchors beyond what it has changed velocities by
+    const TimeScheme& scheme;
     const Chain& chain;
 
     uint32_t particle(uint32_t i) const { return body.plan.particles[chain.first_particle + i]; }
@@ -79,7 +79,9 @@ struct TautLinks {
             const Vec3 pull = direction(i) * impulse;
             body.velocity[a] += pull * body.inverse_mass[a];
             body.velocity[b] -= pull * body.inverse_mass[b];
-            const Vec3 given = pull - link_pull(body, a, b, chain.first_link + i) * counted;
+            // Of what the anchors get of a link, its velocities have changed by this part only.
+            const double part = scheme.drag(body.settings.damping);
+            const Vec3 given = pull - link_impulse(body, a, b, chain.first_link + i, scheme) * (1 - part);
             if (body.pinned(a)) give_anchor(body, around, a, given);
             if (body.pinned(b)) give_anchor(body, around, b, -given);
         }
@@ -109,10 +111,9 @@ void predict_flying(Body& body, Vec3 gravity, double h) {
 }
 
 bool capture(Body& body, const Surroundings& around, const TimeScheme& scheme) {
-    const double counted = scheme.h - scheme.h / (scheme.next + body.settings.damping * scheme.h);
     bool any = false;
     for (const Chain& chain : body.plan.chains) {
-        const TautLinks links{body, around, counted, chain};
+        const TautLinks links{body, around, scheme, chain};
         if (!links.captured()) continue;
         links.stop();
         any = true;
