@@ -69,51 +69,67 @@ struct Symmetric3 {
     }
 };
 
-/// `force`, in newtons, is that of the links.
+/// Where a node would go without constraints, and where Newton begins: as motion, constraints included, goes on.
+template <class Value>
+struct Course {
+    Vector3<Value> history, predicted, onward;
+};
+
 template <int lanes>
-void predict(RopeNode<lanes>& node, const RopeStep<lanes>& step, const Vector3<Doubles<lanes>>& force) {
+Course<Doubles<lanes>> by_backward_formula(const RopeNode<lanes>& node, const RopeStep<lanes>& step) {
     using Value = Doubles<lanes>;
     const Value h = load(step.h), now = load(step.now), earlier = load(step.earlier), curve = load(step.curve);
-    const Value lean = load(step.lean), bend = load(step.bend);
     const Vector3<Value> at = load3(node.position), velocity = load3(node.velocity);
-    const Vector3<Value> at_before = load3(node.start), velocity_before = load3(node.start_velocity);
-    const Vector3<Value> acceleration = load3(node.acceleration);
-    const Vector3<Value> rate =
-        acceleration + force * (all_of<lanes>(1) / load(node.mass)) - velocity * load(step.damping);
-    const Vector3<Value> history = at * now - at_before * earlier + velocity * lean;
+    const Vector3<Value> velocity_before = load3(node.start_velocity);
+    const Vector3<Value> history = at * now - load3(node.start) * earlier;
     const Vector3<Value> falling =
-        (velocity * now - velocity_before * earlier + rate * lean + acceleration * h) * load(step.drag);
+        (velocity * now - velocity_before * earlier + load3(node.acceleration) * h) * load(step.drag);
     const Vector3<Value> predicted = (history + falling * h) * load(step.inverse_next);
-    // Constraints included, motion goes on as it went: that is where Newton begins.
-    const Vector3<Value> onward =
-        at + velocity * load(step.advance) + (velocity - velocity_before) * curve + rate * bend;
-    const auto is_free = all_of<lanes>(0) < load(node.free);
-    const auto knows = all_of<lanes>(0) < curve + bend;
-    store3(node.start, at);
-    store3(node.start_velocity, velocity);
-    store3(node.earlier_velocity, velocity_before);
-    store3(node.history, history);
-    store3(node.predicted, select3(is_free, predicted, at));
-    store3(node.position, select3(is_free, select3(knows, onward, predicted), at));
+    const Vector3<Value> onward = at + velocity * h + (velocity - velocity_before) * curve;
+    return {history, predicted, select3(all_of<lanes>(0) < curve, onward, predicted)};
+}
+
+/// `force`, in newtons, is that of the links at the beginning.
+template <int lanes>
+Course<Doubles<lanes>> by_trapezoid(const RopeNode<lanes>& node, const RopeStep<lanes>& step,
+                                    const Vector3<Doubles<lanes>>& force) {
+    using Value = Doubles<lanes>;
+    const Value h = load(step.h);
+    const Vector3<Value> at = load3(node.position), velocity = load3(node.velocity);
+    const Vector3<Value> fall = load3(node.acceleration);
+    const Vector3<Value> rate = fall + force * (all_of<lanes>(1) / load(node.mass)) - velocity * load(step.damping);
+    const Vector3<Value> history = at + velocity * h;
+    const Vector3<Value> falling = (velocity + (rate + fall) * h) * load(step.drag);
+    // The rule's step h is half of the time that passes.
+    return {history, history + falling * h, at + (velocity + rate * h) * (h + h)};
 }
 
 template <int lanes>
-__attribute__((flatten, noinline)) void predict_all(RopeNode<lanes>* nodes, uint32_t count,
-                                                    const RopeStep<lanes>& step) {
+void begin(RopeNode<lanes>& node, const Course<Doubles<lanes>>& course) {
+    const Vector3<Doubles<lanes>> at = load3(node.position);
+    const auto is_free = all_of<lanes>(0) < load(node.free);
+    store3(node.earlier_velocity, load3(node.start_velocity));
+    store3(node.start, at);
+    store3(node.start_velocity, load3(node.velocity));
+    store3(node.history, course.history);
+    store3(node.predicted, select3(is_free, course.predicted, at));
+    store3(node.position, select3(is_free, course.onward, at));
+}
+
+template <int lanes>
+void begin_trapezoid(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step) {
     using Value = Doubles<lanes>;
     const Value none = all_of<lanes>(0), one = all_of<lanes>(1), hair = all_of<lanes>(aside);
-    const Vector3<Value> nowhere{none, none, none};
-    Vector3<Value> arriving = nowhere, at = load3(nodes[0].position);
-    const bool leans = any(none < load(step.lean));
+    Vector3<Value> arriving{none, none, none}, at = load3(nodes[0].position);
     for (uint32_t i = 0; i < count; ++i) {
-        Vector3<Value> leaving = nowhere, next = at;
-        if (leans && i + 1 < count) {
+        Vector3<Value> leaving{none, none, none}, next = at;
+        if (i + 1 < count) {
             next = load3(nodes[i + 1].position);
             const Vector3<Value> along = next - at;
             const Value length = square_root(dot(along, along) + hair * hair);
             leaving = Vector3<Value>{along.x + hair, along.y, along.z} * (load(nodes[i].tension) * (one / length));
         }
-        predict(nodes[i], step, leaving - arriving);
+        begin(nodes[i], by_trapezoid(nodes[i], step, leaving - arriving));
         arriving = leaving;
         at = next;
     }
@@ -274,10 +290,21 @@ auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
 }
 
 // Left to itself, gcc calls the operators on eight doubles, which are in memory then.
+
 template <int lanes>
-__attribute__((flatten)) void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
+__attribute__((flatten, noinline)) void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
+                                                  bool trapezoid) {
+    if (trapezoid) {
+        begin_trapezoid(nodes, count, step);
+    } else {
+        for (uint32_t i = 0; i < count; ++i) begin(nodes[i], by_backward_formula(nodes[i], step));
+    }
+}
+
+template <int lanes>
+__attribute__((flatten)) void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid,
                                    RopeBounds<lanes>& bounds) {
-    predict_all(nodes, count, step);
+    begin_all(nodes, count, step, trapezoid);
     auto active = all_of<lanes>(0) < all_of<lanes>(1);
     for (int iteration = 0; iteration < most_iterations && any(active); ++iteration) {
         const Doubles<lanes> reach = eliminate(nodes, count, step);

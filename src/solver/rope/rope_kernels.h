@@ -41,13 +41,10 @@ struct RopeStep {
     using Value = double[lanes];
 
     Value h, rate;  // s, 1/s
-    Value next, inverse_next, now, earlier, lean;
+    Value next, inverse_next, now, earlier;
     Value damping, drag;
     Value step_squared, inverse_step_squared;  // of the scheme: what a force has to do with a position
-    Value advance;                             // s
-    // advance^2 / 2: times what velocities have changed by, over the part before; and times the acceleration that the
-    // trapezoid rule knows. 0 of what is not known.
-    Value curve, bend;
+    Value curve;                               // h^2 / 2 / the part before; 0: there was none
 };
 
 /// What all nodes have kept within since it was last reset, whether a substep has ended with lengths of links
@@ -58,9 +55,12 @@ struct RopeBounds {
     double lost[lanes];
 };
 
+/// One part of a substep, by the trapezoid rule or the backward formula in all lanes.
 struct RopeKernels {
-    void (*move_one)(RopeNode<1>* nodes, uint32_t count, const RopeStep<1>& step, RopeBounds<1>& bounds);
-    void (*move_eight)(RopeNode<8>* nodes, uint32_t count, const RopeStep<8>& step, RopeBounds<8>& bounds);
+    void (*move_one)(RopeNode<1>* nodes, uint32_t count, const RopeStep<1>& step, bool trapezoid,
+                     RopeBounds<1>& bounds);
+    void (*move_eight)(RopeNode<8>* nodes, uint32_t count, const RopeStep<8>& step, bool trapezoid,
+                       RopeBounds<8>& bounds);
 };
 
 // A link is settled within this part of its length: float32 output rounds coordinates of its size by as much.

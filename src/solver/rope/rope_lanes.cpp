@@ -41,20 +41,18 @@ public:
         for (const Chain& chain : body_->plan.chains) set_targets(chain);
     }
 
-    /// One part of a substep, of so many seconds; by the trapezoid rule what leans.
-    void prepare(RopeStep<lanes>& step, double advance, bool leans) {
+    /// One part of a substep, of so many seconds.
+    void prepare(RopeStep<lanes>& step, double advance, bool trapezoid) {
         const double damping = body_ ? body_->settings.damping : 0;
-        const TimeScheme scheme = leans ? TimeScheme::trapezoid(advance) : TimeScheme(advance, earlier_step_);
+        const TimeScheme scheme = trapezoid ? TimeScheme::trapezoid(advance) : TimeScheme(advance, earlier_step_);
         const double effective = scheme.step(damping);
         step.h[lane_] = scheme.h, step.rate[lane_] = 1 / scheme.h;
         step.next[lane_] = scheme.next, step.inverse_next[lane_] = 1 / scheme.next;
-        step.now[lane_] = scheme.now, step.earlier[lane_] = scheme.earlier, step.lean[lane_] = scheme.lean;
+        step.now[lane_] = scheme.now, step.earlier[lane_] = scheme.earlier;
         step.damping[lane_] = damping, step.drag[lane_] = scheme.drag(damping);
         step.step_squared[lane_] = effective * effective;
         step.inverse_step_squared[lane_] = 1 / (effective * effective);
-        step.advance[lane_] = advance;
         step.curve[lane_] = scheme.earlier > 0 ? advance * advance / (2 * earlier_step_) : 0;
-        step.bend[lane_] = leans ? advance * advance / 2 : 0;
         earlier_step_ = advance;
     }
 
@@ -165,7 +163,7 @@ private:
 };
 
 template <int lanes>
-void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&, RopeBounds<lanes>&),
+void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&, bool, RopeBounds<lanes>&),
                 RopeNode<lanes>* nodes, UndisturbedRope* ropes, uint32_t count, Vec3 gravity, double dt,
                 uint32_t substeps) {
     uint32_t longest = 0;
@@ -185,10 +183,10 @@ void move_lanes(void (*move)(RopeNode<lanes>*, uint32_t, const RopeStep<lanes>&,
         std::fill_n(bounds.high[k], lanes, -infinity);
     }
     std::fill_n(bounds.lost, lanes, 0.0);
-    const auto move_part = [&](double part, bool leans) {
+    const auto move_part = [&](double part, bool trapezoid) {
         RopeStep<lanes> step;
-        for (Lane<lanes>& lane : all) lane.prepare(step, part, leans);
-        move(nodes, longest, step, bounds);
+        for (Lane<lanes>& lane : all) lane.prepare(step, part, trapezoid);
+        move(nodes, longest, step, trapezoid, bounds);
     };
     const Body& first = *ropes[0].body;
     const double h = dt / substeps;
