@@ -1,6 +1,7 @@
 // Whether the substeps of a rope are made in two stages, by the trapezoid rule and the backward formula
 // (TimeScheme). The rule damps nothing: where a link turns by more than half a radian in a substep, or begins to,
-// or would swing by more than one if its ends were pushed aside, it adds energy.
+// or would swing by more than one if its ends were pushed aside, it adds energy; and a stiff spring that would swing
+// by more, as one that a string becomes when it is taut, goes on swinging.
 #include "solver/rope/rope.h"
 
 #include "solver/body.h"
@@ -9,7 +10,7 @@ namespace gphys {
 
 namespace {
 
-// Of a substep, radians: turning, and what swinging and turning faster count beside it.
+// Of a substep, radians: turning, and what swinging, sideways or along, and turning faster count beside it.
 constexpr double most_turn = 0.5, swing_weight = 0.25;
 // A substep is 1 / (1 - first_stage) as long as its last part: in so much more time a link turns faster by as much.
 constexpr double faster_weight = 6;
@@ -21,9 +22,10 @@ double agility_of(const Body& body, uint32_t a, uint32_t b, uint32_t link, doubl
     const Vec3 faster = apart - (body.start_velocity[b] - body.start_velocity[a]);
     const double turning = std::max(length_squared(apart), faster_weight * length_squared(faster));
     const double pull = std::max(std::fabs(body.plan.tension[link]), weight);
-    const double swinging = swing_weight * pull * (body.inverse_mass[a] + body.inverse_mass[b]) * rest;
-    const double most = std::max(turning, swinging);
-    return most > 0 ? most / (rest * rest) : 0;
+    const double mobility = body.inverse_mass[a] + body.inverse_mass[b], compliance = body.plan.compliance[link];
+    const double most = std::max(turning, swing_weight * pull * mobility * rest);
+    const double stretching = compliance > 0 ? swing_weight * mobility / compliance : 0;
+    return std::max(most > 0 ? most / (rest * rest) : 0, stretching);
 }
 
 }  // namespace
