@@ -47,7 +47,17 @@ size_t thread_count() {
     return static_cast<size_t>(std::distance(begin(tasks), end(tasks)));
 }
 
-/// The system may list a thread for a moment after it was joined.
+// The system may list a thread for a moment after it was joined.
+
+size_t thread_count_at_rest() {
+    size_t count = thread_count();
+    for (size_t before = count + 1; before != count;) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        before = std::exchange(count, thread_count());
+    }
+    return count;
+}
+
 bool thread_count_becomes(size_t count) {
     for (int patience = 0; patience < 1000 && thread_count() != count; ++patience) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -135,7 +145,7 @@ TEST_CASE("two workers work at the same time") {
 
 TEST_CASE("workers are started with their owner and joined with it, none for a count of one or a runner") {
     std::thread([] {}).join();  // with the first one a sanitizer starts its own
-    const size_t before = thread_count();
+    const size_t before = thread_count_at_rest();
     {
         const Workers four(4, nullptr, std::pmr::new_delete_resource());
         const Workers one(1, nullptr, std::pmr::new_delete_resource());
