@@ -214,7 +214,7 @@ TEST_CASE("workers that cannot be started are a failed allocation, and those bef
     }
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they need the address space
     CHECK(in_child([] {
-        const size_t before = thread_count();
+        const size_t before = thread_count_at_rest();
         // Room for some of the stacks, which are 8 MB each unless the system's limit says otherwise.
         const rlimit stacks{8 << 20, 8 << 20}, room{size_t{1} << 30, size_t{1} << 30};
         setrlimit(RLIMIT_STACK, &stacks);
