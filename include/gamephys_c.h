@@ -957,8 +957,9 @@ GPHYS_API gphys_status gphys_solver_get_origin(const gphys_solver* solver, doubl
 /** m/s^2, from the next step on. */
 GPHYS_API gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity);
 /** 1 .. 1000. More substeps: smaller errors, proportionally more time. The error of motion goes with the square
- *  of their length. Ropes that move calmly - no link turns by half a radian in a substep, or is that stiff - make
- *  each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error. */
+ *  of their length. Ropes that move calmly - in a substep no link turns by half a radian, or would swing by one if
+ *  its ends were pushed - make each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the
+ *  error. */
 GPHYS_API gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps);
 
 enum {

@@ -202,7 +202,7 @@ TEST_CASE("two joined ropes converge to where one alone does") {
         apart[substeps / 32] = ropes.apart();
         std::printf("    %u substeps: free ends apart by %.3g m\n", substeps, ropes.apart());
     }
-    CHECK(apart[1] < 1e-3);
+    CHECK(apart[1] < 1e-4);
     CHECK(apart[1] < apart[0] / 3);
 }
 

@@ -165,6 +165,7 @@ TEST_CASE("a damped rope falls as the closed form says") {
         errors[substeps - 1] = std::fabs(world.position(rope, 1).y + fallen);
         std::printf("    damped fall, %u substeps: off by %.3g of %.3g m\n", substeps, errors[substeps - 1], fallen);
     }
+    // Half of the formula's 0.04 h^2 times what the acceleration changes by, 6.2 m/s^2.
     CHECK(errors[0] < 3e-5);
     CHECK(errors[1] < errors[0] / 2);
 }

@@ -289,8 +289,8 @@ auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
     return lost;
 }
 
-// Left to itself, gcc calls the operators on eight doubles, which are in memory then.
-
+// Left to itself, gcc calls the operators on eight doubles, which are in memory then. Apart from move, as gcc wrongly
+// takes values of find_lost for unset when it sees both.
 template <int lanes>
 __attribute__((flatten, noinline)) void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
                                                   bool trapezoid) {

@@ -47,7 +47,7 @@ struct RopeStep {
     Value curve;                               // h^2 / 2 / the part before; 0: there was none
 };
 
-/// What all nodes have kept within since it was last reset, whether a substep has ended with lengths of links
+/// What all nodes have kept within since it was last reset, and whether a part has ended with lengths of links
 /// that had not been found: 0 or 1.
 template <int lanes>
 struct RopeBounds {

@@ -35,11 +35,7 @@ struct TautLinks {
         }
         return false;
     }
-    Vec3 direction(uint32_t i) const {
-        const Vec3 along = body.position[particle(i + 1)] - body.position[particle(i)];
-        const double length = gphys::length(along);
-        return length > 0 ? along / length : Vec3{1, 0, 0};
-    }
+    Vec3 direction(uint32_t i) const { return link_direction(body, particle(i), particle(i + 1)); }
 
     /// Impulses p_j along the links after which no taut one changes its length, by elimination:
     ///   -c_j p_(j-1) + (w_j + w_(j+1)) p_j - c_(j+1) p_(j+1) = rate_j,   c_j = w_j (n_(j-1) . n_j)

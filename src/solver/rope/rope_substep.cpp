@@ -206,9 +206,11 @@ void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const auto move_part = [&](const Surroundings& within, double part) {
         move_chains(body, within, gravity, TimeScheme(part, body.earlier_step));
     };
+    // How calm it is after an interruption shows in the next step.
+    if (body.earlier_step == 0) body.in_stages = false;
     if (starts_again(body)) {
         start_slowly(around, h, move_part);
-    } else if (body.in_stages && body.earlier_step > 0) {
+    } else if (body.in_stages) {
         bool leans = true;
         move_in_parts(stages, around, h, [&](const Surroundings& within, double part) {
             if (leans) {

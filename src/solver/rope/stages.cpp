@@ -12,7 +12,7 @@ namespace {
 
 // Of a substep, radians: turning, and what swinging, sideways or along, and turning faster count beside it.
 constexpr double most_turn = 0.5, swing_weight = 0.25;
-// A substep is 1 / (1 - first_stage) as long as its last part: in so much more time a link turns faster by as much.
+// The square of how much longer a substep is than its last part, in which a link has begun to turn faster.
 constexpr double faster_weight = 6;
 
 /// Square of the turn per second.

@@ -68,8 +68,9 @@ public final class Solver extends Owned {
     /**
      * <pre>
      * 1 .. 1000. More substeps: smaller errors, proportionally more time. The error of motion goes with the square
-     * of their length. Ropes that move calmly - no link turns by half a radian in a substep, or is that stiff - make
-     * each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
+     * of their length. Ropes that move calmly - in a substep no link turns by half a radian, or would swing by one if
+     * its ends were pushed - make each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the
+     * error.
      * </pre>
      */
     public void setSubsteps(int substeps) {
