@@ -2,8 +2,6 @@
 // instruction set, and not past what they could meet after all.
 #include <cstring>
 
-#include "foundation/isa.h"
-#include "solver/rope/rope_kernels.h"
 #include "solver/time_scheme.h"
 #include "solver_world.h"
 
@@ -38,61 +36,6 @@ bool same_bits(const std::vector<gphys_vec3>& a, const std::vector<gphys_vec3>& 
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), 12 * a.size()) == 0;
 }
 
-template <int lanes>
-struct Problem {
-    static constexpr uint32_t count = 9;
-    RopeNode<lanes> nodes[count];
-    RopeStep<lanes> step;
-    RopeBounds<lanes> bounds;
-};
-
-/// Eight ropes of different lengths, some of them pinned or moving fast.
-void fill(Problem<8>& problem, bool trapezoid) {
-    test::Random random(11);
-    std::memset(&problem, 0, sizeof problem);
-    for (uint32_t lane = 0; lane < 8; ++lane) {
-        const uint32_t size = lane == 7 ? 0 : Problem<8>::count - lane;
-        for (uint32_t i = 0; i < Problem<8>::count; ++i) {
-            RopeNode<8>& node = problem.nodes[i];
-            node.mass[lane] = random.uniform(0.5, 2);
-            node.free[lane] = i < size && (i > 0 || lane == 2) ? 1 : 0;
-            node.position[0][lane] = 0.1 * i, node.position[1][lane] = random.uniform(0, 0.02);
-            node.start[0][lane] = node.position[0][lane] - 0.001 * lane, node.start[1][lane] = node.position[1][lane];
-            for (int k = 0; k < 3; ++k) {
-                node.velocity[k][lane] = random.uniform(-1, 1) * lane;
-                node.start_velocity[k][lane] = node.velocity[k][lane] + random.uniform(-0.1, 0.1);
-            }
-            node.acceleration[1][lane] = -9.81;
-            const bool present = i + 1 < size;
-            node.present[lane] = present ? 1 : 0;
-            node.target[lane] = present ? 0.1 : 0, node.inverse_target[lane] = present ? 10 : 1;
-            node.compliance[lane] = lane == 3 ? 1e-4 : 0;
-            node.regularisation[lane] = present ? 1e-10 : 1;
-            node.sideways[lane] = present ? 2e-9 : 1e30;
-            node.tension[lane] = present ? random.uniform(0, 20) : 0;
-        }
-        const double damping = 0.1 * lane;
-        const TimeScheme scheme = trapezoid ? TimeScheme::trapezoid(1.0 / 240) : TimeScheme(1.0 / 240, 1.0 / 240);
-        const double h = scheme.h, step = scheme.step(damping);
-        problem.step.h[lane] = h, problem.step.rate[lane] = 1 / h;
-        problem.step.next[lane] = scheme.next, problem.step.inverse_next[lane] = 1 / scheme.next;
-        problem.step.now[lane] = scheme.now, problem.step.earlier[lane] = scheme.earlier;
-        problem.step.damping[lane] = damping, problem.step.drag[lane] = scheme.drag(damping);
-        problem.step.step_squared[lane] = step * step, problem.step.inverse_step_squared[lane] = 1 / (step * step);
-        problem.step.curve[lane] = scheme.earlier * scheme.advance;
-    }
-}
-
-/// What it is in one lane: all of these structs are arrays of eight.
-template <class One, class Eight>
-void take_lane(One& one, const Eight& eight, uint32_t lane) {
-    static_assert(8 * sizeof one == sizeof eight);
-    for (size_t i = 0; i < sizeof one / 8; ++i) {
-        std::memcpy(reinterpret_cast<char*>(&one) + 8 * i, reinterpret_cast<const char*>(&eight) + 8 * (8 * i + lane),
-                    8);
-    }
-}
-
 }  // namespace
 
 TEST_CASE("a rope moves with the same bits alone and among others") {
@@ -116,39 +59,6 @@ TEST_CASE("a rope moves with the same bits alone and among others") {
         REQUIRE(test::all_finite(alone.positions(rope)));
         CHECK(same_bits(alone.positions(rope), together.positions(bodies[which])));
         CHECK(same_bits(alone.velocities(rope), together.velocities(bodies[which])));
-    }
-}
-
-TEST_CASE("the kernels of ropes give the same bits on each instruction set, for one rope and for eight") {
-    static Problem<8> start, wanted, got;
-    const bool trapezoid = GENERATE(false, true);
-    CAPTURE(trapezoid);
-    fill(start, trapezoid);
-    wanted = start;
-    rope_kernels(Isa::scalar).move_eight(wanted.nodes, Problem<8>::count, wanted.step, trapezoid, wanted.bounds);
-    CHECK(std::memcmp(&start.nodes, &wanted.nodes, sizeof start.nodes) != 0);
-    for (const Isa isa : {
-#define GPHYS_TEST_ISA(set, ...) Isa::set,
-             GPHYS_FOR_EACH_ISA(GPHYS_TEST_ISA, )
-#undef GPHYS_TEST_ISA
-         }) {
-        if (!has(isa)) continue;
-        CAPTURE(name_of(isa));
-        got = start;
-        rope_kernels(isa).move_eight(got.nodes, Problem<8>::count, got.step, trapezoid, got.bounds);
-        CHECK(std::memcmp(&got, &wanted, sizeof got) == 0);
-        for (uint32_t lane = 0; lane < 8; ++lane) {
-            CAPTURE(lane);
-            static Problem<1> one, one_wanted;
-            take_lane(one, start, lane);
-            take_lane(one_wanted, wanted, lane);
-            rope_kernels(isa).move_one(one.nodes, Problem<1>::count, one.step, trapezoid, one.bounds);
-            for (uint32_t i = 0; i < Problem<1>::count; ++i) {
-                REQUIRE(std::memcmp(one.nodes[i].position, one_wanted.nodes[i].position, 24) == 0);
-                REQUIRE(std::memcmp(one.nodes[i].velocity, one_wanted.nodes[i].velocity, 24) == 0);
-                REQUIRE(one.nodes[i].tension[0] == one_wanted.nodes[i].tension[0]);
-            }
-        }
     }
 }
 

@@ -116,7 +116,7 @@ inline Double8 square_root(Double8 a) {
 #elif GPHYS_ISA_IS(wasm)
         part = reinterpret_cast<DoubleRegister>(wasm_f64x2_sqrt(reinterpret_cast<v128_t>(part)));
 #else
-        for (int i = 0; i < double_register_lanes; ++i) part[i] = __builtin_sqrt(part[i]);
+        part = DoubleRegister{__builtin_sqrt(part[0]), __builtin_sqrt(part[1])};
 #endif
     }
     return a;
@@ -299,57 +299,100 @@ inline void transpose(__m256d (&v)[4]) {
 }
 #endif
 
-/// Four doubles behind one another at each of eight places, component by component: at(i) is where.
-template <class At>
-[[gnu::always_inline]] inline void load_fours(const At& at, Double8 (&to)[4]) {
+#if GPHYS_ISA_IS(avx512) || GPHYS_ISA_IS(avx2)
+/// Eight rows of four doubles, row(i), as four columns of eight.
+template <class Row>
+[[gnu::always_inline]] inline void columns_of(const Row& row, Double8 (&to)[4]) {
 #if GPHYS_ISA_IS(avx512)
     __m512d v[4];
-    for (int i = 0; i < 4; ++i) {
-        v[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(at(i))), _mm256_loadu_pd(at(i + 4)), 1);
-    }
+    for (int i = 0; i < 4; ++i) v[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(row(i)), row(i + 4), 1);
     transpose(v);
     for (int k = 0; k < 4; ++k) to[k].part[0] = v[k];
-#elif GPHYS_ISA_IS(avx2)
-    for (int half = 0; half < 2; ++half) {
-        __m256d row[4];
-        for (int i = 0; i < 4; ++i) row[i] = _mm256_loadu_pd(at(4 * half + i));
-        transpose(row);
-        for (int k = 0; k < 4; ++k) to[k].part[half] = row[k];
-    }
 #else
-    double column[4][8];
-    for (int i = 0; i < 8; ++i) {
-        double four[4];
-        std::memcpy(four, at(i), sizeof four);
-        for (int k = 0; k < 4; ++k) column[k][i] = four[k];
+    for (int half = 0; half < 2; ++half) {
+        __m256d v[4];
+        for (int i = 0; i < 4; ++i) v[i] = row(4 * half + i);
+        transpose(v);
+        for (int k = 0; k < 4; ++k) to[k].part[half] = v[k];
     }
-    for (int k = 0; k < 4; ++k) to[k] = load_doubles(column[k]);
 #endif
 }
-template <class At>
-[[gnu::always_inline]] inline void store_fours(const At& at, const Double8 (&from)[4]) {
+/// And back: give(i, row).
+template <class Give>
+[[gnu::always_inline]] inline void give_rows_of(const Double8 (&from)[4], const Give& give) {
 #if GPHYS_ISA_IS(avx512)
     __m512d v[4] = {from[0].part[0], from[1].part[0], from[2].part[0], from[3].part[0]};
     transpose(v);
-    for (int i = 0; i < 4; ++i) {
-        _mm256_storeu_pd(at(i), _mm512_castpd512_pd256(v[i]));
-        _mm256_storeu_pd(at(i + 4), _mm512_extractf64x4_pd(v[i], 1));
-    }
-#elif GPHYS_ISA_IS(avx2)
-    for (int half = 0; half < 2; ++half) {
-        __m256d row[4];
-        for (int k = 0; k < 4; ++k) row[k] = from[k].part[half];
-        transpose(row);
-        for (int i = 0; i < 4; ++i) _mm256_storeu_pd(at(4 * half + i), row[i]);
-    }
+    for (int i = 0; i < 4; ++i) give(i, _mm512_castpd512_pd256(v[i])), give(i + 4, _mm512_extractf64x4_pd(v[i], 1));
 #else
-    double column[4][8];
-    for (int k = 0; k < 4; ++k) store_doubles(column[k], from[k]);
-    for (int i = 0; i < 8; ++i) {
-        const double four[4] = {column[0][i], column[1][i], column[2][i], column[3][i]};
-        std::memcpy(at(i), four, sizeof four);
+    for (int half = 0; half < 2; ++half) {
+        __m256d v[4];
+        for (int k = 0; k < 4; ++k) v[k] = from[k].part[half];
+        transpose(v);
+        for (int i = 0; i < 4; ++i) give(4 * half + i, v[i]);
     }
 #endif
 }
+#endif
+
+/// Doubles behind one another at each of eight places, component by component: at(i) is where.
+template <int count, class At>
+[[gnu::always_inline]] inline void load_components(const At& at, Double8 (&to)[count]) {
+    for (int k = 0; k < count; ++k) {
+        for (int i = 0; i < double_register_count; ++i) {
+            const int first = double_register_lanes * i;
+#if GPHYS_ISA_IS(avx512)
+            to[k].part[i] = DoubleRegister{at(first)[k],     at(first + 1)[k], at(first + 2)[k], at(first + 3)[k],
+                                           at(first + 4)[k], at(first + 5)[k], at(first + 6)[k], at(first + 7)[k]};
+#elif GPHYS_ISA_IS(avx2)
+            to[k].part[i] = DoubleRegister{at(first)[k], at(first + 1)[k], at(first + 2)[k], at(first + 3)[k]};
+#else
+            to[k].part[i] = DoubleRegister{at(first)[k], at(first + 1)[k]};
+#endif
+        }
+    }
+}
+template <int count, class At>
+[[gnu::always_inline]] inline void store_components(const At& at, const Double8 (&from)[count]) {
+    for (int i = 0; i < 8; ++i) {
+        for (int k = 0; k < count; ++k) at(i)[k] = from[k].part[i / double_register_lanes][i % double_register_lanes];
+    }
+}
+/// One at a single place.
+template <int count, class At>
+[[gnu::always_inline]] inline void load_components(const At& at, double (&to)[count]) {
+    for (int k = 0; k < count; ++k) to[k] = at(0)[k];
+}
+template <int count, class At>
+[[gnu::always_inline]] inline void store_components(const At& at, const double (&from)[count]) {
+    for (int k = 0; k < count; ++k) at(0)[k] = from[k];
+}
+
+#if GPHYS_ISA_IS(avx512) || GPHYS_ISA_IS(avx2)
+template <class At>
+[[gnu::always_inline]] inline void load_components(const At& at, Double8 (&to)[4]) {
+    columns_of([&](int i) { return _mm256_loadu_pd(at(i)); }, to);
+}
+template <class At>
+[[gnu::always_inline]] inline void store_components(const At& at, const Double8 (&from)[4]) {
+    give_rows_of(from, [&](int i, __m256d row) { _mm256_storeu_pd(at(i), row); });
+}
+/// Nothing behind the third is touched.
+template <class At>
+[[gnu::always_inline]] inline void load_components(const At& at, Double8 (&to)[3]) {
+    const __m256i three = _mm256_setr_epi64x(-1, -1, -1, 0);
+    Double8 all[4];
+    columns_of([&](int i) { return _mm256_maskload_pd(at(i), three); }, all);
+    for (int k = 0; k < 3; ++k) to[k] = all[k];
+}
+template <class At>
+[[gnu::always_inline]] inline void store_components(const At& at, const Double8 (&from)[3]) {
+    const Double8 all[4] = {from[0], from[1], from[2], from[2]};
+    give_rows_of(all, [&](int i, __m256d row) {
+        _mm_storeu_pd(at(i), _mm256_castpd256_pd128(row));
+        _mm_store_sd(at(i) + 2, _mm256_extractf128_pd(row, 1));
+    });
+}
+#endif
 
 }  // namespace gphys::GPHYS_ISA

@@ -20,9 +20,9 @@ struct Rays8 {
         static_assert(sizeof(Ray) == 7 * sizeof(double));
         const auto at = [&](int i, int number) { return &ray_at(i).origin.x + number; };
         Double8 four[4];
-        load_fours([&](int i) { return at(i, 0); }, four);
+        load_components([&](int i) { return at(i, 0); }, four);
         for (int k = 0; k < 3; ++k) origin[k] = four[k];
-        load_fours([&](int i) { return at(i, 3); }, four);
+        load_components([&](int i) { return at(i, 3); }, four);
         for (int k = 0; k < 3; ++k) direction[k] = four[k];
         t_max = four[3];
     }
@@ -44,9 +44,10 @@ Float8 put_probes(const Rays8& rays, const RaySetup<Double8>& setup, const At& a
     };
     store_quads([&](int i) { return reinterpret_cast<float*>(at(i).near_face); }, faces(0, 24));
     store_quads([&](int i) { return reinterpret_cast<float*>(at(i).far_face); }, faces(24, 0));
-    store_fours([&](int i) { return at(i).begin; }, {setup.begin[0], setup.begin[1], setup.begin[2], 0});
-    store_fours([&](int i) { return reinterpret_cast<double*>(&at(i).course); },
-                {setup.slack, setup.scale, setup.start, setup.span});
+    const Double8 begin[] = {setup.begin[0], setup.begin[1], setup.begin[2], 0};
+    const Double8 course[] = {setup.slack, setup.scale, setup.start, setup.span};
+    store_components([&](int i) { return at(i).begin; }, begin);
+    store_components([&](int i) { return reinterpret_cast<double*>(&at(i).course); }, course);
     return narrowed(ray_limit(rays.t_max, setup.slack, setup.scale, setup.start, setup.span));
 }
 

@@ -14,7 +14,7 @@
 //   rope/              chains and trees: Newton on the whole chain
 //     plan_chains.cpp    which constraints form chains
 //     rope_substep.cpp   a substep of one, and what it does beside models
-//     stages.cpp         which go by two formulas, for a seventh of the error
+//     stages_kernels.cpp which go by two formulas, for a seventh of the error
 //     rope_direct.cpp    links, one rope at a time, by elimination of matrices
 //     rope_lanes.cpp     those that nothing disturbs, several side by side
 //     rope_limits.cpp    links that only pull
@@ -190,9 +190,9 @@ private:
     /// A body of the step under way.
     struct Moving {
         uint32_t size, slot, substeps;
+        uint32_t chains;           // of its constraints
         bool undisturbed = false;  // a rope that meets nothing while it stays in the box
         bool starts = false;       // again: of undisturbed ropes
-        bool stages = false;       // of ropes: Body::in_stages
         double fastest = 0;        // m/s, no particle is faster
         Box nearby{};              // where it may come near to models,
         uint32_t models_near = 0;  // and how many are there
@@ -200,14 +200,14 @@ private:
 
         /// Of undisturbed ropes: whether they can be moved together.
         bool alike(const Moving& other) const {
-            return starts == other.starts && stages == other.stages && substeps == other.substeps;
+            return chains == 1 && other.chains == 1 && starts == other.starts && substeps == other.substeps;
         }
         /// Undisturbed ropes last, those alike beside each other. The largest first: no worker begins a large
         /// body when the others are done.
         bool operator<(const Moving& other) const {
             if (undisturbed != other.undisturbed) return other.undisturbed;
             if (undisturbed && starts != other.starts) return starts;
-            if (undisturbed && stages != other.stages) return stages;
+            if (undisturbed && chains != other.chains) return chains > other.chains;
             if (undisturbed && substeps != other.substeps) return substeps > other.substeps;
             return size != other.size ? size > other.size : slot < other.slot;
         }
@@ -243,7 +243,7 @@ private:
     void begin_moving(const Moving& moving, const Scene* scene, double dt);
     void end_moving(const Moving& moving, const Scene* scene, double dt, uint32_t substeps);
     uint32_t move_in_substeps(Body& body, uint32_t count, const Surroundings& step);
-    void move_through(const Moving& moving, const Scene* scene, double dt);
+    void move_through(const Moving& moving, RopeRoom& room, const Scene* scene, double dt);
     void move_part(const Task& task, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);
     void remove_joint(uint32_t slot);

@@ -140,8 +140,8 @@ void Solver::prepare(const Scene* scene, double dt) {
         } else {
             body.parts.clear();
         }
-        moving_.push_back(
-            {body.size(), slot, substeps_of(body, state_.settings, dt), is_plain_rope(body), starts_again(body)});
+        moving_.push_back({body.size(), slot, substeps_of(body, state_.settings, dt),
+                           static_cast<uint32_t>(body.plan.chains.size()), is_plain_rope(body), starts_again(body)});
         if (scene && body.settings.layers != 0) {
             body.touches.resize(size_t{body.size()} * touches_per_particle);
             body.touch_count.resize(body.size());
@@ -151,11 +151,6 @@ void Solver::prepare(const Scene* scene, double dt) {
         }
     }
     if (!joints_current_) plan_joints();
-    workers_.run(static_cast<uint32_t>(moving_.size()), [&](uint32_t i) {
-        Moving& moving = moving_[i];
-        Body& body = state_.bodies[moving.slot];
-        moving.stages = body.in_stages = may_go_in_stages(body, state_.settings.gravity, dt / moving.substeps);
-    });
     list_islands();
     particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
     if (scene) look_around(*scene, dt);
@@ -266,10 +261,9 @@ void Solver::divide_work() {
         const uint32_t parts = static_cast<uint32_t>(state_.bodies[first.slot].parts.size());
         for (uint32_t part = 0; part < parts; ++part) tasks_.push_back({i, 1, false, part});
         if (parts == 0) tasks_.push_back({i, next - i, shared, 0});
-        if (first.undisturbed) {
-            size_t& longest = next - i > 1 ? together : alone;
-            longest = std::max<size_t>(longest, first.size);
-        }
+        if (state_.bodies[first.slot].plan.method != GPHYS_SOLVE_DIRECT) continue;
+        alone = std::max<size_t>(alone, first.size);
+        if (next - i > 1) together = std::max<size_t>(together, first.size);
     }
     for (RopeRoom& room : rooms_) {
         if (room.one.size() < alone) room.one.resize(alone);
@@ -314,7 +308,7 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const Surroundings
 }
 
 /// All substeps of one body. Touches nothing of other bodies, allocates nothing.
-void Solver::move_through(const Moving& moving, const Scene* scene, double dt) {
+void Solver::move_through(const Moving& moving, RopeRoom& room, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
     const Vec3 gravity = state_.settings.gravity;
     const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
@@ -324,7 +318,9 @@ void Solver::move_through(const Moving& moving, const Scene* scene, double dt) {
         body.extent = fly_through(body, 0, body.size(), {body.impulses, body.touched}, whole, gravity, substeps);
     } else {
         begin_touches(body);
+        body.in_stages = false;
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
+        if (body.plan.method == GPHYS_SOLVE_DIRECT) choose_stages(body, room, {gravity, dt, substeps, false});
         substeps = move_in_substeps(body, substeps, whole);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         end_touches(body);
@@ -349,10 +345,10 @@ void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* sce
         Body& body = state_.bodies[first[i].slot];
         ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].nearby : nullptr, false};
     }
-    move_ropes(ropes, task.count, room, state_.settings.gravity, dt, first->substeps);
+    move_ropes(ropes, task.count, room, {state_.settings.gravity, dt, first->substeps, state_.settings.tolerance > 0});
     for (uint32_t i = 0; i < task.count; ++i) {
         if (!ropes[i].stayed) {
-            move_through(first[i], scene, dt);
+            move_through(first[i], room, scene, dt);
             continue;
         }
         Body& body = *ropes[i].body;
@@ -368,7 +364,7 @@ void Solver::move_shared(const Moving& moving, const Scene* scene, double dt) {
     Team team;
     ClothState& cloth = state_.bodies[moving.slot].cloth;
     cloth.team = &team;
-    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_through(moving, scene, dt); }); });
+    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_through(moving, rooms_[0], scene, dt); }); });
     cloth.team = nullptr;
 }
 
@@ -398,7 +394,7 @@ void Solver::step(const Scene* scene, double dt) {
             } else if (moving_[task.first].undisturbed) {
                 move_undisturbed(task, rooms_[worker], scene, dt);
             } else {
-                move_through(moving_[task.first], scene, dt);
+                move_through(moving_[task.first], rooms_[worker], scene, dt);
             }
         }
     });

@@ -4,7 +4,7 @@
 #include "solver/body.h"
 #include "solver/contact/impulses.h"
 #include "solver/joints/joints.h"
-#include "solver/rope/rope.h"
+#include "solver/rope/rope_kernels.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {

@@ -218,19 +218,6 @@ bool is_found(const ChainView& view) {
     return true;
 }
 
-/// The lengths that links shall have.
-void set_targets(Body& body, const Chain& chain) {
-    Plan& plan = body.plan;
-    const ChainView view{body, chain, 0};
-    for (uint32_t i = 0; i < chain.link_count; ++i) {
-        plan.target[chain.first_link + i] = plan.damped_rest[chain.first_link + i];
-    }
-    share_stretch(
-        plan, chain, [&](uint32_t i) { return body.pinned(view.particle(i)); },
-        [&](uint32_t i) { return body.position[view.particle(i)]; },
-        [&](uint32_t i, double length) { plan.target[chain.first_link + i] = length; });
-}
-
 /// Whether the lengths of all links have been found.
 bool solve_chain(Body& body, const Chain& chain, double step) {
     const ChainView view{body, chain, 1 / (step * step)};
@@ -253,6 +240,33 @@ bool solve_chain(Body& body, const Chain& chain, double step) {
 }
 
 }  // namespace
+
+void set_targets(Body& body, const Chain& chain) {
+    Plan& plan = body.plan;
+    const double* const rest = plan.damped_rest.data() + chain.first_link;
+    double* const target = plan.target.data() + chain.first_link;
+    const auto at = [&](uint32_t i) { return body.position[plan.particles[chain.first_particle + i]]; };
+    uint32_t pin = chain.link_count + 1;  // the last one passed; none yet
+    double total = 0;
+    bool rigid = true;
+    for (uint32_t i = 0; i <= chain.link_count; ++i) {
+        if (i > 0) {
+            target[i - 1] = rest[i - 1];
+            total += rest[i - 1];
+            rigid = rigid && plan.compliance[chain.first_link + i - 1] == 0;
+        }
+        if (!body.pinned(plan.particles[chain.first_particle + i])) continue;
+        if (pin < i && rigid) {
+            const double span = distance(at(pin), at(i));
+            for (uint32_t j = pin; j < i && span > total; ++j) {
+                target[j] = total > 0 ? rest[j] * (span / total) : span / (i - pin);
+            }
+        }
+        pin = i;
+        total = 0;
+        rigid = true;
+    }
+}
 
 bool solve_directly(Body& body, double step) {
     // Tensions are kept in newtons, so that they are a good first guess whatever the next step is,

@@ -3,9 +3,7 @@
 // tension t is counted as t' = t - k n.u, where u is how its ends move apart: its row
 // n.u - r t = -error becomes (1 - r k) n.u - r t' = -error. A link then couples two nodes by numbers
 // and vectors instead of matrices, and what a node passes on is the inverse of a symmetric 3 x 3 matrix.
-#include "solver/rope/rope_kernels.h"
-
-#include "foundation/simd_double.h"
+#include "solver/rope/rope_nodes.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -18,39 +16,6 @@ constexpr int most_iterations = 4;
 constexpr double aside = 1e-150;
 // GPHYS_MAX_COORDINATE.
 constexpr double farthest = 1e15;
-
-template <class Value>
-struct Vector3 {
-    Value x, y, z;
-};
-template <class Value>
-Vector3<Value> operator+(const Vector3<Value>& a, const Vector3<Value>& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class Value>
-Vector3<Value> operator-(const Vector3<Value>& a, const Vector3<Value>& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class Value>
-Vector3<Value> operator*(const Vector3<Value>& a, const Value& s) {
-    return {a.x * s, a.y * s, a.z * s};
-}
-template <class Value>
-Value dot(const Vector3<Value>& a, const Vector3<Value>& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class Value, class Mask>
-Vector3<Value> select3(const Mask& mask, const Vector3<Value>& a, const Vector3<Value>& b) {
-    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
-}
-template <int lanes>
-Vector3<Doubles<lanes>> load3(const double (&from)[3][lanes]) {
-    return {load(from[0]), load(from[1]), load(from[2])};
-}
-template <int lanes, class Value>
-void store3(double (&to)[3][lanes], const Vector3<Value>& v) {
-    store(to[0], v.x), store(to[1], v.y), store(to[2], v.z);
-}
 
 template <class Value>
 struct Symmetric3 {
@@ -97,7 +62,7 @@ Course<Doubles<lanes>> by_trapezoid(const RopeNode<lanes>& node, const RopeStep<
     const Value h = load(step.h);
     const Vector3<Value> at = load3(node.position), velocity = load3(node.velocity);
     const Vector3<Value> fall = load3(node.acceleration);
-    const Vector3<Value> rate = fall + force * (all_of<lanes>(1) / load(node.mass)) - velocity * load(step.damping);
+    const Vector3<Value> rate = fall + force * load(node.inverse_mass) - velocity * load(step.damping);
     const Vector3<Value> history = at + velocity * h;
     const Vector3<Value> falling = (velocity + (rate + fall) * h) * load(step.drag);
     // The rule's step h is half of the time that passes.
@@ -289,11 +254,10 @@ auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
     return lost;
 }
 
-// Left to itself, gcc calls the operators on eight doubles, which are in memory then. Apart from move, as gcc wrongly
-// takes values of find_lost for unset when it sees both.
+// Left to itself, gcc calls the operators on eight doubles, which are in memory then.
 template <int lanes>
-__attribute__((flatten, noinline)) void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
-                                                  bool trapezoid) {
+__attribute__((flatten)) void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
+                                        bool trapezoid) {
     if (trapezoid) {
         begin_trapezoid(nodes, count, step);
     } else {
@@ -319,6 +283,7 @@ __attribute__((flatten)) void move(RopeNode<lanes>* nodes, uint32_t count, const
 
 }  // namespace
 
-const RopeKernels rope_kernels = {move<1>, move<8>};
+const RopeKernels rope_kernels = {{put_ropes<1>, find_agility<1>, move<1>, take_ropes<1>},
+                                  {put_ropes<8>, find_agility<8>, move<8>, take_ropes<8>}};
 
 }  // namespace gphys::GPHYS_ISA

@@ -16,6 +16,13 @@ struct RopeRoom {
     Vector<RopeNode<8>> eight;
 };
 
+struct StepOfRopes {
+    Vec3 gravity;
+    double dt;
+    uint32_t substeps;
+    bool estimated;  // its error will be asked for
+};
+
 /// A rope of the step under way.
 struct UndisturbedRope {
     Body* body;
@@ -29,7 +36,11 @@ constexpr uint32_t longest_rope_together = 320;
 
 /// Whether the kernels take it: chains of links that neither only pull nor are damped, attached to no model.
 bool is_plain_rope(const Body& body);
-/// At most ropes_together, which start again all or none, and go in stages all or none; the room holds the longest.
-void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, Vec3 gravity, double dt, uint32_t substeps);
+/// At most ropes_together, of one chain each if there are several, which start again all or none; the room holds the
+/// longest.
+void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, const StepOfRopes& step);
+
+/// Body::in_stages of any rope, before a step: whether it goes on without an interruption and moves calmly.
+void choose_stages(Body& body, RopeRoom& room, const StepOfRopes& step);
 
 }  // namespace gphys

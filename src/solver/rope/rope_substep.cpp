@@ -5,7 +5,7 @@
 // unequal steps, with constraint forces at the end of the substep. Unlike a position difference
 // alone (backward Euler), which takes 9 % of the energy of a pendulum in a second, its damping is of
 // third order in the step, and it is stable however stiff the constraints are (A- and L-stable).
-// Ropes that move calmly go by the trapezoid rule in the first part of each substep (stages.cpp), which
+// Ropes that move calmly go by the trapezoid rule in the first part of each substep (stages_kernels.cpp), which
 // leaves a seventh of the error for twice the work.
 // After an interruption - a contact, a change by the caller - one step of backward Euler restarts it.
 #include "solver/motion.h"
@@ -201,6 +201,8 @@ bool move_chains(Body& body, const Surroundings& around, Vec3 gravity, const Tim
 }
 
 }  // namespace
+
+bool starts_again(const Body& body) { return body.earlier_step == 0 && !body.touched; }
 
 void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const auto move_part = [&](const Surroundings& within, double part) {

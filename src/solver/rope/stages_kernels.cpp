@@ -1,0 +1,52 @@
+// Whether the substeps of a rope are made in two stages, by the trapezoid rule and the backward formula
+// (TimeScheme). The rule damps nothing: where a link turns by more than half a radian in a substep, or begins to,
+// or would swing by more than one if its ends were pushed aside, it adds energy; and a stiff spring that would swing
+// by more, as one that a string becomes when it is taut, goes on swinging.
+#include "solver/rope/rope_nodes.h"
+
+namespace gphys::GPHYS_ISA {
+
+namespace {
+
+// What swinging, sideways or along, and turning faster count beside turning.
+constexpr double swing_weight = 0.25;
+// The square of how much longer a substep is than its last part, in which a link has begun to turn faster.
+constexpr double faster_weight = 6;
+
+/// What hangs from a link that is slack for a moment may pull at it before the step is over.
+template <int lanes>
+Doubles<lanes> weight_of(const RopeNode<lanes>& node) {
+    const Vector3<Doubles<lanes>> acceleration = load3(node.acceleration);
+    return square_root(dot(acceleration, acceleration)) * load(node.mass) * load(node.free);
+}
+
+}  // namespace
+
+/// Square of the turn per second of the link where it is largest.
+template <int lanes>
+__attribute__((flatten)) void find_agility(const RopeNode<lanes>* nodes, uint32_t count, double (&agility)[lanes]) {
+    using Value = Doubles<lanes>;
+    const Value none = all_of<lanes>(0), swings = all_of<lanes>(swing_weight), quickens = all_of<lanes>(faster_weight);
+    Value most = none, weight = weight_of(nodes[0]);
+    for (uint32_t i = 0; i + 1 < count; ++i) {
+        const RopeNode<lanes>&a = nodes[i], &b = nodes[i + 1];
+        const Vector3<Value> apart = load3(b.velocity) - load3(a.velocity);
+        const Vector3<Value> faster = apart - (load3(b.start_velocity) - load3(a.start_velocity));
+        const Value turning = largest(dot(apart, apart), quickens * dot(faster, faster));
+        const Value tension = load(a.tension), weight_after = weight_of(b);
+        const Value pull = largest(largest(tension, -tension), largest(weight, weight_after));
+        const Value mobility = load(a.inverse_mass) + load(b.inverse_mass), compliance = load(a.compliance);
+        const Value swinging = swings * pull * mobility;
+        const Value inverse = load(a.inverse_target);
+        const Value sideways = largest(turning * inverse, swinging) * inverse;
+        const Value along = select(none < compliance, swings * mobility / compliance, none);
+        most = largest(most, largest(sideways, along) * load(a.present));
+        weight = weight_after;
+    }
+    store(agility, most);
+}
+
+template void find_agility<1>(const RopeNode<1>*, uint32_t, double (&)[1]);
+template void find_agility<8>(const RopeNode<8>*, uint32_t, double (&)[8]);
+
+}  // namespace gphys::GPHYS_ISA
