@@ -14,9 +14,10 @@
 //   rope/              chains and trees: Newton on the whole chain
 //     plan_chains.cpp    which constraints form chains
 //     rope_substep.cpp   a substep of one, and what it does beside models
-//     stages_kernels.cpp which go by two formulas, for a seventh of the error
+//     stages_kernels.cpp  which go by two formulas, for a seventh of the error
 //     rope_direct.cpp    links, one rope at a time, by elimination of matrices
-//     rope_lanes.cpp     those that nothing disturbs, several side by side
+//     rope_lanes.cpp     those that nothing disturbs, several side by side: rope_layout_kernels.cpp puts them there,
+//                        rope_kernels.cpp moves them
 //     rope_limits.cpp    links that only pull
 //     damping.h          damped links as undamped ones with other numbers
 //   cloth/             cloth and graphs: families of chains

@@ -45,10 +45,12 @@ public:
         for (uint32_t lane = 0; lane < lanes; ++lane) bodies_[lane] = ropes[lane < count ? lane : 0].body;
     }
 
-    /// And find which go in stages.
     void put() {
         std::fill_n(agility_, lanes, 0.0);
         for (size_t i = 0; i < chains(); ++i) put_chain(i);
+    }
+    /// Which go in stages.
+    void choose() {
         for (uint32_t lane = 0; lane < count_; ++lane) {
             constexpr double most = most_turn_in_stages * most_turn_in_stages;
             const double h = step_.dt / step_.substeps;
@@ -188,6 +190,7 @@ void move_lanes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, Und
                 const StepOfRopes& step) {
     Lanes<lanes> all(kernels, nodes, ropes, count, step);
     all.put();
+    all.choose();
     for (const bool in_stages : {true, false}) all.move_if(in_stages);
 }
 
@@ -210,7 +213,9 @@ void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, const St
 
 void choose_stages(Body& body, RopeRoom& room, const StepOfRopes& step) {
     UndisturbedRope rope{&body, nullptr, false};
-    Lanes<1>(rope_kernels(chosen_isa()).one, room.one.data(), &rope, 1, step).put();
+    Lanes<1> alone(rope_kernels(chosen_isa()).one, room.one.data(), &rope, 1, step);
+    alone.put();
+    alone.choose();
 }
 
 }  // namespace gphys
