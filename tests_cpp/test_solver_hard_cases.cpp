@@ -1,9 +1,5 @@
 // What goes wrong in games: frames of unequal length, sharp edges, pins that ask too much, walls that
 // close. Each case prints what it found.
-#include <cstring>
-
-#include "foundation/isa.h"
-#include "solver/cloth/cloth_kernels.h"
 #include "solver_world.h"
 
 using namespace gphys;
@@ -198,58 +194,4 @@ TEST_CASE("double pendulums are chaotic, and their mean motion does not depend o
     }
     CHECK(apart > 1);  // they have forgotten where they began
     CHECK(std::fabs(mean[0] - mean[1]) <= 0.05);
-}
-
-TEST_CASE("the kernels of cloth give the same bits on each instruction set") {
-    constexpr uint32_t particles = 64, links = 7;
-    test::Random random(21);
-    std::vector<float> at, normals, rest;
-    std::vector<uint32_t> order;
-    for (uint32_t i = 0; i < particles; ++i) {
-        const Vec3 normal = i % 3 == 0 ? random.direction() : Vec3{};
-        for (int k = 0; k < 3; ++k) at.push_back(random.uniform_float(-1, 1));
-        for (int k = 0; k < 3; ++k) normals.push_back(static_cast<float>(normal[k]));
-        at.push_back(i % 7 == 0 ? 0 : random.uniform_float(0.5f, 2));  // some are held
-        normals.push_back(0);
-        order.push_back(i);
-    }
-    for (uint32_t i = 0; i < 8 * links; ++i) rest.push_back(random.uniform_float(0.1f, 1));
-    const std::vector<float> zeros(8 * links, 0.0f);
-    std::vector<float> results[2];
-    const auto solve = [&](Isa isa, std::vector<float>& result) {
-        std::vector<float> moved = at, pulls(at.size(), 0.0f), rows(cloth_row_floats * links);
-        const ClothChains chains{order.data(), rest.data(), zeros.data(), zeros.data()};
-        const ClothKernels& kernels = cloth_kernels(isa);
-        kernels.solve_touching(moved.data(), {normals.data(), pulls.data()}, chains, {0, 0, links}, rows.data());
-        result = moved;
-        result.insert(result.end(), pulls.begin(), pulls.end());
-        kernels.solve(moved.data(), chains, {0, 0, links}, rows.data());
-        result.insert(result.end(), moved.begin(), moved.end());
-        // Those longer by a tenth, of links that only pull, half of which are soft.
-        std::vector<float> softness = zeros;
-        for (size_t i = 0; i < softness.size(); i += 2) softness[i] = 1;
-        std::vector<StrainedLink> strained(rest.size());
-        strained.resize(kernels.list_strained(at.data(), {order.data(), rest.data(), softness.data(), nullptr},
-                                              {0, 0, links, 1}, 0.1f, strained.data()));
-        auto next = strained.begin();
-        for (uint32_t i = 1; i < rest.size(); i += 2) {
-            const float *a = &at[4 * size_t{i}], *b = &at[4 * size_t{i + 8}];
-            const double length = distance(Vec3{a[0], a[1], a[2]}, Vec3{b[0], b[1], b[2]});
-            if (length < 1.1 * static_cast<double>(rest[i])) continue;
-            REQUIRE(next != strained.end());
-            CHECK((next->a == i && next->b == i + 8 && next->rest == rest[i] && next->limit == 1));
-            ++next;
-        }
-        CHECK(next == strained.end());
-    };
-    solve(Isa::scalar, results[0]);
-    for (const float value : results[0]) REQUIRE(std::isfinite(value));
-#define GPHYS_ISA_LISTED(set, ...) Isa::set,
-    for (const Isa isa : {GPHYS_FOR_EACH_ISA(GPHYS_ISA_LISTED, )}) {
-        if (!has(isa)) continue;
-        CAPTURE(name_of(isa));
-        solve(isa, results[1]);
-        CHECK(std::memcmp(results[0].data(), results[1].data(), results[0].size() * sizeof(float)) == 0);
-    }
-#undef GPHYS_ISA_LISTED
 }

@@ -324,4 +324,26 @@ template <class At>
     store_quads([&](int i) { return to + 4 * size_t{index[i]}; }, quads);
 }
 
+/// Of two quadruples behind each other: the last float of each four times, and 0 in its place.
+inline Float8 last_of_quads(Float8 a) {
+    for (FloatRegister& part : a.part) {
+#if GPHYS_HAS_AVX2
+        part = __builtin_shufflevector(part, part, 3, 3, 3, 3, 7, 7, 7, 7);
+#else
+        part = __builtin_shufflevector(part, part, 3, 3, 3, 3);
+#endif
+    }
+    return a;
+}
+inline Float8 without_last_of_quads(Float8 a) {
+    for (FloatRegister& part : a.part) {
+#if GPHYS_HAS_AVX2
+        part = __builtin_shufflevector(part, FloatRegister{}, 0, 1, 2, 11, 4, 5, 6, 15);
+#else
+        part = __builtin_shufflevector(part, FloatRegister{}, 0, 1, 2, 7);
+#endif
+    }
+    return a;
+}
+
 }  // namespace gphys::GPHYS_ISA

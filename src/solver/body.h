@@ -98,9 +98,8 @@ struct ClothState {
           velocity(memory),
           velocity_before(memory),
           acceleration(memory),
-          mass(memory),
           looked(memory),
-          gains(memory),
+          sums(memory),
           extents(memory),
           tether_diagonal(memory),
           tether_off(memory),
@@ -111,12 +110,13 @@ struct ClothState {
     uint32_t particles = 0;   // that are the body's
     Team* team = nullptr;     // who shares the work of the step under way; null: nobody
     bool pulled = false;      // the caller may have done work on it since the last step
-    Vector<float> at, start, moved, velocity, velocity_before, acceleration, mass;
+    bool held = false;        // whether any particle does not move freely
+    Vector<float> at, start, moved, velocity, velocity_before, acceleration;
     /// Four floats a particle: where it looked around last, relative to the origin, and how far. Empty if the next
     /// step has to begin anew.
     Vector<float> looked;
     static constexpr float not_looked = -1;  // how far
-    Vector<double> gains;                    // of kinetic energy, by block of particles
+    Vector<double> sums;                     // of energy, by block of particles
     Vector<ClothExtent> extents;             // by share of particles
     ClothBalance balance;
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth

@@ -14,7 +14,7 @@
 //   rope/              chains and trees: Newton on the whole chain
 //     plan_chains.cpp    which constraints form chains
 //     rope_substep.cpp   a substep of one, and what it does beside models
-//     stages_kernels.cpp  which go by two formulas, for a seventh of the error
+//     stages_kernels.cpp which go by two formulas, for a seventh of the error
 //     rope_direct.cpp    links, one rope at a time, by elimination of matrices
 //     rope_lanes.cpp     those that nothing disturbs, several side by side: rope_layout_kernels.cpp puts them there,
 //                        rope_kernels.cpp moves them

@@ -34,48 +34,46 @@ ClothMotion motion_of(ClothState& cloth) {
             cloth.moved.data(),
             cloth.velocity.data(),
             cloth.velocity_before.data(),
-            cloth.acceleration.data(),
-            cloth.mass.data()};
+            cloth.acceleration.data()};
 }
 
 // What the members of a team take at a time, in floats: 1000 particles, a few microseconds. A block is
 // what the kernel adds up in floats; sums of blocks are the same whoever has made them.
 constexpr uint32_t share_floats = 4096, share_limits = 1024, block_floats = 256;
 
+ClothMotion part_of(const ClothMotion& all, uint32_t first, uint32_t most_floats) {
+    return {std::min(most_floats, all.floats - first),
+            all.at + first,
+            all.start + first,
+            all.moved + first,
+            all.velocity + first,
+            all.velocity_before + first,
+            all.acceleration + first};
+}
+
 /// part(motion of some of the particles, number of their first float).
 template <class Part>
-void share_motion(ClothState& cloth, uint32_t most_floats, Part&& part) {
+void share_motion(ClothState& cloth, Part&& part) {
     const ClothMotion all = motion_of(cloth);
-    share(cloth.team, (all.floats + most_floats - 1) / most_floats, [&](uint32_t i, uint32_t) {
-        const uint32_t first = i * most_floats;
-        part(
-            ClothMotion{std::min(most_floats, all.floats - first), all.at + first, all.start + first, all.moved + first,
-                        all.velocity + first, all.velocity_before + first, all.acceleration + first, all.mass + first},
-            first);
-    });
+    share(cloth.team, (all.floats + share_floats - 1) / share_floats,
+          [&](uint32_t i, uint32_t) { part(part_of(all, i * share_floats, share_floats), i * share_floats); });
 }
 
 void predict(const ClothKernels& kernels, ClothState& cloth, const ClothStep& step) {
-    share_motion(cloth, share_floats, [&](const ClothMotion& motion, uint32_t) { kernels.predict(motion, step); });
+    share_motion(cloth, [&](const ClothMotion& motion, uint32_t) { kernels.predict(motion, step); });
 }
 
-double finish(const ClothKernels& kernels, ClothState& cloth, const ClothStep& step) {
-    share_motion(cloth, share_floats, [&](const ClothMotion& motion, uint32_t first) {
+/// Of blocks of particles: kernel(motion).
+template <class Kernel>
+double sum_of_blocks(ClothState& cloth, Kernel&& kernel) {
+    share_motion(cloth, [&](const ClothMotion& motion, uint32_t first) {
         for (uint32_t i = 0; i < motion.floats; i += block_floats) {
-            const ClothMotion block{std::min(block_floats, motion.floats - i),
-                                    motion.at + i,
-                                    motion.start + i,
-                                    motion.moved + i,
-                                    motion.velocity + i,
-                                    motion.velocity_before + i,
-                                    motion.acceleration + i,
-                                    motion.mass + i};
-            cloth.gains[(first + i) / block_floats] = kernels.finish(block, step);
+            cloth.sums[(first + i) / block_floats] = kernel(part_of(motion, i, block_floats));
         }
     });
-    double gain = 0;
-    for (const double of_block : cloth.gains) gain += of_block;
-    return gain;
+    double sum = 0;
+    for (const double of_block : cloth.sums) sum += of_block;
+    return sum;
 }
 
 ClothStep cloth_step(const Body& body, double h) {
@@ -194,24 +192,26 @@ void follow_models(Body& body, double fraction) {
     }
 }
 
+/// The velocity of a free body as a whole.
+Vec3 drift_of(const ClothState& cloth) {
+    double mass = 0;
+    Vec3 momentum;
+    for (size_t i = 0; i < 4 * size_t{cloth.particles}; i += 4) {
+        mass += cloth.acceleration[i + 3];
+        momentum += get(&cloth.velocity[i]) * cloth.acceleration[i + 3];
+    }
+    return momentum / mass;
+}
+
 /// What sweeps over a graph leave unsolved can do work in long steps. Motion within the body is
 /// slowed so that the substep gains no energy; the motion of a free body as a whole stays.
-void take_back(ClothState& cloth, double gain) {
-    double mass = 0, inner = 0;
-    Vec3 momentum;
-    bool held = false;
-    const size_t end = 4 * size_t{cloth.particles};
-    for (size_t i = 0; i < end; i += 4) {
-        mass += cloth.mass[i];
-        momentum += get(&cloth.velocity[i]) * cloth.mass[i];
-        held = held || cloth.at[i + 3] == 0;
-    }
-    const Vec3 drift = held || mass == 0 ? Vec3{} : momentum / mass;
-    for (size_t i = 0; i < end; i += 4) inner += cloth.mass[i] / 2 * length_squared(get(&cloth.velocity[i]) - drift);
+void take_back(const ClothKernels& kernels, ClothState& cloth, double gain) {
+    float drift[3] = {};
+    if (!cloth.held) put(drift, drift_of(cloth));
+    const double inner = sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.kinetic(block, drift); });
     const double kept = gain < inner ? std::sqrt(1 - gain / inner) : 0;
-    for (size_t i = 0; i < end; i += 4) {
-        if (cloth.at[i + 3] > 0) put(&cloth.velocity[i], drift + (get(&cloth.velocity[i]) - drift) * kept, fastest);
-    }
+    share_motion(cloth,
+                 [&](const ClothMotion& motion, uint32_t) { kernels.slow(motion, drift, static_cast<float>(kept)); });
 }
 
 /// part(its number, first particle, end) in any order.
@@ -263,11 +263,11 @@ void publish(Body& body) {
 void reserve_cloth(Body& body) {
     ClothState& cloth = body.cloth;
     const size_t floats = (4 * (size_t{body.size()} + body.plan.batches.spare) + 7) / 8 * 8;
-    for (Vector<float>* values : {&cloth.at, &cloth.start, &cloth.moved, &cloth.velocity, &cloth.velocity_before,
-                                  &cloth.acceleration, &cloth.mass}) {
+    for (Vector<float>* values :
+         {&cloth.at, &cloth.start, &cloth.moved, &cloth.velocity, &cloth.velocity_before, &cloth.acceleration}) {
         values->resize(floats);
     }
-    cloth.gains.resize((floats + block_floats - 1) / block_floats);
+    cloth.sums.resize((floats + block_floats - 1) / block_floats);
     if (cloth.most_strain > 0) cloth.strained.resize(body.plan.batches.rest.size());
     cloth.extents.resize((4 * size_t{body.size()} + share_floats - 1) / share_floats);
     if (!body.attachments.empty()) body.cloth_contacts.pulls.resize(floats);
@@ -284,6 +284,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     cloth.average_mass = extent.mass / body.size();
     cloth.wanted_substep = infinity;
     cloth.pulled = body.earlier_step == 0 && !body.touched;
+    cloth.held = std::count(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) > 0;
     share_particles(body, [&](uint32_t p) {
         const size_t i = 4 * size_t{p};
         put(&cloth.at[i], body.position[p] - cloth.origin, farthest);
@@ -292,8 +293,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
         const double relative = std::clamp(body.mass[p] / cloth.average_mass, 1 / most_mass_ratio, most_mass_ratio);
         cloth.at[i + 3] = free ? static_cast<float>(1 / relative) : 0;
         put(&cloth.acceleration[i], free ? gravity + body.force[p] * body.inverse_mass[p] : Vec3{}, hardest);
-        const float weight = free ? static_cast<float>(relative) : 0;
-        std::fill_n(&cloth.mass[i], 3, weight);
+        cloth.acceleration[i + 3] = free ? static_cast<float>(relative) : 0;
     });
     // Those that do not move are in pairs a metre apart again: limits on the first of them shift it by a hair.
     for (Vector<float>* values : {&cloth.at, &cloth.moved, &cloth.velocity, &cloth.velocity_before}) {
@@ -366,7 +366,8 @@ void solve_cloth(Body& body) {
             });
         }
     } else {
-        kernels.limit_pulling(body.cloth.at.data(), limits, limit_count, body.cloth.mass.data(), contacts.pulls.data());
+        kernels.limit_pulling(body.cloth.at.data(), limits, limit_count, body.cloth.acceleration.data(),
+                              contacts.pulls.data());
     }
 }
 
@@ -377,13 +378,14 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     const bool collides = gphys::collides(body, around);
     if (!body.attachments.empty()) give_pulls(body, around, scheme.step(body.settings.damping), h);
     if (collides) leave_walls(body);
-    double gain = finish(kernels, cloth, cloth_step(body, h));
+    const ClothStep step = cloth_step(body, h);
+    double gain = sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.finish(block, step); });
     cloth.velocity.swap(cloth.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
     if (cloth.balance.closed && !(collides && body.cloth_contacts.pushed)) {
         gain += stored_energy(kernels, body) - cloth.balance.stored;
-        if (gain > 0) take_back(cloth, gain);
+        if (gain > 0) take_back(kernels, cloth, gain);
     }
     body.touched = captured;
     if (collides) {
@@ -393,7 +395,8 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     }
     if (cloth.most_strain > 0) {
         const double lost = relax_links(body, collides, h);
-        if (lost > 0 && cloth.balance.closed && !(collides && body.cloth_contacts.pushed)) take_back(cloth, lost);
+        if (lost > 0 && cloth.balance.closed && !(collides && body.cloth_contacts.pushed))
+            take_back(kernels, cloth, lost);
     }
     if (collides) catch_escaped(body, around, gravity, h);
     body.earlier_step = body.touched ? 0 : h;

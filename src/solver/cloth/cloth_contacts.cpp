@@ -9,7 +9,7 @@ namespace {
 /// What a particle has given to the model that it touched last.
 void hand_over(Neighbour& n, Body& body, const Surroundings& around) {
     if (n.getting == 0) return;
-    const double mass = body.cloth.average_mass * body.cloth.mass[4 * size_t{n.particle}];
+    const double mass = body.cloth.average_mass * body.cloth.acceleration[4 * size_t{n.particle} + 3];
     give(body, around, n.getting, body.cloth.origin, n.given * mass, n.turning * mass);
     n.getting = 0;
     n.given = n.turning = {};

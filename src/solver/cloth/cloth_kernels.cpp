@@ -56,9 +56,10 @@ public:
 
     Float8 forward(const ClothMotion& motion, uint32_t i) const {
         const Float8 before = load(motion.velocity + i);
-        const Float8 velocity = before + ((before - load(motion.velocity_before + i)) * earlier_ +
-                                          load(motion.acceleration + i) * h_ - before * damping_) *
-                                             drag_;
+        const Float8 acceleration = without_last_of_quads(load(motion.acceleration + i));
+        const Float8 velocity =
+            before +
+            ((before - load(motion.velocity_before + i)) * earlier_ + acceleration * h_ - before * damping_) * drag_;
         return velocity * h_ + (load(motion.moved + i) - velocity * h_before_) * part_;
     }
 
@@ -357,8 +358,9 @@ void limit_each(float* at, const ClothLimits& limits, uint32_t count, Moved&& mo
         const Quads8 anchor = load_quads(at, limits.anchors + i);
         Quads8 p = load_quads(at, limits.particles + i);
         const Float8 x = p.x - anchor.x + splat(aside), y = p.y - anchor.y, z = p.z - anchor.z;
-        const Float8 length = sqrt(x * x + y * y + z * z);
-        const Float8 back = min(load(limits.distances + i) / length, splat(1)) - splat(1);
+        const Float8 square = x * x + y * y + z * z, most = load(limits.distances + i);
+        if (bits(square <= most * most) == 0xff) continue;
+        const Float8 back = min(most / sqrt(square), splat(1)) - splat(1);
         p.x = p.x + x * back;
         p.y = p.y + y * back;
         p.z = p.z + z * back;
@@ -371,13 +373,13 @@ void limit(float* at, const ClothLimits& limits, uint32_t count) {
     limit_each(at, limits, count, [](uint32_t, Float8, Float8, Float8) {});
 }
 
-void limit_pulling(float* at, const ClothLimits& limits, uint32_t count, const float* mass, float* pulls) {
+void limit_pulling(float* at, const ClothLimits& limits, uint32_t count, const float* acceleration, float* pulls) {
     limit_each(at, limits, count, [&](uint32_t i, Float8 x, Float8 y, Float8 z) {
         float lanes[3][8];
         store(lanes[0], x), store(lanes[1], y), store(lanes[2], z);
         for (uint32_t lane = 0; lane < 8; ++lane) {
             float* pull = pulls + 4 * size_t{limits.anchors[i + lane]};
-            const float weight = mass[4 * size_t{limits.particles[i + lane]}];
+            const float weight = acceleration[4 * size_t{limits.particles[i + lane]} + 3];
             for (int k = 0; k < 3; ++k) pull[k] -= lanes[k][lane] * weight;
         }
     });
@@ -399,17 +401,44 @@ double finish(const ClothMotion& motion, const ClothStep& step) {
             const Float8 velocity = bounded((forward + bend) / h, fastest);
             store(motion.moved + i, forward);
             store(motion.velocity_before + i, velocity);
-            sum = sum + load(motion.mass + i) * ((velocity - before) * (velocity + before) * half -
-                                                 load(motion.acceleration + i) * forward);
+            const Float8 fall = load(motion.acceleration + i);
+            sum = sum + last_of_quads(fall) *
+                            ((velocity - before) * (velocity + before) * half - without_last_of_quads(fall) * forward);
         }
         gain += added(sum);
     }
     return gain;
 }
 
+/// The same velocity for two particles.
+Float8 twice(const float (&velocity)[3]) {
+    const float quads[8] = {velocity[0], velocity[1], velocity[2], 0, velocity[0], velocity[1], velocity[2], 0};
+    return load(quads);
+}
+
+double kinetic(const ClothMotion& motion, const float (&drift)[3]) {
+    const Float8 along = twice(drift);
+    Float8 sum = splat(0);
+    for (uint32_t i = 0; i < motion.floats; i += 8) {
+        const Float8 inner = load(motion.velocity + i) - along;
+        sum = sum + last_of_quads(load(motion.acceleration + i)) * (inner * inner);
+    }
+    return added(sum) / 2;
+}
+
+void slow(const ClothMotion& motion, const float (&drift)[3], float kept) {
+    const Float8 along = twice(drift), part = splat(kept);
+    for (uint32_t i = 0; i < motion.floats; i += 8) {
+        const Float8 velocity = load(motion.velocity + i);
+        const Float8 slower = bounded(along + (velocity - along) * part, fastest);
+        const Mask8 held = last_of_quads(load(motion.acceleration + i)) <= splat(0);
+        store(motion.velocity + i, choose(held, velocity, slower));
+    }
+}
+
 }  // namespace
 
-const ClothKernels cloth_kernels = {predict,       solve,  solve_touching, solve_pulling, solve_joined,
-                                    list_strained, stored, limit,          limit_pulling, finish};
+const ClothKernels cloth_kernels = {predict, solve, solve_touching, solve_pulling, solve_joined, list_strained,
+                                    stored,  limit, limit_pulling,  finish,        kinetic,      slow};
 
 }  // namespace gphys::GPHYS_ISA

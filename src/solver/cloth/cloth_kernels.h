@@ -43,7 +43,8 @@ struct ClothStep {
     float damping, drag;
 };
 
-/// Quantities of all particles, four floats each; the fourth is the inverse mass in positions, else 0.
+/// Quantities of all particles, four floats each; the fourth is the inverse mass in positions, the mass in
+/// accelerations, relative to the averages, and else 0.
 struct ClothMotion {
     uint32_t floats;            // four times the particles, padded to a multiple of eight
     float* at;                  // metres
@@ -51,8 +52,7 @@ struct ClothMotion {
     float* moved;               // in the substep before
     float* velocity;            // m/s
     float* velocity_before;     // a substep before; where `finish` leaves the new velocities
-    const float* acceleration;  // of gravity and forces; 0 of those that do not move freely
-    const float* mass;          // relative to the average, 0 of those
+    const float* acceleration;  // of gravity and forces, and mass; 0 of those that do not move freely
 };
 
 /// Of all particles, four floats each, the fourth unused.
@@ -87,10 +87,14 @@ struct ClothKernels {
     /// What elastic links hold, per average mass.
     double (*stored)(const float* at, const ClothChains& chains, const ChainBatch& batch);
     void (*limit)(float* at, const ClothLimits& limits, uint32_t count);
-    /// The same with the pulls on the anchors; `mass` as in ClothMotion.
-    void (*limit_pulling)(float* at, const ClothLimits& limits, uint32_t count, const float* mass, float* pulls);
+    /// The same with the pulls on the anchors.
+    void (*limit_pulling)(float* at, const ClothLimits& limits, uint32_t count, const float* acceleration,
+                          float* pulls);
     /// Returns the kinetic energy gained beyond what forces gave, per average mass.
     double (*finish)(const ClothMotion& motion, const ClothStep& step);
+    /// Kinetic energy, per average mass, beside a motion of all, and this part of velocities kept beside it.
+    double (*kinetic)(const ClothMotion& motion, const float (&drift)[3]);
+    void (*slow)(const ClothMotion& motion, const float (&drift)[3], float kept);
 };
 
 constexpr uint32_t cloth_row_floats = 6 * 8;

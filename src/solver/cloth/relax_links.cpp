@@ -46,7 +46,7 @@ double move(Body& body, uint32_t particle, Vec3 way, bool collides) {
     const size_t i = 4 * size_t{particle};
     const Vec3 before = get(&body.cloth.at[i]);
     shift(body, particle, way, collides);
-    return body.cloth.mass[i] * dot(get(&body.cloth.acceleration[i]), before - get(&body.cloth.at[i]));
+    return body.cloth.acceleration[i + 3] * dot(get(&body.cloth.acceleration[i]), before - get(&body.cloth.at[i]));
 }
 
 double relax(Body& body, const StrainedLink& link, bool collides) {

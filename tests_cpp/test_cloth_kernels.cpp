@@ -1,0 +1,189 @@
+// The kernels of cloth: the same bits from each instruction set, and what they promise beside sums in double.
+#include "solver/cloth/cloth_kernels.h"
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "foundation/isa.h"
+#include "foundation/math.h"
+#include "test.h"
+
+using namespace gphys;
+
+namespace {
+
+template <class Check>
+void on_each_set(Check&& check) {
+#define GPHYS_ISA_LISTED(set, ...) Isa::set,
+    for (const Isa isa : {GPHYS_FOR_EACH_ISA(GPHYS_ISA_LISTED, )}) {
+        if (!has(isa)) continue;
+        CAPTURE(name_of(isa));
+        check(isa);
+    }
+#undef GPHYS_ISA_LISTED
+}
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+/// Forty particles, of which some are held, as the kernels take them.
+struct Cloth {
+    static constexpr uint32_t particles = 40;
+    std::vector<float> at, start, moved, velocity, velocity_before, acceleration;
+
+    Cloth() {
+        test::Random random(5);
+        for (uint32_t i = 0; i < particles; ++i) {
+            const bool held = i % 7 == 3;
+            const float mass = random.uniform_float(0.5f, 2);
+            for (auto* values : {&at, &start, &moved, &velocity, &velocity_before, &acceleration}) {
+                const float size = values == &moved ? 0.01f : 1;
+                for (int k = 0; k < 3; ++k) values->push_back(size * random.uniform_float(-1, 1));
+                values->push_back(0);
+            }
+            at.back() = held ? 0 : 1 / mass;
+            acceleration.back() = held ? 0 : mass;
+        }
+    }
+    ClothMotion motion() {
+        return {4 * particles,          at.data(),          start.data(), moved.data(), velocity.data(),
+                velocity_before.data(), acceleration.data()};
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the kernels of cloth give the same bits on each instruction set") {
+    constexpr uint32_t particles = 64, links = 7;
+    test::Random random(21);
+    std::vector<float> at, normals, rest;
+    std::vector<uint32_t> order;
+    for (uint32_t i = 0; i < particles; ++i) {
+        const Vec3 normal = i % 3 == 0 ? random.direction() : Vec3{};
+        for (int k = 0; k < 3; ++k) at.push_back(random.uniform_float(-1, 1));
+        for (int k = 0; k < 3; ++k) normals.push_back(static_cast<float>(normal[k]));
+        at.push_back(i % 7 == 0 ? 0 : random.uniform_float(0.5f, 2));  // some are held
+        normals.push_back(0);
+        order.push_back(i);
+    }
+    for (uint32_t i = 0; i < 8 * links; ++i) rest.push_back(random.uniform_float(0.1f, 1));
+    const std::vector<float> zeros(8 * links, 0.0f);
+    std::vector<float> results[2];
+    const auto solve = [&](Isa isa, std::vector<float>& result) {
+        std::vector<float> moved = at, pulls(at.size(), 0.0f), rows(cloth_row_floats * links);
+        const ClothChains chains{order.data(), rest.data(), zeros.data(), zeros.data()};
+        const ClothKernels& kernels = cloth_kernels(isa);
+        kernels.solve_touching(moved.data(), {normals.data(), pulls.data()}, chains, {0, 0, links}, rows.data());
+        result = moved;
+        result.insert(result.end(), pulls.begin(), pulls.end());
+        kernels.solve(moved.data(), chains, {0, 0, links}, rows.data());
+        result.insert(result.end(), moved.begin(), moved.end());
+        // Those longer by a tenth, of links that only pull, half of which are soft.
+        std::vector<float> softness = zeros;
+        for (size_t i = 0; i < softness.size(); i += 2) softness[i] = 1;
+        std::vector<StrainedLink> strained(rest.size());
+        strained.resize(kernels.list_strained(at.data(), {order.data(), rest.data(), softness.data(), nullptr},
+                                              {0, 0, links, 1}, 0.1f, strained.data()));
+        auto next = strained.begin();
+        for (uint32_t i = 1; i < rest.size(); i += 2) {
+            const float *a = &at[4 * size_t{i}], *b = &at[4 * size_t{i + 8}];
+            const double length = distance(Vec3{a[0], a[1], a[2]}, Vec3{b[0], b[1], b[2]});
+            if (length < 1.1 * static_cast<double>(rest[i])) continue;
+            REQUIRE(next != strained.end());
+            CHECK((next->a == i && next->b == i + 8 && next->rest == rest[i] && next->limit == 1));
+            ++next;
+        }
+        CHECK(next == strained.end());
+    };
+    solve(Isa::scalar, results[0]);
+    for (const float value : results[0]) REQUIRE(std::isfinite(value));
+    on_each_set([&](Isa isa) {
+        solve(isa, results[1]);
+        CHECK(same_bits(results[0], results[1]));
+    });
+}
+
+TEST_CASE("the kernels of cloth move particles with the same bits on each instruction set") {
+    const ClothStep step{1.0f / 600, 1.0f / 700, 600.0f / 700, 1.46f, 0.4f, 0.3f, 0.68f};
+    const float drift[3] = {0.3f, -0.2f, 0.1f};
+    std::vector<std::vector<float>> wanted;
+    on_each_set([&](Isa isa) {
+        const ClothKernels& kernels = cloth_kernels(isa);
+        Cloth cloth;
+        std::vector<std::vector<float>> got;
+        kernels.predict(cloth.motion(), step);
+        got.push_back(cloth.at);
+        const double gain = kernels.finish(cloth.motion(), step), energy = kernels.kinetic(cloth.motion(), drift);
+        got.insert(got.end(), {cloth.moved, cloth.velocity_before});
+        kernels.slow(cloth.motion(), drift, 0.9f);
+        got.push_back(cloth.velocity);
+        got.push_back({static_cast<float>(gain), static_cast<float>(energy)});
+        for (const std::vector<float>& values : got) {
+            for (const float value : values) REQUIRE(std::isfinite(value));
+        }
+        if (isa == Isa::scalar) wanted = got;
+        for (size_t i = 0; i < got.size(); ++i) CHECK(same_bits(got[i], wanted[i]));
+    });
+}
+
+TEST_CASE("cloth is slowed beside the motion of the whole, and what is held goes on") {
+    const float drift[3] = {0.3f, -0.2f, 0.1f}, kept = 0.75f;
+    on_each_set([&](Isa isa) {
+        Cloth cloth;
+        const std::vector<float> before = cloth.velocity;
+        double energy = 0;
+        for (uint32_t i = 0; i < 4 * Cloth::particles; ++i) {
+            if (i % 4 == 3) continue;
+            const double inner = double{before[i]} - double{drift[i % 4]};
+            energy += double{cloth.acceleration[i / 4 * 4 + 3]} * inner * inner / 2;
+        }
+        // A sum of 15 products of floats in each lane, which are off by three roundings each.
+        const double rounding = 0x1p-24;
+        CHECK(std::fabs(cloth_kernels(isa).kinetic(cloth.motion(), drift) / energy - 1) < (15 + 3) * rounding);
+        cloth_kernels(isa).slow(cloth.motion(), drift, kept);
+        for (uint32_t i = 0; i < 4 * Cloth::particles; ++i) {
+            CAPTURE(i);
+            if (i % 4 == 3 || cloth.at[i / 4 * 4 + 3] == 0) {
+                CHECK(cloth.velocity[i] == before[i]);
+            } else {
+                const double d = double{drift[i % 4]}, slower = d + (double{before[i]} - d) * double{kept};
+                CHECK(std::fabs(double{cloth.velocity[i]} - slower) <= 3 * rounding);  // three operations below 2
+            }
+        }
+    });
+}
+
+TEST_CASE("particles of cloth come no further from their anchors than they may, and those nearer stay") {
+    on_each_set([&](Isa isa) {
+        Cloth cloth;
+        const std::vector<float> before = cloth.at;
+        std::vector<uint32_t> particles, anchors;
+        std::vector<float> distances;
+        for (uint32_t i = 8; i < Cloth::particles; ++i) {
+            particles.push_back(i);
+            anchors.push_back(i % 3);
+            // None of the first sixteen is too far, and one of the last eight.
+            distances.push_back(i < 24 || (i >= 32 && i != 36) ? 5 : 0.25f);
+        }
+        cloth_kernels(isa).limit(cloth.at.data(), {particles.data(), anchors.data(), distances.data()},
+                                 static_cast<uint32_t>(particles.size()));
+        for (size_t i = 0; i < particles.size(); ++i) {
+            CAPTURE(i);
+            const float *now = &cloth.at[4 * particles[i]], *then = &before[4 * particles[i]],
+                        *anchor = &cloth.at[4 * anchors[i]];
+            double square = 0, square_before = 0;
+            for (int k = 0; k < 3; ++k) {
+                square += std::pow(double{now[k]} - double{anchor[k]}, 2);
+                square_before += std::pow(double{then[k]} - double{anchor[k]}, 2);
+            }
+            if (square_before <= std::pow(double{distances[i]}, 2)) {
+                CHECK(std::memcmp(now, then, 16) == 0);
+            } else {
+                // Coordinates below 1 are off by half an ulp of 2^-24, and so is each of the five operations.
+                CHECK(std::fabs(std::sqrt(square) - double{distances[i]}) < 6 * 0x1p-24);
+            }
+        }
+    });
+}
