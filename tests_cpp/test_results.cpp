@@ -13,7 +13,7 @@ TEST_CASE("Smallest keeps the smallest values in ascending order, whatever the o
     for (uint32_t count = 0; count < 40; ++count) {
         for (uint32_t capacity = 0; capacity < 45; ++capacity) {
             std::vector<uint32_t> values(count);
-            for (uint32_t& value : values) value = random.index(30);
+            for (uint32_t& value : values) value = 0x8888888u * random.index(30);  // from 0 to almost 2^32
             std::vector<uint32_t> out(capacity + 1, 12345);
             Smallest<uint32_t> smallest(capacity ? out.data() : nullptr, capacity);
             for (uint32_t value : values) smallest.add(value);

@@ -51,7 +51,7 @@ public:
     /// Sort what was kept; returns how many were added (saturating).
     uint32_t finish() {
         const uint32_t count = std::min(total_, capacity_);
-        if constexpr (std::is_integral_v<T> && std::is_same_v<Less, std::less<T>>) {
+        if constexpr (std::is_unsigned_v<T> && std::is_same_v<Less, std::less<T>>) {
             if (count <= few) {
                 sort_few(count);
                 return total_;
@@ -64,20 +64,25 @@ public:
 private:
     static constexpr uint32_t few = 32;
 
-    /// Each goes behind all that are less, and those before it that are equal. That is more comparisons
-    /// than a sort takes, but side by side, and none that the processor would have to foresee.
+    /// Each goes behind all that are less: more comparisons than a sort takes, but side by side, and none that the
+    /// processor would have to foresee. Equal ones go to the same place, and leave the next for a copy of it.
     void sort_few(uint32_t count) {
         constexpr uint32_t at_once = 8;
-        T values[few];
-        std::fill_n(values, few, std::numeric_limits<T>::max());
-        std::copy_n(out_, count, values);
+        using Signed = std::make_signed_t<T>;  // what registers compare; in the same order
+        const auto in_order = [](T value) {
+            return static_cast<Signed>(value ^ static_cast<T>(std::numeric_limits<Signed>::min()));
+        };
+        Signed values[few];
+        std::fill_n(values, few, std::numeric_limits<Signed>::max());
+        for (uint32_t i = 0; i < count; ++i) values[i] = in_order(out_[i]);
+        std::fill_n(out_, count, T{0});
         const uint32_t end = (count + at_once - 1) / at_once * at_once;
         for (uint32_t i = 0; i < count; ++i) {
-            const T value = values[i];
             uint32_t place = 0;
-            for (uint32_t j = 0; j < end; ++j) place += (values[j] < value) | ((values[j] == value) & (j < i));
-            out_[place] = value;
+            for (uint32_t j = 0; j < end; ++j) place += values[j] < values[i];
+            out_[place] = static_cast<T>(in_order(static_cast<T>(values[i])));
         }
+        for (uint32_t i = 1; i < count; ++i) out_[i] = std::max(out_[i], out_[i - 1]);
     }
 
     T* out_;
