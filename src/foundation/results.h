@@ -69,18 +69,16 @@ private:
     void sort_few(uint32_t count) {
         constexpr uint32_t at_once = 8;
         using Signed = std::make_signed_t<T>;  // what registers compare; in the same order
-        const auto in_order = [](T value) {
-            return static_cast<Signed>(value ^ static_cast<T>(std::numeric_limits<Signed>::min()));
-        };
+        constexpr T sign = T{1} << std::numeric_limits<Signed>::digits;
         Signed values[few];
         std::fill_n(values, few, std::numeric_limits<Signed>::max());
-        for (uint32_t i = 0; i < count; ++i) values[i] = in_order(out_[i]);
+        for (uint32_t i = 0; i < count; ++i) values[i] = static_cast<Signed>(out_[i] ^ sign);
         std::fill_n(out_, count, T{0});
         const uint32_t end = (count + at_once - 1) / at_once * at_once;
         for (uint32_t i = 0; i < count; ++i) {
             uint32_t place = 0;
             for (uint32_t j = 0; j < end; ++j) place += values[j] < values[i];
-            out_[place] = static_cast<T>(in_order(static_cast<T>(values[i])));
+            out_[place] = static_cast<T>(values[i]) ^ sign;
         }
         for (uint32_t i = 1; i < count; ++i) out_[i] = std::max(out_[i], out_[i - 1]);
     }

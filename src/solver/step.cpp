@@ -314,11 +314,11 @@ void Solver::move_through(const Moving& moving, RopeRoom& room, const Scene* sce
     const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     uint32_t substeps = moving.substeps;
     begin_moving(moving, scene, dt);
+    body.in_stages = false;
     if (body.plan.method == GPHYS_SOLVE_FREE) {
         body.extent = fly_through(body, 0, body.size(), {body.impulses, body.touched}, whole, gravity, substeps);
     } else {
         begin_touches(body);
-        body.in_stages = false;
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
         if (body.plan.method == GPHYS_SOLVE_DIRECT) choose_stages(body, room, {gravity, dt, substeps, false});
         substeps = move_in_substeps(body, substeps, whole);

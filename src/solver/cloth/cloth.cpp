@@ -284,7 +284,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     cloth.average_mass = extent.mass / body.size();
     cloth.wanted_substep = infinity;
     cloth.pulled = body.earlier_step == 0 && !body.touched;
-    cloth.held = std::count(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) > 0;
+    cloth.held = std::find(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) != body.inverse_mass.end();
     share_particles(body, [&](uint32_t p) {
         const size_t i = 4 * size_t{p};
         put(&cloth.at[i], body.position[p] - cloth.origin, farthest);

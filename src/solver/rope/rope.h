@@ -1,8 +1,6 @@
-// What the ways of solving ropes have in common: one by one (rope_direct.cpp), side by side (rope_lanes.cpp)
-// and joined to others (joint_system.cpp).
+// What ropes have in common that are solved one by one (rope_direct.cpp) and side by side (rope_lanes.cpp).
 #pragma once
 
-#include "foundation/math.h"
 #include "solver/plan.h"
 
 namespace gphys {

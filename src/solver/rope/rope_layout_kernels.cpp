@@ -119,6 +119,7 @@ __attribute__((flatten)) void take_ropes(const RopeNode<lanes>* nodes, uint32_t 
             if (is_wanted(lane) && i + 1 < ropes[lane].count) ropes[lane].tension[i] = node.tension[lane];
         }
     };
+    // Mostly all are wanted and of one length, and nothing is to be asked about each.
     for (uint32_t i = 0; i < shortest_rope; ++i) take(i, [](int) { return true; });
     for (uint32_t i = shortest_rope; i < count; ++i) {
         take(i, [&](int lane) { return wanted[lane] && i < ropes[lane].count; });
