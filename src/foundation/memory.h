@@ -30,6 +30,29 @@ private:
     gphys_allocator hooks_{};
 };
 
+/// For what each of several threads works in: a page away from everything else. Processors fetch ahead of what is
+/// read, up to the end of its page, so where the rooms of two threads meet in one page, each keeps taking lines
+/// that the other is writing to. Ropes on two threads were seen to take 1.2 times as long.
+class RoomMemory final : public std::pmr::memory_resource {
+public:
+    static constexpr std::size_t margin = 4096;
+    /// So that no vector of numbers lies in two lines.
+    static constexpr std::size_t line = 64;
+
+    explicit RoomMemory(std::pmr::memory_resource* memory) : memory_(memory) {}
+
+private:
+    void* do_allocate(std::size_t size, std::size_t alignment) override {
+        return static_cast<std::byte*>(memory_->allocate(size + 2 * margin, std::max(alignment, line))) + margin;
+    }
+    void do_deallocate(void* room, std::size_t size, std::size_t alignment) override {
+        memory_->deallocate(static_cast<std::byte*>(room) - margin, size + 2 * margin, std::max(alignment, line));
+    }
+    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
+
+    std::pmr::memory_resource* memory_;
+};
+
 /// Make room for `count` more elements, so that adding them cannot throw. Grows by half at least:
 /// vector::reserve alone takes exactly what it is told, and growing one by one would be quadratic.
 template <class T>

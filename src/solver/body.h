@@ -78,8 +78,9 @@ struct Sleep {
 
 /// Of a substep of cloth.
 struct ClothBalance {
-    bool closed = false;  // no energy comes from outside
-    double stored = 0;    // by elastic links, before it
+    bool closed = false;   // no energy comes from outside
+    double stored = 0;     // by elastic links
+    bool current = false;  // whether none has moved since
 };
 
 /// Of some of its particles.
@@ -100,6 +101,7 @@ struct ClothState {
           acceleration(memory),
           looked(memory),
           sums(memory),
+          stored(memory),
           extents(memory),
           tether_diagonal(memory),
           tether_off(memory),
@@ -117,6 +119,7 @@ struct ClothState {
     Vector<float> looked;
     static constexpr float not_looked = -1;  // how far
     Vector<double> sums;                     // of energy, by block of particles
+    Vector<double> stored;                   // energy, by batch of chains
     Vector<ClothExtent> extents;             // by share of particles
     ClothBalance balance;
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth

@@ -268,6 +268,7 @@ private:
     Vector<Moving> moving_{&memory};
     Vector<Task> tasks_{&memory};
     Vector<Stretch> stretches_{&memory};
+    RoomMemory room_memory_{&memory};
     Vector<RopeRoom> rooms_{&memory};  // by worker
     /// Of the last step: by model and body, and by model.
     Vector<Giver> givers_{&memory};

@@ -230,10 +230,11 @@ void Solver::find_disturbed(const Scene& scene) {
 }
 
 /// Cloth that would keep the others waiting: more than a worker's part of all particles. With fewer links, what
-/// two workers' caches have to tell each other between families takes longer than one worker alone: two were
-/// seen to take 0.9 times as long as one with 90 000 links, 0.75 times with 360 000.
+/// two workers' caches have to tell each other between families takes most of the gain: two were seen to take
+/// 0.64 times as long as one with 59 000 links, 0.75 times with 21 000. Where their cores are far apart, 200 ns
+/// instead of 50, it was 1.2 times with 59 000.
 bool Solver::is_worth_sharing(const Moving& moving, size_t particles) const {
-    constexpr size_t least_links = 150000;
+    constexpr size_t least_links = 40000;
     const Plan& plan = state_.bodies[moving.slot].plan;
     return plan.method == GPHYS_SOLVE_GRAPH && plan.rest.size() >= least_links &&
            size_t{moving.size} * workers_.count() > particles;
@@ -242,7 +243,7 @@ bool Solver::is_worth_sharing(const Moving& moving, size_t particles) const {
 /// Undisturbed ropes by eight, everything else body by body, but for what islands move.
 void Solver::divide_work() {
     tasks_.clear();
-    while (rooms_.size() < workers_.count()) rooms_.emplace_back(&memory);
+    while (rooms_.size() < workers_.count()) rooms_.emplace_back(&room_memory_);
     size_t alone = 0, together = 0;  // nodes of the longest ropes
     size_t particles = 0;
     for (const Moving& moving : moving_) particles += moving.size;

@@ -163,12 +163,15 @@ bool capture_limits(Body& body, const Surroundings& around, const TimeScheme& sc
     return any;
 }
 
-double stored_energy(const ClothKernels& kernels, const Body& body) {
+double stored_energy(const ClothKernels& kernels, Body& body) {
     const ClothBatches& batches = body.plan.batches;
-    double sum = body.volume.held ? stored_in_volume(body, cloth_volume(body)) / body.cloth.average_mass : 0;
+    ClothState& cloth = body.cloth;
+    double sum = body.volume.held ? stored_in_volume(body, cloth_volume(body)) / cloth.average_mass : 0;
     if (!batches.elastic) return sum;
-    for (const ChainBatch& batch : batches.chains)
-        sum += kernels.stored(body.cloth.at.data(), chains_of(batches), batch);
+    share(cloth.team, static_cast<uint32_t>(batches.chains.size()), [&](uint32_t i, uint32_t) {
+        cloth.stored[i] = kernels.stored(cloth.at.data(), chains_of(batches), batches.chains[i]);
+    });
+    for (const double of_batch : cloth.stored) sum += of_batch;
     return sum;
 }
 
@@ -268,6 +271,7 @@ void reserve_cloth(Body& body) {
         values->resize(floats);
     }
     cloth.sums.resize((floats + block_floats - 1) / block_floats);
+    cloth.stored.resize(body.plan.batches.chains.size());
     if (cloth.most_strain > 0) cloth.strained.resize(body.plan.batches.rest.size());
     cloth.extents.resize((4 * size_t{body.size()} + share_floats - 1) / share_floats);
     if (!body.attachments.empty()) body.cloth_contacts.pulls.resize(floats);
@@ -283,6 +287,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     }
     cloth.average_mass = extent.mass / body.size();
     cloth.wanted_substep = infinity;
+    cloth.balance.current = false;
     cloth.pulled = body.earlier_step == 0 && !body.touched;
     cloth.held = std::find(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) != body.inverse_mass.end();
     share_particles(body, [&](uint32_t p) {
@@ -315,11 +320,11 @@ void predict_cloth(Body& body, const Surroundings& around, double h) {
     soften(body.plan.batches, cloth.average_mass, TimeScheme(h, body.earlier_step).step(body.settings.damping));
     // Moving models and other bodies do work.
     const bool closed = body.attachments.empty() && !cloth.pulled && !body.joined;
-    const double stored = closed ? stored_energy(kernels, body) : 0;
+    if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(kernels, body);
+    cloth.balance.closed = closed;
     predict(kernels, cloth, cloth_step(body, h));
     damp_links(body, TimeScheme(h, body.earlier_step));
     follow_models(body, around.end);
-    cloth.balance = {closed, stored};
 }
 
 void solve_cloth(Body& body) {
@@ -384,7 +389,9 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
     if (cloth.balance.closed && !(collides && body.cloth_contacts.pushed)) {
-        gain += stored_energy(kernels, body) - cloth.balance.stored;
+        const double before = cloth.balance.stored;
+        cloth.balance.stored = stored_energy(kernels, body);
+        gain += cloth.balance.stored - before;
         if (gain > 0) take_back(kernels, cloth, gain);
     }
     body.touched = captured;
@@ -399,6 +406,7 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
             take_back(kernels, cloth, lost);
     }
     if (collides) catch_escaped(body, around, gravity, h);
+    cloth.balance.current = cloth.balance.closed && !collides && cloth.most_strain == 0;
     body.earlier_step = body.touched ? 0 : h;
 }
 
