@@ -1045,8 +1045,9 @@ enum { GPHYS_BODY_PARTICLES = 1, GPHYS_BODY_ROPE = 2, GPHYS_BODY_CLOTH = 3 };
 typedef int32_t gphys_solve_method;
 enum {
     GPHYS_SOLVE_FREE = 0,   /* no constraints: exact flight */
-    GPHYS_SOLVE_DIRECT = 1, /* chains: Newton on the whole rope at once */
-    GPHYS_SOLVE_GRAPH = 2   /* everything else: chain families, then the rest, then reach limits */
+    GPHYS_SOLVE_DIRECT = 1, /* chains and trees: Newton on the whole body at once */
+    GPHYS_SOLVE_GRAPH = 2   /* what has rings, volume, or a particle with more than 64 constraints: chain families,
+                               then the rest, then reach limits */
 };
 
 /** Frozen. */

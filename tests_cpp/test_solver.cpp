@@ -453,8 +453,12 @@ TEST_CASE("the method follows from the constraints") {
     REQUIRE(gphys_solver_remove_constraint(world.solver, body, ids[1]) == GPHYS_OK);
     CHECK(method(body) == GPHYS_SOLVE_DIRECT);
     world.step(0.01f);
-    REQUIRE(gphys_solver_add_distance(world.solver, body, 4, 3, -1, 0, &ids[1]) == GPHYS_OK);  // a branch
+    REQUIRE(gphys_solver_add_distance(world.solver, body, 4, 3, -1, 0, &ids[1]) == GPHYS_OK);  // and another
     CHECK(method(body) == GPHYS_SOLVE_GRAPH);
+    REQUIRE(gphys_solver_remove_constraint(world.solver, body, ids[3]) == GPHYS_OK);  // leaves a branch, at 4
+    CHECK(method(body) == GPHYS_SOLVE_DIRECT);
+    world.step(0.01f);
+    CHECK(world.stats(body).strain_max < 1e-6);
 }
 
 TEST_CASE("a value that is not a number is refused and nothing else changes") {

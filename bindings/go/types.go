@@ -138,9 +138,10 @@ type SolveMethod int32
 const (
 	// no constraints: exact flight
 	SolveFree SolveMethod = 0
-	// chains: Newton on the whole rope at once
+	// chains and trees: Newton on the whole body at once
 	SolveDirect SolveMethod = 1
-	// everything else: chain families, then the rest, then reach limits
+	// what has rings, volume, or a particle with more than 64 constraints: chain families,
+	// then the rest, then reach limits
 	SolveGraph SolveMethod = 2
 )
 

@@ -252,10 +252,12 @@ gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_i
     GPHYS_REQUIRE(solver, "solver is null");
     GPHYS_TRY(unwrap(solver)->check(body));
     GPHYS_REQUIRE(out_info, "out_info is null");
-    const Body& b = unwrap(solver)->body(body);
-    *out_info = {b.kind, method_of(b), b.size(), b.constraint_ids.size(),
-                 static_cast<uint32_t>(b.triangles.size() / 3)};
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        const Body& b = unwrap(solver)->body(body);
+        const gphys_solve_method method = b.plan.chains_current ? b.plan.method : method_of(b);
+        *out_info = {b.kind, method, b.size(), b.constraint_ids.size(), static_cast<uint32_t>(b.triangles.size() / 3)};
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body, uint32_t* out_substeps) {

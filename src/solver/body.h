@@ -234,7 +234,7 @@ struct Body {
     Vector<uint32_t> stuck;  // by particle, if it sticks: whether friction has held it to a model, or it rests
     bool touched = false;    // whether any did, unless the caller has interrupted the motion since
 
-    bool joined = false;  // to other bodies; set at the beginning of a step
+    bool joined = false;  // to other bodies, or branched; set at the beginning of a step
     bool near = false;    // particles of it may touch others in this substep
 
     std::optional<Extent> extent;  // if a step has found it and nothing has changed since

@@ -103,9 +103,10 @@ void Solver::list_islands() {
         while (next < systems_.size() && set_of_system(island_systems_[next]) == set) ++next;
         island.system_count = next - island.first_system;
     }
-    // A body alone is moved alone, unless it collides with itself.
+    // A body alone is moved alone, unless it collides with itself or its chains are joined.
     const auto alone = [&](const Island& island) {
-        return island.body_count == 1 && !state_.bodies[island_bodies_[island.first_body]].settings.self_collision;
+        const Body& first = state_.bodies[island_bodies_[island.first_body]];
+        return island.body_count == 1 && !first.settings.self_collision && !first.joined;
     };
     islands_.erase(std::remove_if(islands_.begin(), islands_.end(), alone), islands_.end());
     std::sort(islands_.begin(), islands_.end());

@@ -18,6 +18,8 @@ void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
 /// models; the velocities that the time scheme gives for the solved positions; and tensions to the models that
 /// ropes hang from.
 void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
+/// As it was before begin_chains, before anything else has been done.
+void take_back_chains(Body& body);
 void finish_chains(Body& body, const TimeScheme& scheme);
 void give_tensions(Body& body, const Surroundings& around, const TimeScheme& scheme);
 
@@ -52,6 +54,31 @@ void move_in_parts(const double (&parts)[count], const Surroundings& around, dou
         within.end = around.begin + (around.end - around.begin) * done;
         move(within, h * part);
     }
+}
+
+/// A substep in which Newton's method does not find the lengths of all links is too long for it, and made in halves,
+/// and these again: half a second becomes parts of 4 ms, in which a link of 1 mm that gravity swings turns by 0.4
+/// radians. What is not found in the shortest ones either is not looked for any longer. Of `motion`: begin(around, h),
+/// solve() and began_in_shape(), then either finish(around, h) or take_back(). Returns whether all was found.
+template <class Motion>
+bool move_in_halves(Motion& motion, const Surroundings& around, double h, int halvings = 7) {
+    // Where links turn by a radian the method may go about for a while before it converges.
+    constexpr int most_solutions = 8;
+    constexpr double halves[] = {0.5, 0.5};
+    motion.begin(around, h);
+    bool found = motion.solve();
+    const bool may_be_found = found || motion.began_in_shape();
+    for (int i = 1; may_be_found && !found && i < most_solutions; ++i) found = motion.solve();
+    if (found || !may_be_found || halvings == 0) {
+        motion.finish(around, h);
+        return found;
+    }
+    motion.take_back();
+    found = true;
+    move_in_parts(halves, around, h, [&](const Surroundings& within, double part) {
+        found = move_in_halves(motion, within, part, found ? halvings - 1 : 0) && found;
+    });
+    return found;
 }
 
 /// The first substep after an interruption. Not after a contact, which interrupts all the time; motion has no

@@ -108,6 +108,7 @@ struct Plan {
     Vector<double> rest, compliance, damping;  // by link
     Vector<uint32_t> limit;                    // by link: 1 if it only pulls
     bool damped = false, limited = false;      // whether any link is
+    bool branched = false;                     // direct, and chains have particles in common: joints/ solves them
     // Only for direct solving, by link:
     Vector<double> damped_rest, damped_compliance;  // in the substep under way, see damping.h
     Vector<double> target;                          // the length it shall have
@@ -119,13 +120,13 @@ struct Plan {
     ClothBatches batches;           // the same chains and limits as the kernels take them
 };
 
-/// Which method suits the constraints. O(particles); allocates nothing.
+/// Which method suits the constraints. O(particles). Throws std::bad_alloc.
 gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
-/// Which kinds of links it has.
-void note_kinds(Plan& plan);
+/// What its links are like.
+void note_kinds(Body& body);
 /// What follows from the chains of a rope.
 void complete_direct(Plan& plan);
 

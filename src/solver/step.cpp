@@ -4,6 +4,7 @@
 //   free         exact flight and impacts                                    free_flight.cpp
 //   direct       predict, solve chains as a whole, new velocities, collide,
 //                solve again beside contacts                                 rope_substep.cpp
+//                the same of chains that branch                              joined_motion.cpp
 //   graph        predict, chain families, reach limits, velocities, collide  cloth.cpp
 #include <cstring>
 
@@ -124,6 +125,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         const bool changed = !body.plan.chains_current;
         if (changed) joints_current_ = false;
         update_plan(body);
+        body.joined = body.joined || body.plan.branched;
         // What systems of joints have placed stays there.
         const bool relaxed = body.plan.method == GPHYS_SOLVE_GRAPH && !body.joined;
         body.cloth.most_strain = relaxed ? state_.settings.max_strain : 0;

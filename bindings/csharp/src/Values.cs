@@ -96,9 +96,12 @@ public enum BodyKind {
 public enum SolveMethod {
     /// <summary>no constraints: exact flight</summary>
     Free = 0,
-    /// <summary>chains: Newton on the whole rope at once</summary>
+    /// <summary>chains and trees: Newton on the whole body at once</summary>
     Direct = 1,
-    /// <summary>everything else: chain families, then the rest, then reach limits</summary>
+    /// <summary>
+    /// what has rings, volume, or a particle with more than 64 constraints: chain families,
+    /// then the rest, then reach limits
+    /// </summary>
     Graph = 2,
 }
 

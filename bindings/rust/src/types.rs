@@ -143,9 +143,10 @@ pub struct SolveMethod(pub i32);
 impl SolveMethod {
     /// no constraints: exact flight
     pub const FREE: SolveMethod = SolveMethod(0);
-    /// chains: Newton on the whole rope at once
+    /// chains and trees: Newton on the whole body at once
     pub const DIRECT: SolveMethod = SolveMethod(1);
-    /// everything else: chain families, then the rest, then reach limits
+    /// what has rings, volume, or a particle with more than 64 constraints: chain families,
+    /// then the rest, then reach limits
     pub const GRAPH: SolveMethod = SolveMethod(2);
 }
 

@@ -339,6 +339,12 @@ double longest_link(const Body& body) {
     return longest;
 }
 
+uint32_t most_links_of_a_particle(const Body& body) {
+    uint32_t most = 0;
+    for (const Links& links : body.links) most = std::max(most, links.degree);
+    return most;
+}
+
 /// Friction never holds a link stretched: what two contacts did to it is undone along the surfaces.
 void ease_links_between_contacts(const Collider& collider, Body& body) {
     // Below this strain, which nobody sees, things that lie are left alone.
@@ -396,8 +402,9 @@ void collide(Body& body, const Surroundings& around, double quiet) {
 }
 
 void ease_contacts(Body& body, const Surroundings& around) {
-    // Two links at most meet at a particle of a rope, and each moves it by less than the longest is long.
-    const Collider collider(around, body, swept_box(body, body.position, body.position, 2 * longest_link(body)));
+    // Each link that meets at a particle moves it by less than the longest is long.
+    const double way = most_links_of_a_particle(body) * longest_link(body);
+    const Collider collider(around, body, swept_box(body, body.position, body.position, way));
     ease_links_between_contacts(collider, body);
     body.start = body.position;
 }

@@ -20,12 +20,18 @@ void each_system(const Joined& joined, Visit&& visit) {
     for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i) visit(joined.all_systems[*i]);
 }
 
-void solve_systems(const Joined& joined, double h) {
+void gather_systems(const Joined& joined, double h) {
+    each_system(joined, [&](JointSystem& system) { system.gather(joined.bodies, joined.joints, h); });
+}
+
+/// Once they are gathered, or to go on. Returns whether the lengths of all links have been found.
+bool solve_systems(const Joined& joined) {
+    bool found = true;
     each_system(joined, [&](JointSystem& system) {
-        system.gather(joined.bodies, joined.joints, h);
-        system.solve();
+        found = system.solve() && found;
         system.scatter(joined.bodies);
     });
+    return found;
 }
 
 /// The inverse masses that the chains of the cloth find at its joined particle.
@@ -88,7 +94,8 @@ void collide_joined(const Joined& joined, const Surroundings& around, double qui
             body.start = body.position;
         }
     });
-    solve_systems(joined, h);
+    gather_systems(joined, h);
+    solve_systems(joined);
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
@@ -132,8 +139,10 @@ void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity
     });
 }
 
-void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
-    solve_systems(joined, h);
+namespace {
+
+/// Once the systems are solved.
+void finish_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
     each_body(joined, [&](Body& body, uint32_t slot) {
         if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
     });
@@ -158,10 +167,40 @@ void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, 
     });
 }
 
+struct JoinedMotion {
+    const Joined& joined;
+    const Vec3 gravity;
+
+    void begin(const Surroundings& around, double part) {
+        begin_joined(joined, around, gravity, part);
+        gather_systems(joined, part);
+    }
+    bool solve() { return solve_systems(joined); }
+    /// Cloth is not taken back.
+    bool began_in_shape() const {
+        bool all = true;
+        each_body(joined, [&](const Body& body, uint32_t) { all = all && !is_graph(body); });
+        each_system(joined, [&](const JointSystem& system) { all = all && system.began_in_shape(); });
+        return all;
+    }
+    void finish(const Surroundings& around, double part) { finish_joined(joined, around, gravity, part); }
+    void take_back() {
+        each_body(joined, [](Body& body, uint32_t) { take_back_chains(body); });
+    }
+};
+
+}  // namespace
+
+void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
+    gather_systems(joined, h);
+    solve_systems(joined);
+    finish_joined(joined, around, gravity, h);
+}
+
 void move_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
     const auto move_once = [&](const Surroundings& within, double part) {
-        begin_joined(joined, within, gravity, part);
-        end_joined(joined, within, gravity, part);
+        JoinedMotion motion{joined, gravity};
+        move_in_halves(motion, within, part);
     };
     // The time schemes of all look back as far, or momentum would come and go between them.
     bool interrupted = false, touched = false;

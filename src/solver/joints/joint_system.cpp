@@ -4,6 +4,7 @@
 #include "solver/body.h"
 #include "solver/contact/impulses.h"
 #include "solver/joints/joints.h"
+#include "solver/rope/rope.h"
 #include "solver/rope/rope_kernels.h"
 #include "solver/time_scheme.h"
 
@@ -94,10 +95,11 @@ void JointSystem::gather(const Vector<Body>& bodies, const Vector<Joint>& joints
         node.free = !body.pinned(node.particle);
         node.weight = body.mass[node.particle] / (step * step);
         if (node.of_graph) {
-            node.position = node.predicted = cloth_position(body.cloth, node.particle);
+            node.position = node.predicted = node.before = cloth_position(body.cloth, node.particle);
         } else {
             node.position = body.position[node.particle];
             node.predicted = body.predicted[node.particle];
+            node.before = body.start[node.particle];
         }
     }
     for (Link& link : links_) {
@@ -230,6 +232,25 @@ bool JointSystem::is_settled() const {
     });
 }
 
+bool JointSystem::is_found() const {
+    return give_ != yielding && std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
+               if (link.axis != along || link.rest == 0) return true;
+               const Stretch s = stretch(link);
+               return !s.acts || std::fabs(s.error - s.softness * link.tension) <= rope_lost * link.rest;
+           });
+}
+
+bool JointSystem::began_in_shape() const {
+    double longest = 0;
+    for (const Link& link : links_) longest = std::max(longest, link.rest);
+    return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
+        if (link.compliance > 0) return true;
+        const Node &a = nodes_[link.a], &b = nodes_[link.b];
+        const double excess = distance(a.before, b.before) - link.rest;
+        return (link.limit ? excess : std::fabs(excess)) <= in_shape * (link.rest > 0 ? link.rest : longest);
+    });
+}
+
 bool JointSystem::is_feasible() const {
     return std::all_of(links_.begin(), links_.end(), [&](const Link& link) {
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
@@ -239,7 +260,7 @@ bool JointSystem::is_feasible() const {
     });
 }
 
-void JointSystem::solve() {
+bool JointSystem::solve() {
     pushed_ = false;
     for (Node& node : nodes_) node.start = node.position;
     give_ = rope_regularisation;
@@ -259,8 +280,9 @@ void JointSystem::solve() {
             continue;
         }
         const double fraction = advance();
-        if (iteration > 0 && fraction == 1 && is_settled()) return;
+        if (iteration > 0 && fraction == 1 && is_settled()) return give_ != yielding;
     }
+    return is_found();
 }
 
 /// Move the particles by the solution, or by a part of it; returns the part.

@@ -134,6 +134,9 @@ void Solver::plan_joints() {
         }
     };
     Vector<Part>& parts = planner.parts;
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (state_.ids.live(slot) && state_.bodies[slot].plan.branched) parts.push_back({slot, Part::whole});
+    }
     each_joint([&](const Joint& joint, uint32_t) {
         parts.push_back(planner.part_of(joint.body_a, joint.particle_a));
         parts.push_back(planner.part_of(joint.body_b, joint.particle_b));

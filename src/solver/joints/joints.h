@@ -2,7 +2,8 @@
 //
 // Joined ropes and particles are one system: Newton's method on the positions and tensions of all of them
 // together, as rope_direct.cpp does it for one chain, with a sparse elimination instead of one along the
-// chain. A joint at a distance is one more link of it, a joint at none three links along the axes.
+// chain. A joint at a distance is one more link of it, a joint at none three links along the axes. A body whose
+// chains branch is a system without joints.
 //
 // Cloth is not part of a system, only its joined particles are. Cloth in turn sees what hangs on such a
 // particle: the system gives the particle's response to a force, a matrix, which stands for its inverse mass
@@ -37,8 +38,8 @@ public:
         uint32_t scalar = 0;  // its first unknown of three
         bool of_graph = false;
         bool free = true;
-        double weight = 0;  // mass / step^2: newtons that move it by a metre
-        Vec3 start{}, position{}, predicted{};
+        double weight = 0;                                // mass / step^2: newtons that move it by a metre
+        Vec3 before{}, predicted{}, start{}, position{};  // before the substep, and while it is solved
     };
     /// What holds two nodes at a distance: a link of a chain, or a joint or an axis of one.
     struct Link {
@@ -76,7 +77,10 @@ public:
     }
     /// Since it was solved.
     bool is_pushed() const { return pushed_; }
-    void solve();
+    /// Whether the lengths of all links have been found.
+    bool solve();
+    /// Whether rigid links had them before the substep; not to be asked of cloth.
+    bool began_in_shape() const;
     /// By how many metres the node would move by a newton along each axis; three columns.
     void response(uint32_t node, Vec3 (&columns)[3]);
 
@@ -90,6 +94,7 @@ private:
     void assemble();
     double reach() const;
     bool is_settled() const;
+    bool is_found() const;
     bool is_feasible() const;
     double advance();
 

@@ -1,4 +1,4 @@
-// Finding chains among constraints: the ones that a body consists of, for direct solving, or the
+// Finding chains among constraints: the ones that a rope or a tree consists of, for direct solving, or the
 // families of straight lines that cover a cloth.
 #include "solver/body.h"
 
@@ -11,18 +11,27 @@ uint32_t other_end(const DistanceConstraint& constraint, uint32_t particle) {
     return constraint.a == particle ? constraint.b : constraint.a;
 }
 
-/// From an end of a chain to the other: visit(slot, next particle). Only if no particle has more
-/// than two constraints.
-template <class Visit>
-void walk_chain(const Body& body, uint32_t end, Visit&& visit) {
-    uint32_t slot = body.links[end].slots;
-    for (uint32_t particle = end;;) {
-        particle = other_end(body.constraints[slot], particle);
-        visit(slot, particle);
-        if (body.links[particle].degree == 1) return;
-        slot ^= body.links[particle].slots;
+/// Take trees apart, from each end to the other or to where there is still a branch: begin(end), then
+/// pass(slot, next particle) along the chain. What remains are rings, and what is between them.
+template <class Begin, class Pass>
+void walk_chains(const Body& body, Begin&& begin, Pass&& pass) {
+    Vector<Links> left(body.links, body.links.get_allocator());
+    for (uint32_t end = 0; end < body.size(); ++end) {
+        if (left[end].degree != 1) continue;
+        begin(end);
+        for (uint32_t particle = end; left[particle].degree == 1;) {
+            const uint32_t slot = left[particle].slots;
+            left[particle] = {};
+            particle = other_end(body.constraints[slot], particle);
+            --left[particle].degree;
+            left[particle].slots ^= slot;
+            pass(slot, particle);
+        }
     }
 }
+
+/// Elimination couples the links of a particle with each other: its work grows with the third power of their number.
+constexpr uint32_t most_branches = 64;
 
 void clear_chains(Plan& plan) {
     plan.chains.clear();
@@ -56,23 +65,24 @@ uint32_t longest_chain(const Plan& plan) {
     return longest;
 }
 
-/// Chains are what is left of a graph without branches and rings: at most two constraints meet at
-/// a particle, and walking from all free ends passes every constraint (twice, from both ends).
+/// In trees, walking inward from all ends passes every constraint.
 gphys_solve_method method_of(const Body& body) {
     const uint32_t constraint_count = body.constraint_ids.size();
     if (body.volume.held) return GPHYS_SOLVE_GRAPH;
     if (constraint_count == 0) return GPHYS_SOLVE_FREE;
     for (const Links& links : body.links) {
-        if (links.degree > 2) return GPHYS_SOLVE_GRAPH;
+        if (links.degree > most_branches) return GPHYS_SOLVE_GRAPH;
     }
-    uint64_t passed = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.links[p].degree == 1) walk_chain(body, p, [&](uint32_t, uint32_t) { ++passed; });
-    }
-    return passed == 2 * uint64_t{constraint_count} ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
+    uint32_t passed = 0;
+    walk_chains(
+        body, [](uint32_t) {}, [&](uint32_t, uint32_t) { ++passed; });
+    return passed == constraint_count ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
 }
 
-void note_kinds(Plan& plan) {
+void note_kinds(Body& body) {
+    Plan& plan = body.plan;
+    plan.branched = plan.method == GPHYS_SOLVE_DIRECT &&
+                    std::any_of(body.links.begin(), body.links.end(), [](Links links) { return links.degree > 2; });
     plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
     plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
 }
@@ -87,15 +97,9 @@ void complete_direct(Plan& plan) {
 void plan_direct_chains(Body& body) {
     Plan& plan = body.plan;
     clear_chains(plan);
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.links[p].degree != 1) continue;
-        uint32_t last = p;
-        walk_chain(body, p, [&](uint32_t, uint32_t particle) { last = particle; });
-        if (last < p) continue;  // found from its other end
-        begin_chain(plan, p);
-        walk_chain(body, p,
-                   [&](uint32_t slot, uint32_t particle) { add_link(plan, body.constraints[slot], particle); });
-    }
+    walk_chains(
+        body, [&](uint32_t end) { begin_chain(plan, end); },
+        [&](uint32_t slot, uint32_t particle) { add_link(plan, body.constraints[slot], particle); });
     complete_direct(plan);
     plan.tension.assign(plan.rest.size(), 0.0);
     plan.earlier_tension.assign(plan.rest.size(), 0.0);
@@ -304,7 +308,7 @@ void update_plan(Body& body) {
         if (plan.method == GPHYS_SOLVE_FREE) clear_chains(plan);
         if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
         if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_families(body);
-        note_kinds(plan);
+        note_kinds(body);
         plan.chains_current = true;
         plan.reach_current = false;
     }

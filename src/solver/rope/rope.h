@@ -14,4 +14,8 @@ bool starts_again(const Body& body);
 /// long together, no link can keep its length; the stretch that cannot be avoided is shared in proportion.
 void set_targets(Body& body, const Chain& chain);
 
+/// The part of its length that a rigid link may lack before a substep and count as in shape. Those that are put right
+/// by it do so at a speed that grows as it gets shorter.
+constexpr double in_shape = 0.05;
+
 }  // namespace gphys

@@ -79,9 +79,18 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
 }  // namespace
 
 void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
+    body.plan.earlier_tension = body.plan.tension;
     predict_chains(body, scheme, gravity);
     follow_models(body, around.end, scheme.advance, 0, body.size());
     if (body.plan.damped) damp_chains(body, scheme);
+}
+
+void take_back_chains(Body& body) {
+    body.position = body.start;
+    body.velocity = body.start_velocity;
+    std::swap(body.earlier, body.start);
+    std::swap(body.earlier_velocity, body.start_velocity);
+    body.plan.tension = body.plan.earlier_tension;
 }
 
 void finish_chains(Body& body, const TimeScheme& scheme) {
@@ -124,10 +133,6 @@ void give_tensions(Body& body, const Surroundings& around, const TimeScheme& sch
 
 namespace {
 
-bool solve_predicted(Body& body, const TimeScheme& scheme) {
-    return solve_directly(body, scheme.step(body.settings.damping));
-}
-
 /// Once they are solved.
 void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
     const double step = scheme.step(body.settings.damping);
@@ -146,19 +151,7 @@ void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const Time
     body.earlier_step = body.touched || captured ? 0 : scheme.advance;
 }
 
-/// As it was before begin_chains.
-void take_back(Body& body) {
-    body.position = body.start;
-    body.velocity = body.start_velocity;
-    std::swap(body.earlier, body.start);
-    std::swap(body.earlier_velocity, body.start_velocity);
-    body.plan.tension = body.plan.earlier_tension;
-}
-
-/// Whether rigid links had their lengths before the substep. Those that are put right by it do so at a speed that
-/// grows as it gets shorter.
 bool began_in_shape(const Body& body) {
-    constexpr double most_strain = 0.05;
     const Plan& plan = body.plan;
     for (const Chain& chain : plan.chains) {
         const uint32_t* const particle = &plan.particles[chain.first_particle];
@@ -166,48 +159,42 @@ bool began_in_shape(const Body& body) {
             const uint32_t link = chain.first_link + i;
             if (plan.compliance[link] > 0) continue;
             const double excess = distance(body.start[particle[i]], body.start[particle[i + 1]]) - plan.target[link];
-            if ((plan.limit[link] ? excess : std::fabs(excess)) > most_strain * plan.target[link]) return false;
+            if ((plan.limit[link] ? excess : std::fabs(excess)) > in_shape * plan.target[link]) return false;
         }
     }
     return true;
 }
 
-// Half a second becomes parts of 4 ms, in which a link of 1 mm that gravity swings turns by 0.4 radians.
-constexpr int most_halvings = 7;
-constexpr double halves[] = {0.5, 0.5};
-// Where links turn by a radian Newton's method may go about for a while before it converges.
-constexpr int most_solutions = 8;
+/// Of a rope alone.
+struct RopeMotion {
+    Body& body;
+    const Vec3 gravity;
+    bool leans;  // by the trapezoid rule; never in halves
+    TimeScheme scheme{1, 0};
 
-/// A substep too long for Newton's method is made in halves. What is not found in the shortest ones either is not
-/// looked for any longer. Returns whether all was found.
-bool move_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme,
-                 int halvings = most_halvings) {
-    body.plan.earlier_tension = body.plan.tension;
-    begin_chains(body, around, gravity, scheme);
-    bool found = solve_predicted(body, scheme);
-    const bool may_be_found = found || began_in_shape(body);
-    for (int i = 1; may_be_found && !found && i < most_solutions; ++i) found = solve_predicted(body, scheme);
-    if (found || !may_be_found || halvings == 0) {
-        end_chains(body, around, gravity, scheme);
-        return found;
+    void begin(const Surroundings& around, double h) {
+        scheme = leans ? TimeScheme::trapezoid(h) : TimeScheme(h, body.earlier_step);
+        begin_chains(body, around, gravity, scheme);
     }
-    take_back(body);
-    found = true;
-    move_in_parts(halves, around, scheme.advance, [&](const Surroundings& within, double part) {
-        const TimeScheme backward(part, body.earlier_step);
-        found = move_chains(body, within, gravity, backward, found ? halvings - 1 : 0) && found;
-    });
-    return found;
-}
+    bool solve() { return solve_directly(body, scheme.step(body.settings.damping)); }
+    bool began_in_shape() const { return gphys::began_in_shape(body); }
+    void finish(const Surroundings& around, double) { end_chains(body, around, gravity, scheme); }
+    void take_back() {
+        take_back_chains(body);
+        leans = false;
+    }
+};
 
 }  // namespace
 
 bool starts_again(const Body& body) { return body.earlier_step == 0 && !body.touched; }
 
 void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h) {
-    const auto move_part = [&](const Surroundings& within, double part) {
-        move_chains(body, within, gravity, TimeScheme(part, body.earlier_step));
+    const auto move_by = [&](const Surroundings& within, double part, bool leans) {
+        RopeMotion motion{body, gravity, leans};
+        move_in_halves(motion, within, part);
     };
+    const auto move_part = [&](const Surroundings& within, double part) { move_by(within, part, false); };
     // How calm it is after an interruption shows in the next step.
     if (body.earlier_step == 0) body.in_stages = false;
     if (starts_again(body)) {
@@ -215,11 +202,7 @@ void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     } else if (body.in_stages) {
         bool leans = true;
         move_in_parts(stages, around, h, [&](const Surroundings& within, double part) {
-            if (leans) {
-                move_chains(body, within, gravity, TimeScheme::trapezoid(part));
-            } else {
-                move_part(within, part);
-            }
+            move_by(within, part, leans);
             leans = false;
         });
     } else {
@@ -228,7 +211,7 @@ void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h) {
 }
 
 void end_rope(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
-    solve_predicted(body, scheme);
+    solve_directly(body, scheme.step(body.settings.damping));
     end_chains(body, around, gravity, scheme);
 }
 

@@ -130,7 +130,7 @@ void complete(Body& body) {
         if (body.touches[i].model != 0) body.touch_count[i / touches_per_particle] = i % touches_per_particle + 1;
     }
     Plan& plan = body.plan;
-    note_kinds(plan);
+    note_kinds(body);
     complete_direct(plan);
     if (plan.method == GPHYS_SOLVE_GRAPH) pack_cloth(body);
 }
