@@ -231,8 +231,26 @@ public:
              const std::vector<gphys_vec3>& truth = {}) {
         if (!wants(name)) return;
         for (const Contender& contender : contenders) {
-            for (const uint32_t effort : contender.efforts) run(name, system, seconds, contender, effort, truth);
+            for (const uint32_t effort : contender.efforts) {
+                print(name, contender, effort, measure(system, seconds, contender, effort, truth));
+            }
         }
+    }
+
+    /// By turns, the best of several rounds: where processors are shared, what one of several threads has to wait
+    /// for differs from second to second.
+    void run_by_turns(const char* name, const System& system, double seconds, const std::vector<Contender>& contenders,
+                      uint32_t effort) {
+        if (!wants(name)) return;
+        constexpr int rounds = 5;
+        std::vector<Row> best(contenders.size());
+        for (int round = 0; round < rounds; ++round) {
+            for (size_t i = 0; i < contenders.size(); ++i) {
+                const Row row = measure(system, seconds, contenders[i], effort, {});
+                if (round == 0 || row.ms < best[i].ms) best[i] = row;
+            }
+        }
+        for (size_t i = 0; i < contenders.size(); ++i) print(name, contenders[i], effort, best[i]);
     }
 
     bool wants(const std::string& name) const {
@@ -292,8 +310,13 @@ public:
     }
 
 private:
-    void run(const char* name, const System& system, double seconds, const Contender& contender, uint32_t effort,
-             const std::vector<gphys_vec3>& truth) {
+    struct Row {
+        double ms, most, rms, gain;
+        std::string error;
+    };
+
+    Row measure(const System& system, double seconds, const Contender& contender, uint32_t effort,
+                const std::vector<gphys_vec3>& truth) {
         const auto now = contender.several_threads ? seconds_on_the_wall : seconds_of_thread;
         const std::unique_ptr<Method> method = contender.make(system, effort);
         const double before = energy(system, *method);
@@ -324,12 +347,15 @@ private:
             std::snprintf(text, sizeof text, "%.3g", std::sqrt(squares / static_cast<double>(truth.size())));
             error = text;
         }
-        const double ms = times[times.size() / 2] * 1e3;
+        return {times[times.size() / 2] * 1e3, most, rms, gain, error};
+    }
+
+    void print(const char* name, const Contender& contender, uint32_t effort, const Row& row) {
         std::printf("%-18s %-10s %5u %9.3f ms   strain %9.3g max %9.3g rms   energy %+9.2g   error %s\n", name,
-                    contender.name, effort, ms, most, rms, gain, error.c_str());
+                    contender.name, effort, row.ms, row.most, row.rms, row.gain, row.error.c_str());
         std::fflush(stdout);
-        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,%.4g,%s\n", name, contender.name, effort, ms, most, rms,
-                     gain, error.c_str());
+        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,%.4g,%s\n", name, contender.name, effort, row.ms, row.most,
+                     row.rms, row.gain, row.error.c_str());
     }
 
     std::FILE* file_;
@@ -381,10 +407,10 @@ int run(int argc, char** argv) {
             return std::make_unique<Gamephys>(system, substeps, workers);
         };
     };
-    const std::vector<Contender> one_and_two{{"1_thread", on_threads(1), {8}, true},
-                                             {"2_threads", on_threads(2), {8}, true}};
-    table.run("ropes_threads", ropes(1000, 30, 0.1f, 1), 0.5, one_and_two);
-    table.run("cloth_300_threads", cloth(300, false), 0.5, one_and_two);
+    const std::vector<Contender> one_and_two{{"1_thread", on_threads(1), {}, true},
+                                             {"2_threads", on_threads(2), {}, true}};
+    table.run_by_turns("ropes_threads", ropes(1000, 30, 0.1f, 1), 0.5, one_and_two, 8);
+    table.run_by_turns("cloth_300_threads", cloth(300, false), 0.5, one_and_two, 8);
     // Bullet takes too long for a million.
     const Rain drizzle = make_rain(100000, 1000);
     if (!quick) table.run_rain("free_1M", "gamephys", make_rain(1000000, 1000), make_gamephys_rain);
