@@ -79,7 +79,9 @@ struct Sleep {
 /// Of a substep of cloth.
 struct ClothBalance {
     bool closed = false;   // no energy comes from outside
-    double stored = 0;     // by elastic links
+    double gain = 0;       // joules beyond those that forces gave
+    double lost = 0;       // and those that what it is joined to has lost with it; of a whole system in the first cloth
+    double stored = 0;     // by elastic links, per average mass
     bool current = false;  // whether none has moved since
 };
 

@@ -102,6 +102,8 @@ struct Joined {
 void move_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
 void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
 void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
+/// joined_energy.cpp: slow them so that a substep gains no energy, if there is cloth among them.
+void keep_joined_energy(const Joined& joined, Vec3 gravity);
 /// What it needs, and before the first substep, after begin_cloth.
 void reserve_joined_cloth(Body& body);
 void begin_joined_cloth(Body& body);

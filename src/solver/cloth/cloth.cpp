@@ -195,26 +195,16 @@ void follow_models(Body& body, double fraction) {
     }
 }
 
-/// The velocity of a free body as a whole.
-Vec3 drift_of(const ClothState& cloth) {
-    double mass = 0;
-    Vec3 momentum;
-    for (size_t i = 0; i < 4 * size_t{cloth.particles}; i += 4) {
-        mass += cloth.acceleration[i + 3];
-        momentum += get(&cloth.velocity[i]) * cloth.acceleration[i + 3];
-    }
-    return momentum / mass;
-}
-
 /// What sweeps over a graph leave unsolved can do work in long steps. Motion within the body is
 /// slowed so that the substep gains no energy; the motion of a free body as a whole stays.
-void take_back(const ClothKernels& kernels, ClothState& cloth, double gain) {
-    float drift[3] = {};
-    if (!cloth.held) put(drift, drift_of(cloth));
-    const double inner = sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.kinetic(block, drift); });
-    const double kept = gain < inner ? std::sqrt(1 - gain / inner) : 0;
-    share_motion(cloth,
-                 [&](const ClothMotion& motion, uint32_t) { kernels.slow(motion, drift, static_cast<float>(kept)); });
+void take_back(Body& body, double gain) {
+    Vec3 drift;
+    if (!body.cloth.held) {
+        const Motion motion = motion_of_cloth(body);
+        drift = motion.momentum / motion.mass;
+    }
+    const double inner = inner_energy_of_cloth(body, drift);
+    slow_cloth(body, drift, gain < inner ? std::sqrt(1 - gain / inner) : 0);
 }
 
 /// part(its number, first particle, end) in any order.
@@ -262,6 +252,31 @@ void publish(Body& body) {
 }
 
 }  // namespace
+
+Motion motion_of_cloth(const Body& body) {
+    const ClothState& cloth = body.cloth;
+    Motion sum;
+    for (size_t i = 0; i < 4 * size_t{cloth.particles}; i += 4) {
+        sum.add(cloth.acceleration[i + 3] * cloth.average_mass, get(&cloth.velocity[i]));
+    }
+    return sum;
+}
+
+double inner_energy_of_cloth(Body& body, Vec3 drift) {
+    const ClothKernels& kernels = cloth_kernels(chosen_isa());
+    float common[3];
+    put(common, drift, fastest);
+    return body.cloth.average_mass *
+           sum_of_blocks(body.cloth, [&](const ClothMotion& block) { return kernels.kinetic(block, common); });
+}
+
+void slow_cloth(Body& body, Vec3 drift, double kept) {
+    const ClothKernels& kernels = cloth_kernels(chosen_isa());
+    float common[3];
+    put(common, drift, fastest);
+    share_motion(body.cloth,
+                 [&](const ClothMotion& motion, uint32_t) { kernels.slow(motion, common, static_cast<float>(kept)); });
+}
 
 void reserve_cloth(Body& body) {
     ClothState& cloth = body.cloth;
@@ -319,7 +334,7 @@ void predict_cloth(Body& body, const Surroundings& around, double h) {
     ClothState& cloth = body.cloth;
     soften(body.plan.batches, cloth.average_mass, TimeScheme(h, body.earlier_step).step(body.settings.damping));
     // Moving models and other bodies do work.
-    const bool closed = body.attachments.empty() && !cloth.pulled && !body.joined;
+    const bool closed = body.attachments.empty() && !cloth.pulled;
     if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(kernels, body);
     cloth.balance.closed = closed;
     predict(kernels, cloth, cloth_step(body, h));
@@ -384,15 +399,16 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     if (!body.attachments.empty()) give_pulls(body, around, scheme.step(body.settings.damping), h);
     if (collides) leave_walls(body);
     const ClothStep step = cloth_step(body, h);
-    double gain = sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.finish(block, step); });
+    const double gain = sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.finish(block, step); });
     cloth.velocity.swap(cloth.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
-    if (cloth.balance.closed && !(collides && body.cloth_contacts.pushed)) {
+    cloth.balance.closed = cloth.balance.closed && !(collides && body.cloth_contacts.pushed);
+    if (cloth.balance.closed) {
         const double before = cloth.balance.stored;
         cloth.balance.stored = stored_energy(kernels, body);
-        gain += cloth.balance.stored - before;
-        if (gain > 0) take_back(kernels, cloth, gain);
+        cloth.balance.gain = (gain + cloth.balance.stored - before) * cloth.average_mass;
+        if (cloth.balance.gain > 0 && !body.joined) take_back(body, cloth.balance.gain);
     }
     body.touched = captured;
     if (collides) {
@@ -402,8 +418,7 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     }
     if (cloth.most_strain > 0) {
         const double lost = relax_links(body, collides, h);
-        if (lost > 0 && cloth.balance.closed && !(collides && body.cloth_contacts.pushed))
-            take_back(kernels, cloth, lost);
+        if (lost > 0 && cloth.balance.closed) take_back(body, lost * cloth.average_mass);
     }
     if (collides) catch_escaped(body, around, gravity, h);
     cloth.balance.current = cloth.balance.closed && !collides && cloth.most_strain == 0;

@@ -264,6 +264,19 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
 void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h);  // what follows predict_cloth
 void end_cloth(Body& body, const Surroundings& around);
 
+/// Mass and momentum.
+struct Motion {
+    double mass = 0;
+    Vec3 momentum;
+
+    void add(double mass_, Vec3 velocity) { mass += mass_, momentum += velocity * mass_; }
+    void add(const Motion& other) { mass += other.mass, momentum += other.momentum; }
+};
+/// Between substeps: of all particles; their energy beside a motion of all, in joules; and this part of it kept.
+Motion motion_of_cloth(const Body& body);
+double inner_energy_of_cloth(Body& body, Vec3 drift);
+void slow_cloth(Body& body, Vec3 drift, double kept);
+
 /// relax_links.cpp: after a substep of h seconds, links that it has left strained beyond the target. Returns the energy
 /// that forces have lost by it, per average mass.
 double relax_links(Body& body, bool collides, double h);

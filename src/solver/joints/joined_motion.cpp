@@ -143,6 +143,8 @@ namespace {
 
 /// Once the systems are solved.
 void finish_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
+    bool interrupted = false;  // then tensions of before are not known
+    each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.earlier_step == 0; });
     each_body(joined, [&](Body& body, uint32_t slot) {
         if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
     });
@@ -165,6 +167,7 @@ void finish_joined(const Joined& joined, const Surroundings& around, Vec3 gravit
             body.earlier_step = body.touched || captured ? 0 : h;
         }
     });
+    if (!interrupted) keep_joined_energy(joined, gravity);
 }
 
 struct JoinedMotion {

@@ -116,6 +116,13 @@ void JointSystem::gather(const Vector<Body>& bodies, const Vector<Joint>& joints
             link.tension = plan.tension[link.source];
         }
     }
+    stored_before_ = stored();
+}
+
+double JointSystem::stored() const {
+    double sum = 0;
+    for (const Link& link : links_) sum += link.compliance * link.tension * link.tension / 2;
+    return sum;
 }
 
 void JointSystem::scatter(Vector<Body>& bodies) const {

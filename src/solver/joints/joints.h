@@ -81,6 +81,9 @@ public:
     bool solve();
     /// Whether rigid links had them before the substep; not to be asked of cloth.
     bool began_in_shape() const;
+    /// Joules in links that yield, as they are and before the substep.
+    double stored() const;
+    double stored_before() const { return stored_before_; }
     /// By how many metres the node would move by a newton along each axis; three columns.
     void response(uint32_t node, Vec3 (&columns)[3]);
 
@@ -103,6 +106,7 @@ private:
     Vector<double> entries_, diagonal_, solution_;
     SparseLdl matrix_;
     bool pushed_ = false;
+    double stored_before_ = 0;
     double give_ = 0;  // the compliance that all links have beside their own, relative to inverse masses
 };
 

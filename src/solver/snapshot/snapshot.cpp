@@ -18,7 +18,7 @@ constexpr uint32_t header_words = sizeof(Header) / 4;
 constexpr uint32_t magic = 0x6770686e;
 constexpr uint32_t swapped_magic = 0x6e687067;
 // Of the list below: to be raised when it changes.
-constexpr uint32_t format = 5;
+constexpr uint32_t format = 6;
 
 // Copied as they lie in memory, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(Attachment) == 80);
@@ -73,6 +73,7 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.start_velocity);
     archive.value(body.earlier_step);
     archive.flag(body.touched);
+    archive.value(body.cloth.balance.lost);
     archive.array(body.touches);
     archive.value(body.substeps);
     archive.value(body.wanted_substep);

@@ -1,0 +1,95 @@
+// What sweeps over cloth leave unsolved does work in long substeps on all that is joined to it. Energy that they have
+// lost before may come back, as it does within each swing; of what would go beyond that the motion of all of them is
+// slowed, but for that of them as a whole if nothing holds them. So their energy never exceeds what it was.
+#include "solver/motion.h"
+
+namespace gphys {
+namespace {
+
+bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
+
+template <class Visit>
+void each_body(const Joined& joined, Visit&& visit) {
+    for (const uint32_t* slot = joined.slots_begin; slot != joined.slots_end; ++slot) visit(joined.bodies[*slot]);
+}
+
+/// Whether nothing from outside can have done work, and what is needed to tell has not been changed by contacts.
+bool is_closed(const Body& body) {
+    return is_graph(body) ? body.cloth.balance.closed
+                          : body.attachments.empty() && !body.touched && !body.near && !body.plan.damped;
+}
+
+/// Joules beyond those that forces gave.
+double gain_of(const Body& body, Vec3 gravity) {
+    if (is_graph(body)) return body.cloth.balance.gain;
+    double gain = 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p)) continue;
+        const Vec3 now = body.velocity[p], before = body.start_velocity[p];
+        const Vec3 falling = gravity + body.force[p] * body.inverse_mass[p];
+        gain += body.mass[p] * (dot(now - before, now + before) / 2 - dot(falling, body.position[p] - body.start[p]));
+    }
+    return gain;
+}
+
+bool is_held(const Body& body) {
+    return std::find(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) != body.inverse_mass.end();
+}
+
+Motion motion_of(const Body& body) {
+    if (is_graph(body)) return motion_of_cloth(body);
+    Motion sum;
+    for (uint32_t p = 0; p < body.size(); ++p) sum.add(body.mass[p], body.velocity[p]);
+    return sum;
+}
+
+double inner_energy(Body& body, Vec3 drift) {
+    if (is_graph(body)) return inner_energy_of_cloth(body, drift);
+    double energy = 0;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (!body.pinned(p)) energy += body.mass[p] * length_squared(body.velocity[p] - drift) / 2;
+    }
+    return energy;
+}
+
+void slow(Body& body, Vec3 drift, double kept) {
+    if (is_graph(body)) return slow_cloth(body, drift, kept);
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (!body.pinned(p)) body.velocity[p] = drift + (body.velocity[p] - drift) * kept;
+    }
+}
+
+}  // namespace
+
+void keep_joined_energy(const Joined& joined, Vec3 gravity) {
+    bool cloth = false, closed = true, held = false;
+    double gain = 0;
+    each_body(joined, [&](const Body& body) {
+        cloth = cloth || is_graph(body);
+        closed = closed && is_closed(body);
+        held = held || is_held(body);
+    });
+    if (!cloth || !closed) return;
+    each_body(joined, [&](const Body& body) { gain += gain_of(body, gravity); });
+    for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i) {
+        gain += joined.all_systems[*i].stored() - joined.all_systems[*i].stored_before();
+    }
+    double lost = -gain;
+    Body* first = nullptr;
+    each_body(joined, [&](Body& body) {
+        if (!is_graph(body)) return;
+        if (!first) first = &body;
+        lost += std::exchange(body.cloth.balance.lost, 0.0);
+    });
+    first->cloth.balance.lost = std::max(lost, 0.0);
+    if (lost >= 0) return;
+    Motion whole;
+    if (!held) each_body(joined, [&](const Body& body) { whole.add(motion_of(body)); });
+    const Vec3 drift = held ? Vec3{} : whole.momentum / whole.mass;
+    double inner = 0;
+    each_body(joined, [&](Body& body) { inner += inner_energy(body, drift); });
+    const double kept = -lost < inner ? std::sqrt(1 + lost / inner) : 0;
+    each_body(joined, [&](Body& body) { slow(body, drift, kept); });
+}
+
+}  // namespace gphys
