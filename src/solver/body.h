@@ -255,6 +255,8 @@ inline const Attachment* find_attachment(const Body& body, uint32_t particle) {
     return at != body.attachments.end() && at->particle == particle ? &*at : nullptr;
 }
 
+inline bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
+
 /// Unit. Coincident particles part along a fixed axis: any direction is as good.
 inline Vec3 link_direction(const Body& body, uint32_t a, uint32_t b) {
     const Vec3 along = body.position[b] - body.position[a];

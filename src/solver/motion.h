@@ -98,6 +98,14 @@ struct Joined {
     const Vector<Tether>& all_tethers;            // by body and particle
 };
 
+/// visit(body, its slot)
+template <class Visit>
+void each_body(const Joined& joined, Visit&& visit) {
+    for (const uint32_t* slot = joined.slots_begin; slot != joined.slots_end; ++slot) {
+        visit(joined.bodies[*slot], *slot);
+    }
+}
+
 /// joined_motion.cpp: one substep of all of them, or the two parts of one.
 void move_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
 void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);

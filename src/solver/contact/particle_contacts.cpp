@@ -24,8 +24,6 @@ constexpr double near = 0.02;
 // would shoot them apart.
 constexpr double most_parting = 0.1;
 
-bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
-
 bool touches_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
 
 Vec3 place_of(const Body& body, uint32_t p) {

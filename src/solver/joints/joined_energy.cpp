@@ -6,13 +6,6 @@
 namespace gphys {
 namespace {
 
-bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
-
-template <class Visit>
-void each_body(const Joined& joined, Visit&& visit) {
-    for (const uint32_t* slot = joined.slots_begin; slot != joined.slots_end; ++slot) visit(joined.bodies[*slot]);
-}
-
 /// Whether nothing from outside can have done work, and what is needed to tell has not been changed by contacts.
 bool is_closed(const Body& body) {
     return is_graph(body) ? body.cloth.balance.closed
@@ -64,19 +57,19 @@ void slow(Body& body, Vec3 drift, double kept) {
 void keep_joined_energy(const Joined& joined, Vec3 gravity) {
     bool cloth = false, closed = true, held = false;
     double gain = 0;
-    each_body(joined, [&](const Body& body) {
+    each_body(joined, [&](const Body& body, uint32_t) {
         cloth = cloth || is_graph(body);
         closed = closed && is_closed(body);
         held = held || is_held(body);
     });
     if (!cloth || !closed) return;
-    each_body(joined, [&](const Body& body) { gain += gain_of(body, gravity); });
+    each_body(joined, [&](const Body& body, uint32_t) { gain += gain_of(body, gravity); });
     for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i) {
         gain += joined.all_systems[*i].stored() - joined.all_systems[*i].stored_before();
     }
     double lost = -gain;
     Body* first = nullptr;
-    each_body(joined, [&](Body& body) {
+    each_body(joined, [&](Body& body, uint32_t) {
         if (!is_graph(body)) return;
         if (!first) first = &body;
         lost += std::exchange(body.cloth.balance.lost, 0.0);
@@ -84,12 +77,12 @@ void keep_joined_energy(const Joined& joined, Vec3 gravity) {
     first->cloth.balance.lost = std::max(lost, 0.0);
     if (lost >= 0) return;
     Motion whole;
-    if (!held) each_body(joined, [&](const Body& body) { whole.add(motion_of(body)); });
+    if (!held) each_body(joined, [&](const Body& body, uint32_t) { whole.add(motion_of(body)); });
     const Vec3 drift = held ? Vec3{} : whole.momentum / whole.mass;
     double inner = 0;
-    each_body(joined, [&](Body& body) { inner += inner_energy(body, drift); });
+    each_body(joined, [&](Body& body, uint32_t) { inner += inner_energy(body, drift); });
     const double kept = -lost < inner ? std::sqrt(1 + lost / inner) : 0;
-    each_body(joined, [&](Body& body) { slow(body, drift, kept); });
+    each_body(joined, [&](Body& body, uint32_t) { slow(body, drift, kept); });
 }
 
 }  // namespace gphys

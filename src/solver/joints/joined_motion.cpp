@@ -6,15 +6,6 @@
 namespace gphys {
 namespace {
 
-bool is_graph(const Body& body) { return body.plan.method == GPHYS_SOLVE_GRAPH; }
-
-template <class Visit>
-void each_body(const Joined& joined, Visit&& visit) {
-    for (const uint32_t* slot = joined.slots_begin; slot != joined.slots_end; ++slot) {
-        visit(joined.bodies[*slot], *slot);
-    }
-}
-
 template <class Visit>
 void each_system(const Joined& joined, Visit&& visit) {
     for (const uint32_t* i = joined.systems_begin; i != joined.systems_end; ++i) visit(joined.all_systems[*i]);

@@ -48,7 +48,7 @@ bool particles_fine(const Body& body) {
            all(body.start, vector_finite) && all(body.start_velocity, is_speed) &&
            all(body.cloth.moved, float_finite) && all(body.cloth.velocity_before, float_finite) &&
            all(body.cloth.looked, float_finite) && in_range(body.cloth.origin) && is_amount(body.earlier_step) &&
-           is_amount(body.sleep.calm) && fine_box(body.sleep.box);
+           is_amount(body.cloth.balance.lost) && is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
 bool impulses_fine(const Body& body) {
