@@ -287,7 +287,7 @@ bool JointSystem::solve() {
             continue;
         }
         const double fraction = advance();
-        if (iteration > 0 && fraction == 1 && is_settled()) return give_ != yielding;
+        if (iteration > 0 && fraction == 1 && is_settled()) return true;
     }
     return is_found();
 }
