@@ -1059,7 +1059,8 @@ typedef struct gphys_body_info {
     uint32_t triangle_count; /* of cloth, for drawing */
 } gphys_body_info;
 
-/** What a body is made of and how it is solved. */
+/** What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
+ *  it allocates. */
 GPHYS_API gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body,
                                                   gphys_body_info* out_info);
 /** Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles. */

@@ -359,7 +359,7 @@ TEST_CASE("two sheets that are sewn together hang like one") {
 TEST_CASE("cloth with a rope at a corner gains no energy in substeps of up to half a second") {
     for (const uint32_t n : {11u, 41u}) {
         for (const float heavy : {0.01f, 1.0f, 30.0f, 1000.0f}) {
-            for (const float dt : {2e-3f, 1 / 60.0f, 0.1f, 0.5f}) {
+            for (const float step : {2e-3f, 1 / 60.0f, 0.1f, 0.5f}) {
                 World world(1);
                 gphys_body_desc desc = of_mass(1);
                 desc.cloth_flags = GPHYS_CLOTH_SHEAR;
@@ -372,10 +372,10 @@ TEST_CASE("cloth with a rope at a corner gains no energy in substeps of up to ha
                 const double before = world.energy();
                 double most = before;
                 for (int i = 0; i < 200; ++i) {
-                    world.step(dt);
+                    world.step(step);
                     most = std::max(most, world.energy());
                 }
-                INFO(n << " x " << n << ", weight " << heavy << ", dt " << dt);
+                INFO(n << " x " << n << ", weight " << heavy << ", step " << step);
                 // Energies are float32, of masses that fall for metres.
                 CHECK(most - before <= 1e-6 * (2 + heavy) * 9.81);
             }

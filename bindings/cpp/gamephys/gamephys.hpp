@@ -845,7 +845,8 @@ public:
         check(gphys_solver_wake(handle(), body));
     }
 
-    // What a body is made of and how it is solved.
+    // What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
+    // it allocates.
     BodyInfo get_body_info(gphys_body_id body) const {
         BodyInfo out_info{};
         check(gphys_solver_get_body_info(handle(), body, &out_info));

@@ -1091,7 +1091,10 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_wake(Handle, body));
     }
 
-    /// <summary>What a body is made of and how it is solved.</summary>
+    /// <summary>
+    /// What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
+    /// it allocates.
+    /// </summary>
     public unsafe BodyInfo GetBodyInfo(uint body) {
         var info = default(BodyInfo);
         Check(Low.gphys_solver_get_body_info(Handle, body, &info));

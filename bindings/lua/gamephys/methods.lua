@@ -806,7 +806,8 @@ function Solver:wake(body)
     check(C.gphys_solver_wake(opened(self), body))
 end
 
---- What a body is made of and how it is solved.
+--- What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
+--- it allocates.
 function Solver:get_body_info(body, out_info)
     out_info = out_info or BodyInfo.new()
     check(C.gphys_solver_get_body_info(opened(self), body, out_info))

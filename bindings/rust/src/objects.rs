@@ -980,7 +980,8 @@ impl Solver {
         check(unsafe { sys::gphys_solver_wake(self.handle.as_ptr(), body) })
     }
 
-    /// What a body is made of and how it is solved.
+    /// What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
+    /// it allocates.
     pub fn get_body_info(&self, body: BodyId) -> Result<BodyInfo> {
         let mut out_info = BodyInfo::default();
         check(unsafe { sys::gphys_solver_get_body_info(self.handle.as_ptr(), body, &mut out_info) })?;

@@ -20,6 +20,8 @@ constexpr double settled = 1e-9;
 // in a substep is none: then all links give way with a ten thousandth of the inverse masses, and share the stretch.
 constexpr double absurd = 1e4;
 constexpr double yielding = 1e-4;
+// From links at rest to twice their lengths, once; a few from there on.
+constexpr int most_yielding_iterations = 300;
 
 constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
@@ -272,7 +274,7 @@ bool JointSystem::solve() {
     for (Node& node : nodes_) node.start = node.position;
     give_ = rope_regularisation;
     const bool limited = std::any_of(links_.begin(), links_.end(), [](const Link& link) { return link.limit; });
-    const int iterations = limited ? most_limited_iterations : most_iterations;
+    int iterations = limited ? most_limited_iterations : most_iterations;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         assemble();
         matrix_.factor(entries_.data(), diagonal_.data());
@@ -280,6 +282,7 @@ bool JointSystem::solve() {
         for (Link& link : links_) link.tension = solution_[link.scalar];
         if (give_ != yielding && !is_feasible()) {
             give_ = yielding;
+            iterations = most_yielding_iterations;
             // Where nothing but this compliance bounds them, tensions are in inverse proportion to it.
             for (Link& link : links_) link.tension *= rope_regularisation / yielding;
             for (Node& node : nodes_) node.position = node.start;

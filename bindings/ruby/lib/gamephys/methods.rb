@@ -762,7 +762,8 @@ module Gamephys
       nil
     end
 
-    # What a body is made of and how it is solved.
+    # What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
+    # it allocates.
     def get_body_info(body)
       out_info = BodyInfo.room
       Low.check(Low.gphys_solver_get_body_info(opened, body, out_info))

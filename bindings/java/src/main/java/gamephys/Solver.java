@@ -230,7 +230,8 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * What a body is made of and how it is solved.
+     * What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
+     * it allocates.
      * </pre>
      */
     public BodyInfo getBodyInfo(int body) {
