@@ -263,9 +263,9 @@ public:
         }
     }
 
-    /// One thread, two of one solver, and two of which each has a solver of its own with the same bodies: no two
-    /// threads do more than these. By turns, the best of several rounds: where processors are shared, what one of
-    /// several threads has to wait for differs from second to second.
+    /// One thread, two of one solver, and two of which each has a solver of its own with the same bodies, so that
+    /// only the processor keeps them from being twice as fast. By turns, the best of several rounds: where processors
+    /// are shared, what one of several threads has to wait for differs from second to second.
     void run_threads(const char* name, const System& system, double seconds, uint32_t substeps) {
         if (!wants(name)) return;
         const auto on_threads = [](uint32_t workers) {
