@@ -69,6 +69,15 @@ inline Float8 splat(float value) {
     for (FloatRegister& part : v.part) part = value - FloatRegister{};
     return v;
 }
+/// Floats of eight places: at(i) is where.
+template <class At>
+[[gnu::always_inline]] inline Float8 load_lanes(const At& at) {
+#if GPHYS_HAS_AVX2
+    return {{FloatRegister{*at(0), *at(1), *at(2), *at(3), *at(4), *at(5), *at(6), *at(7)}}};
+#else
+    return {{FloatRegister{*at(0), *at(1), *at(2), *at(3)}, FloatRegister{*at(4), *at(5), *at(6), *at(7)}}};
+#endif
+}
 /// Eight doubles less one, then rounded.
 inline Float8 narrowed_differences(const double* from, double less) {
 #if GPHYS_ISA_IS(avx512)
@@ -145,15 +154,29 @@ inline Float8 max(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = maximum(a.part[i], b.part[i]);
     return a;
 }
-/// The least of all lanes, and the greatest.
-inline float least_lane(Float8 a) {
-    FloatRegister least = a.part[0];
-    for (int i = 1; i < register_count; ++i) least = minimum(least, a.part[i]);
-    float one = least[0];
-    for (int i = 1; i < register_lanes; ++i) one = least[i] < one ? least[i] : one;
-    return one;
+/// The least of all lanes, and the greatest, in each.
+template <class Better>
+inline Float8 best_lane(Float8 a, const Better& better) {
+    FloatRegister best = a.part[0];
+    for (int i = 1; i < register_count; ++i) best = better(best, a.part[i]);
+#if GPHYS_HAS_AVX2
+    best = better(best, __builtin_shufflevector(best, best, 4, 5, 6, 7, 0, 1, 2, 3));
+    best = better(best, __builtin_shufflevector(best, best, 2, 3, 0, 1, 6, 7, 4, 5));
+    best = better(best, __builtin_shufflevector(best, best, 1, 0, 3, 2, 5, 4, 7, 6));
+#else
+    best = better(best, __builtin_shufflevector(best, best, 2, 3, 0, 1));
+    best = better(best, __builtin_shufflevector(best, best, 1, 0, 3, 2));
+#endif
+    for (FloatRegister& part : a.part) part = best;
+    return a;
 }
-inline float greatest_lane(Float8 a) { return -least_lane(splat(0) - a); }
+inline Float8 least_lane(Float8 a) {
+    return best_lane(a, [](FloatRegister p, FloatRegister q) { return minimum(p, q); });
+}
+inline Float8 greatest_lane(Float8 a) {
+    return best_lane(a, [](FloatRegister p, FloatRegister q) { return maximum(p, q); });
+}
+inline float first_lane(Float8 a) { return a.part[0][0]; }
 
 inline Float8 abs(Float8 a) { return max(a, splat(0) - a); }
 

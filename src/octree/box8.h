@@ -79,7 +79,7 @@ struct alignas(16) RayProbe {
 /// costs: those that stay together within about the size of a leaf.
 class RayBundling {
 public:
-    static constexpr uint32_t most = 16;  // rays of a bundle
+    static constexpr uint32_t most = 64;  // rays of a bundle
 
     RayBundling(const Box& root, uint32_t items);
 

@@ -3,6 +3,7 @@
 // that have nothing in common take turns, so that none waits for memory.
 #pragma once
 
+#include "octree/bundle_test.h"
 #include "octree/octree_traversal.h"
 
 namespace gphys::GPHYS_ISA {
@@ -95,14 +96,23 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     }
 }
 
+struct Numbers {
+    uint32_t up_to[RayBundling::most];
+
+    constexpr Numbers() : up_to{} {
+        for (uint32_t i = 0; i < RayBundling::most; ++i) up_to[i] = i;
+    }
+};
+inline constexpr Numbers numbers;
+
 /// The same for up to RayBundling::most rays with the same signs of direction, nearest first by all
 /// of them.
 template <class ProbeOf, class Visit, class Fetch>
 void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* first_limits,
                    uint32_t count, const Visit& visit, const Fetch& fetch) {
-    constexpr uint32_t numbers[RayBundling::most] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    float limits[RayBundling::most];
-    for (uint32_t i = 0; i < RayBundling::most; ++i) limits[i] = i < count ? first_limits[i] : -1;
+    alignas(32) float limits[RayBundling::most];
+    for (uint32_t i = 0; i < count; ++i) limits[i] = first_limits[i];
+    for (uint32_t i = count; i % 8 != 0; ++i) limits[i] = -1;
     BundleTest test(probe_of, limits, count);
     if (test.limit() < 0) return;
     // Of the boxes of a leaf, nearest first: eight visits take little longer than one.
@@ -122,7 +132,7 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     };
     const auto visit_later = [&](uint32_t first, uint32_t set, uint32_t item) {
         for (uint32_t i = 0; i < 8; ++i) items[waiting + i] = item;
-        waiting += take_lanes(rays + waiting, numbers + first, set);
+        waiting += take_lanes(rays + waiting, numbers.up_to + first, set);
         if (waiting >= visits) visit_first(visits);
     };
     KeyedChild stack[stack_size];
@@ -142,11 +152,14 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
             continue;
         }
         if (found.hits != 0) {
+            const uint64_t met = test.hits_of_groups(node.boxes);
+            constexpr uint64_t lane_of_groups = 0x0101010101010101;
             for (uint32_t rest = found.hits; rest != 0; rest &= rest - 1) fetch(node.child[__builtin_ctz(rest)]);
             KeyedChild ordered[8 + pushed_beyond];
-            for (int left = push_nearest_last(ordered, 0, numbers, found, false); left-- > 0;) {
+            for (int left = push_nearest_last(ordered, 0, numbers.up_to, found, false); left-- > 0;) {
                 const uint32_t lane = child_of(ordered[left]);
-                for (uint32_t group = 0; group < test.groups(); ++group) {
+                for (uint64_t rest = met >> lane & lane_of_groups; rest != 0; rest &= rest - 1) {
+                    const auto group = static_cast<uint32_t>(__builtin_ctzll(rest)) / 8;
                     const uint32_t set = test.rays(group, node.boxes, lane);
                     if (set != 0) visit_later(8 * group, set, node.child[lane]);
                 }
