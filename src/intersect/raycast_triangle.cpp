@@ -179,16 +179,18 @@ ShearedRay::ShearedRay(const Ray& ray) : Ray(ray) {
     kx = static_cast<int>(shear.x(axes));
     ky = static_cast<int>(shear.y(axes));
     kz = static_cast<int>(shear.z(axes));
+    for (int k = 0; k < 3; ++k) from[k] = ray.origin[k == 0 ? kx : k == 1 ? ky : kz];
+    speed = ray.direction[kz];
     sx = shear.sx;
     sy = shear.sy;
+    end = ray.t_max;
 }
 
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {
-    if (ray.direction[ray.kz] == 0) return crossed_by_point(triangle, ray, crossing);
+    if (ray.speed == 0) return crossed_by_point(triangle, ray, crossing);
     const auto shear = [&](Vec3 corner) {
-        const Vec3 offset = corner - ray.origin;
-        const double z = offset[ray.kz];
-        return Vec3{offset[ray.kx] - ray.sx * z, offset[ray.ky] - ray.sy * z, z};
+        const double z = corner[ray.kz] - ray.from[2];
+        return Vec3{corner[ray.kx] - ray.from[0] - ray.sx * z, corner[ray.ky] - ray.from[1] - ray.sy * z, z};
     };
     const Vec3 a = shear(triangle.a), b = shear(triangle.b), c = shear(triangle.c);
     const double volume_a = c.x * b.y - c.y * b.x;
@@ -229,7 +231,7 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
         v = volume_c / total;
         const double z = a.z + u * (b.z - a.z) + v * (c.z - a.z);
         const double z_error = 2 * weight_error / std::fabs(total) * spread + 0x1p-50 * reach.z;
-        t = z / ray.direction[ray.kz];
+        t = z / ray.speed;
         accurate = z_error <= 0x1p-30 * std::fabs(z);
     }
     if (!accurate) accurate_parameters(triangle, ray, t, u, v);

@@ -46,56 +46,62 @@ gphys_octree_stats Mesh::octree_stats() const {
 
 bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     const PreparedRay prepared(ray, rays_root_);
-    MeshRay mesh_ray(prepared);
-    walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
-        mesh_ray.meet(packet, lanes);
-        return mesh_ray.limit();
+    NearestCrossing nearest;
+    float limit = prepared.limit;
+    walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
+        const double before = nearest.crossing.t;
+        for_each_lane(lanes, [&](int lane) {
+            TriangleCrossing crossing;
+            if (crosses(packet.triangle(lane), prepared.sheared, crossing)) {
+                nearest.take(crossing, packet, static_cast<uint32_t>(lane));
+            }
+            return true;
+        });
+        if (nearest.crossing.t != before) limit = prepared.along.limit(nearest.crossing.t);
+        return limit;
     });
-    return mesh_ray.result(hit);
+    return hit_at(nearest, prepared.sheared, hit);
 }
 
-uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, Hit* hits) const {
+uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, gphys_hit* const* out) const {
     if (packets_.empty() || count == 0) return 0;
     // Nothing is written before it is needed.
     union Rays {
         Rays() {}
         PreparedRay prepared[rays_at_once];
     } rays_of;
-    union Meeting {
-        Meeting() {}
-        MeshRay ray;
-    } meeting[rays_at_once];
+    NearestCrossing nearest[rays_at_once];
     kernels_.prepare(rays, count, rays_root_, rays_of.prepared);
-    for (uint32_t i = 0; i < count; ++i) new (&meeting[i].ray) MeshRay(rays_of.prepared[i]);
-    const auto meet = [](void* context, uint32_t ray, const TrianglePacket& packet, uint32_t lanes) {
-        MeshRay& meeting_ray = static_cast<Meeting*>(context)[ray].ray;
-        meeting_ray.meet(packet, lanes);
-        return meeting_ray.limit();
+    const auto exact = [](const PreparedRay& ray, const TrianglePacket& packet, uint32_t lane,
+                          TriangleCrossing& crossing) {
+        return crosses(packet.triangle(static_cast<int>(lane)), ray.sheared, crossing);
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return rays_of.prepared[i].along; };
     RayBundling(bounds(), octree_.size())
         .split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
             kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), rays_of.prepared + first, last - first,
-                          together, {meet, meeting + first});
+                          together, exact, nearest + first);
         });
-    uint64_t found = 0;
+    uint64_t found = kernels_.hits(rays_of.prepared, nearest, count, out);
     for (uint32_t i = 0; i < count; ++i) {
-        if (meeting[i].ray.result(hits[i])) found |= uint64_t{1} << i;
+        Hit hit;
+        if ((found >> i & 1) != 0 || !hit_at(nearest[i], rays_of.prepared[i].sheared, hit)) continue;
+        *out[i] = to_hit(hit);
+        found |= uint64_t{1} << i;
     }
     return found;
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {
     const PreparedRay prepared(ray, rays_root_);
-    const MeshRay mesh_ray(prepared);
     bool found = false;
-    walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
+    walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
-            found = mesh_ray.crosses(packet.triangle(lane), crossing);
+            found = crosses(packet.triangle(lane), prepared.sheared, crossing);
             return !found;
         });
-        return found ? -1 : mesh_ray.limit();
+        return found ? -1 : prepared.limit;
     });
     return found;
 }

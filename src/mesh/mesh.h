@@ -48,10 +48,10 @@ public:
     void for_each_box(Visit&& visit) const;
 
     bool raycast(const Ray& ray, Hit& hit) const;
-    /// Up to rays_at_once rays, with the same answers: bit i of the result is set if ray i hits.
-    /// Faster than one by one, the more so if they go the same way.
+    /// Up to rays_at_once rays, with the same answers, rounded: bit i of the result is set if ray i hits, which
+    /// *out[i] tells then. Faster than one by one, the more so if they go the same way.
     static constexpr uint32_t rays_at_once = Octree::rays_at_once;
-    uint64_t raycast_many(const Ray* rays, uint32_t count, Hit* hits) const;
+    uint64_t raycast_many(const Ray* rays, uint32_t count, gphys_hit* const* out) const;
     bool raycast_any(const Ray& ray) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>
@@ -71,7 +71,7 @@ private:
     /// Packets with triangles that the ray may hit, roughly nearest first: visit(packet, lanes) returns
     /// the new limit; a negative one ends the walk.
     template <class Visit>
-    void walk(const MeshRay& ray, Visit&& visit) const;
+    void walk(const PreparedRay& ray, Visit&& visit) const;
 
     template <class Visit>
     void for_each_overlap_of(const Plane& plane, Visit&& visit) const;
@@ -94,31 +94,30 @@ private:
 };
 
 template <class Visit>
-void Mesh::walk(const MeshRay& ray, Visit&& visit) const {
+void Mesh::walk(const PreparedRay& ray, Visit&& visit) const {
     if (packets_.empty()) return;
     using Function = std::remove_reference_t<Visit>;
     const auto step = [](void* context, const TrianglePacket& packet, uint32_t lanes) {
         return (*static_cast<Function*>(context))(packet, lanes);
     };
-    kernels_.ray(octree_.nodes(), octree_.root(), packets_.data(), ray.prepared(),
+    kernels_.ray(octree_.nodes(), octree_.root(), packets_.data(), ray,
                  {step, const_cast<void*>(static_cast<const void*>(&visit))});
 }
 
 template <class Visit>
 void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
     const PreparedRay prepared(ray, rays_root_);
-    const MeshRay mesh_ray(prepared);
-    walk(mesh_ray, [&](const TrianglePacket& packet, uint32_t lanes) {
+    walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
             const Triangle corners = packet.triangle(lane);
             TriangleCrossing crossing;
-            if (!mesh_ray.crosses(corners, crossing)) return true;
-            Hit hit = mesh_ray.hit_at(corners, crossing);
+            if (!crosses(corners, prepared.sheared, crossing)) return true;
+            Hit hit = hit_at(corners, prepared.sheared, crossing);
             hit.triangle = packet.index[lane];
             visit(hit);
             return true;
         });
-        return mesh_ray.limit();
+        return prepared.limit;
     });
 }
 

@@ -1,6 +1,7 @@
 #include "mesh/mesh_kernels.h"
 
 #include "intersect/shear.h"
+#include "mesh/triangle_lanes.h"
 #include "mesh/triangle_setup.h"
 #include "mesh/triangle_test.h"
 #include "octree/octree_many.h"
@@ -37,10 +38,13 @@ void prepare(const Ray* rays, uint32_t count, const RaysRoot& root, PreparedRay*
         store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).triangles.rest); },
                     {ahead, splat(1) - ahead, narrowed(setup.margin), narrowed(setup.error)});
 
-        alignas(32) double sx[8], sy[8];
+        const Double8 from[4] = {shear.x(eight.origin), shear.y(eight.origin), shear.z(eight.origin),
+                                 shear.z(eight.direction)};
+        const Double8 rest[4] = {shear.sx, shear.sy, eight.t_max, 0};
+        store_components([&](int i) { return at(i).sheared.from; }, from);
+        store_components([&](int i) { return &at(i).sheared.sx; }, rest);
+
         alignas(32) float limit[8];
-        store(sx, shear.sx);
-        store(sy, shear.sy);
         store(limit, limits);
         for (uint32_t i = 0; i < 8; ++i) {
             PreparedRay& ray = to[first + i];
@@ -49,8 +53,6 @@ void prepare(const Ray* rays, uint32_t count, const RaysRoot& root, PreparedRay*
             ray.sheared.kx = ray.triangles.axis[0];
             ray.sheared.ky = ray.triangles.axis[1];
             ray.sheared.kz = ray.triangles.axis[2];
-            ray.sheared.sx = sx[i];
-            ray.sheared.sy = sy[i];
             ray.limit = limit[i];
         }
     }
@@ -67,18 +69,108 @@ void walk_ray(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pack
     });
 }
 
+/// Which triangles of packets rays cross, asked eight at a time.
+class Crossing {
+public:
+    Crossing(const PreparedRay* rays, const TrianglePacket& any, CrossesTriangle exact, NearestCrossing* nearest,
+             float* limits)
+        : rays_(rays), exact_(exact), nearest_(nearest), limits_(limits), pairs_(any) {}
+
+    void add(uint32_t ray, const TrianglePacket& packet, uint32_t lanes) {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            pairs_.add(ray, packet, static_cast<uint32_t>(__builtin_ctz(lanes)));
+            if (pairs_.count == 8) finish();
+        }
+    }
+    /// Rays that cross something nearer have new limits, which `changed` tells.
+    void finish() {
+        uint32_t open = (1u << pairs_.count) - 1;
+        if constexpr (lanes_are_worth_it) {
+            if (open == 0) return;
+            const Crossings8 crossings(pairs_, rays_);
+            for (uint32_t yes = crossings.yes & open; yes != 0; yes &= yes - 1) {
+                const auto i = static_cast<uint32_t>(__builtin_ctz(yes));
+                if (take(i, crossings[i])) limits_[pairs_.ray[i]] = crossings.limit[i];
+            }
+            open &= ~(crossings.no | crossings.yes);
+        }
+        for (; open != 0; open &= open - 1) {
+            const auto i = static_cast<uint32_t>(__builtin_ctz(open));
+            const PreparedRay& ray = rays_[pairs_.ray[i]];
+            TriangleCrossing crossing;
+            if (exact_(ray, *pairs_.packet[i], pairs_.lane[i], crossing) && take(i, crossing)) {
+                limits_[pairs_.ray[i]] = ray.along.limit(crossing.t);
+            }
+        }
+        pairs_.count = 0;
+    }
+
+private:
+    bool take(uint32_t i, const TriangleCrossing& crossing) {
+        return nearest_[pairs_.ray[i]].take(crossing, *pairs_.packet[i], pairs_.lane[i]);
+    }
+
+    const PreparedRay* rays_;
+    CrossesTriangle exact_;
+    NearestCrossing* nearest_;
+    float* limits_;
+    RaysAndTriangles pairs_;
+};
+
 void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
-               uint32_t count, bool together, const RayPacketVisitor& to) {
+               uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest) {
     float limits[octree_most_rays];
     for (uint32_t i = 0; i < count; ++i) limits[i] = rays[i].limit;
+    Crossing crossing(rays, packets[0], exact, nearest, limits);
+    const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
+        float before[8];
+        for (uint32_t k = 0; k < size; ++k) {
+            const uint32_t ray = numbers[k];
+            const TrianglePacket& packet = packets[items[k]];
+            before[k] = limits[ray];
+            crossing.add(ray, packet, TriangleTest(rays[ray].triangles).hits(packet, limits[ray]));
+        }
+        crossing.finish();
+        uint32_t moved = 0;
+        for (uint32_t k = 0; k < size; ++k) {
+            new_limits[k] = limits[numbers[k]];
+            moved |= uint32_t{new_limits[k] < before[k]} << k;
+        }
+        return moved;
+    };
     rays_at_once(
-        nodes, root, [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; }, limits, count, together,
-        one_by_one([&](uint32_t ray, uint32_t number) {
-            const uint32_t lanes = TriangleTest(rays[ray].triangles).hits(packets[number], limits[ray]);
-            if (lanes != 0) limits[ray] = to.visit(to.context, ray, packets[number], lanes);
-            return limits[ray];
-        }),
+        nodes, root, [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; }, limits, count, together, visit,
         [&](uint32_t number) { fetch_packet(packets, number); });
+}
+
+uint64_t hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out) {
+    uint64_t made = 0;
+    if constexpr (lanes_are_worth_it) {
+        uint32_t number[8], size = 0;
+        const auto make = [&] {
+            const NearestCrossing* of[8];
+            const PreparedRay* by[8];
+            for (uint32_t i = 0; i < 8; ++i) {
+                const uint32_t ray = number[i < size ? i : 0];
+                of[i] = nearest + ray;
+                by[i] = rays + ray;
+            }
+            gphys_hit eight[8];
+            for (uint32_t rest = make_hits(of, by, eight) & ((1u << size) - 1); rest != 0; rest &= rest - 1) {
+                const auto i = static_cast<uint32_t>(__builtin_ctz(rest));
+                *out[number[i]] = eight[i];
+                made |= uint64_t{1} << number[i];
+            }
+            size = 0;
+        };
+        for (uint32_t ray = 0; ray < count; ++ray) {
+            number[size] = ray;
+            size += nearest[ray].triangle != GPHYS_NO_TRIANGLE;
+            if (size == 8) make();
+        }
+        if (size != 0) make();
+    }
+    return made;
 }
 
 uint32_t lanes_in_box(const TrianglePacket& packet, const Box& box) {
@@ -97,6 +189,6 @@ uint32_t lanes_near(const TrianglePacket& packet, const PointProbe& probe, float
 
 }  // namespace
 
-extern const MeshKernels mesh_kernels{prepare, walk_ray, walk_rays, lanes_in_box, lanes_along, lanes_near};
+extern const MeshKernels mesh_kernels{prepare, walk_ray, walk_rays, hits, lanes_in_box, lanes_along, lanes_near};
 
 }  // namespace gphys::GPHYS_ISA

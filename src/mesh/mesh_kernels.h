@@ -13,11 +13,9 @@ struct PacketVisitor {
     void* context;
 };
 
-/// The same for one of several rays.
-struct RayPacketVisitor {
-    float (*visit)(void* context, uint32_t ray, const TrianglePacket& packet, uint32_t lanes);
-    void* context;
-};
+/// The exact test, for what kernels leave open (raycast_triangle.cpp).
+using CrossesTriangle = bool (*)(const PreparedRay& ray, const TrianglePacket& packet, uint32_t lane,
+                                 TriangleCrossing& crossing);
 
 struct MeshKernels {
     /// Prepares many rays, with the same bits as one by one. `count` is at least 1; what is written is
@@ -26,10 +24,12 @@ struct MeshKernels {
     /// Roughly nearest first, through an octree whose items are the numbers of `packets`.
     void (*ray)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
-    /// The same for many rays; up to RayBundling::most with the same signs of direction may go
-    /// together.
+    /// Where many rays first cross the triangles; up to RayBundling::most with the same signs of direction
+    /// may go together.
     void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
-                 uint32_t count, bool together, const RayPacketVisitor& to);
+                 uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest);
+    /// The hits of rays that cross something. Bit i of the result is set if that of ray i is written.
+    uint64_t (*hits)(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out);
     // The lanes of one packet whose boxes meet a query.
     uint32_t (*lanes_in_box)(const TrianglePacket& packet, const Box& box);
     uint32_t (*lanes_along)(const TrianglePacket& packet, const RayProbe& probe, float limit);

@@ -23,54 +23,32 @@ struct PreparedRay {
     float limit;  // where the walk may end, for kernels
 };
 
-class MeshRay {
-public:
-    /// The prepared ray must live as long.
-    explicit MeshRay(const PreparedRay& ray) : ray_(&ray), limit_(ray.limit) {}
-
-    const PreparedRay& prepared() const { return *ray_; }
-    /// Where the walk may end from now on.
-    float limit() const { return limit_; }
-
-    bool crosses(const Triangle& corners, TriangleCrossing& crossing) const {
-        return gphys::crosses(corners, ray_->sheared, crossing);
-    }
-    Hit hit_at(const Triangle& corners, const TriangleCrossing& crossing) const {
-        return gphys::hit_at(corners, ray_->sheared, crossing);
-    }
-
-    /// Look for a nearer crossing among some lanes of a packet. Asked for is always the ray as given:
-    /// comparing crossings, not cutting the ray short, makes the answer independent of their order.
-    void meet(const TrianglePacket& packet, uint32_t lanes) {
-        const double before = nearest_.t;
-        for_each_lane(lanes, [&](int lane) {
-            const Triangle corners = packet.triangle(lane);
-            TriangleCrossing crossing;
-            if (crosses(corners, crossing) &&
-                (crossing.t < nearest_.t || (crossing.t == nearest_.t && packet.index[lane] < triangle_))) {
-                nearest_ = crossing;
-                triangle_ = packet.index[lane];
-                corners_ = corners;
-            }
-            return true;
-        });
-        if (nearest_.t != before) limit_ = ray_->along.limit(nearest_.t);
-    }
-
-    /// The hit at the nearest crossing; false if there was none.
-    bool result(Hit& hit) const {
-        if (triangle_ == GPHYS_NO_TRIANGLE) return false;
-        hit = hit_at(corners_, nearest_);
-        hit.triangle = triangle_;
+/// Where a ray first crosses a mesh, as far as it is known. Asked for is always the ray as given: comparing
+/// crossings, not cutting the ray short, makes the answer independent of their order.
+struct NearestCrossing {
+    /// Whether this one comes before; of equal ones that of the lower index.
+    [[gnu::always_inline]] bool take(const TriangleCrossing& other, const TrianglePacket& of, uint32_t at) {
+        const uint32_t index = of.index[at];
+        if (!(other.t < crossing.t || (other.t == crossing.t && index < triangle))) return false;
+        crossing = other;
+        triangle = index;
+        packet = &of;
+        lane = at;
         return true;
     }
 
-private:
-    const PreparedRay* ray_;
-    float limit_;
-    TriangleCrossing nearest_{infinity, 0, 0, 0};
-    uint32_t triangle_ = GPHYS_NO_TRIANGLE;
-    Triangle corners_;
+    TriangleCrossing crossing{infinity, 0, 0, 0};
+    uint32_t triangle = GPHYS_NO_TRIANGLE;
+    uint32_t lane = 0;
+    const TrianglePacket* packet = nullptr;
 };
+
+/// The whole answer; false if there is none.
+inline bool hit_at(const NearestCrossing& nearest, const ShearedRay& ray, Hit& hit) {
+    if (nearest.triangle == GPHYS_NO_TRIANGLE) return false;
+    hit = hit_at(nearest.packet->triangle(static_cast<int>(nearest.lane)), ray, nearest.crossing);
+    hit.triangle = nearest.triangle;
+    return true;
+}
 
 }  // namespace gphys

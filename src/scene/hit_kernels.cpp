@@ -1,36 +1,11 @@
 #include "scene/hit_kernels.h"
 
-#include <limits>
-
+#include "intersect/hit_lanes.h"
 #include "octree/ray_lanes.h"
 
 namespace gphys::GPHYS_ISA {
 
 namespace {
-
-// Calls would hand eight lanes over in memory.
-#define GPHYS_INLINE [[gnu::always_inline]] inline
-
-// As in math.h, term by term.
-
-struct Vector8 {
-    Double8 x, y, z;
-};
-GPHYS_INLINE Vector8 operator+(const Vector8& a, const Vector8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-GPHYS_INLINE Vector8 operator-(const Vector8& a, const Vector8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-GPHYS_INLINE Vector8 operator-(const Vector8& a) { return {-a.x, -a.y, -a.z}; }
-GPHYS_INLINE Vector8 operator*(const Vector8& a, Double8 s) { return {a.x * s, a.y * s, a.z * s}; }
-GPHYS_INLINE Vector8 operator/(const Vector8& a, Double8 s) { return {a.x / s, a.y / s, a.z / s}; }
-GPHYS_INLINE Vector8 absolute(const Vector8& a) { return {absolute(a.x), absolute(a.y), absolute(a.z)}; }
-GPHYS_INLINE Double8 dot(const Vector8& a, const Vector8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-GPHYS_INLINE Vector8 cross(const Vector8& a, const Vector8& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-GPHYS_INLINE Double8 sum(const Vector8& a) { return a.x + a.y + a.z; }
-GPHYS_INLINE Double8 max_component(const Vector8& a) { return largest(a.x, largest(a.y, a.z)); }
-GPHYS_INLINE Vector8 select(DoubleMask8 mask, const Vector8& a, const Vector8& b) {
-    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
-}
 
 struct Matrix8 {
     Vector8 x, y, z;
@@ -46,17 +21,6 @@ GPHYS_INLINE Matrix8 rotation_matrix(const Vector8& q, Double8 w) {
     const Double8 wx = s * w * q.x, wy = s * w * q.y, wz = s * w * q.z;
     return {{1 - yy - zz, xy + wz, xz - wy}, {xy - wz, 1 - xx - zz, yz + wx}, {xz + wy, yz - wx, 1 - xx - yy}};
 }
-
-/// Four floats of each of eight places.
-struct Four8 {
-    Double8 x, y, z, w;
-
-    template <class At>
-    GPHYS_INLINE explicit Four8(const At& at) {
-        const Quads8 quads = load_quads(at);
-        x = widened(quads.x), y = widened(quads.y), z = widened(quads.z), w = widened(quads.w);
-    }
-};
 
 /// The placements of eight models.
 struct Worlds8 {
@@ -87,16 +51,10 @@ private:
           t_max(rays.t_max) {}
 };
 
-constexpr double largest_float = std::numeric_limits<float>::max();
-
-/// As to_hit (intersect.h).
 GPHYS_INLINE void put(Double8 t, const Vector8& point, const Vector8& normal, Hits8& hits) {
     store(hits.t, t);
-    const auto clamped = [](Double8 v) { return narrowed(least(largest_float, largest(v, -largest_float))); };
-    store_quads([&](int i) { return &hits.rounded[i].t; },
-                {narrowed(least(largest_float, t)), clamped(point.x), clamped(point.y), clamped(point.z)});
-    store_quads([&](int i) { return &hits.rounded[i].normal.x; },
-                {narrowed(normal.x), narrowed(normal.y), narrowed(normal.z), splat(0)});
+    store_quads([&](int i) { return &hits.rounded[i].t; }, rounded_place(t, point));
+    store_quads([&](int i) { return &hits.rounded[i].normal.x; }, rounded_normal(normal, splat(0)));
 }
 
 Verdicts8 verdicts(DoubleMask8 no, DoubleMask8 yes) { return {bits(no), bits(yes)}; }
@@ -135,8 +93,7 @@ Verdicts8 spheres(const RaysAndModels<Ray>& pairs, Hits8& hits) {
     const Vector8 from_axis = from + ray.direction * t;
     const Double8 size = max_component(absolute(from_axis));
     const DoubleMask8 has_normal = (0 < radius) & (0 < size);
-    const Vector8 scaled = select(has_normal, from_axis, {1.0, 0.0, 0.0}) / select(has_normal, size, 1.0);
-    const Vector8 normal = scaled / square_root(dot(scaled, scaled));
+    const Vector8 normal = normalized(select(has_normal, from_axis, {1.0, 0.0, 0.0}));
     put(t, center + normal * radius, normal, hits);
     return verdicts(no, clear & in_time & !no & has_normal);
 }
