@@ -71,16 +71,16 @@ public:
         return true;
     }
 
-    bool closest(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) override {
-        answers.resize(rays.size());
+    bool closest(const std::vector<gphys_ray>& rays) override {
+        answers_.resize(rays.size());
         for (size_t i = 0; i < rays.size(); ++i) {
             const btVector3 from = vector(rays[i].origin), to = from + vector(rays[i].direction) * rays[i].t_max;
             Closest hit(from, to);
             world_->rayTest(from, to, hit);
-            answers[i] = hit.hasHit() ? Answer{hit.m_closestHitFraction * rays[i].t_max,
-                                               arrays_ ? static_cast<uint32_t>(hit.triangle)
-                                                       : static_cast<uint32_t>(hit.m_collisionObject->getUserIndex())}
-                                      : Answer{std::numeric_limits<float>::infinity(), no_object};
+            answers_[i] = hit.hasHit() ? Answer{hit.m_closestHitFraction * rays[i].t_max,
+                                                arrays_ ? static_cast<uint32_t>(hit.triangle)
+                                                        : static_cast<uint32_t>(hit.m_collisionObject->getUserIndex())}
+                                       : Answer{std::numeric_limits<float>::infinity(), no_object};
         }
         return true;
     }

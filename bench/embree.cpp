@@ -184,9 +184,9 @@ public:
     bool wants_packets() const override { return mode_ == EmbreeMode::packets; }
     uint64_t memory() const override { return static_cast<uint64_t>(bytes_); }
 
-    bool closest(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) override {
-        if (mode_ == EmbreeMode::packets) return closest_by_packets(rays, answers);
-        answers.resize(rays.size());
+    bool closest(const std::vector<gphys_ray>& rays) override {
+        if (mode_ == EmbreeMode::packets) return closest_by_packets(rays);
+        answers_.resize(rays.size());
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         for (size_t i = 0; i < rays.size(); ++i) {
@@ -194,7 +194,7 @@ public:
             r.ray = to_embree(rays[i]);
             r.hit.geomID = r.hit.primID = r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
             rtcIntersect1(scene_, &context, &r);
-            answers[i] = answer(r.hit.geomID, r.hit.instID[0], r.hit.primID, r.ray.tfar);
+            answers_[i] = answer(r.hit.geomID, r.hit.instID[0], r.hit.primID, r.ray.tfar);
         }
         return true;
     }
@@ -250,8 +250,8 @@ public:
     }
 
 private:
-    bool closest_by_packets(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) {
-        answers.resize(rays.size());
+    bool closest_by_packets(const std::vector<gphys_ray>& rays) {
+        answers_.resize(rays.size());
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -277,7 +277,7 @@ private:
             }
             rtcIntersect8(valid, scene_, &context, &r);
             for (size_t lane = 0; lane < 8 && valid[lane]; ++lane) {
-                answers[first + lane] =
+                answers_[first + lane] =
                     answer(r.hit.geomID[lane], r.hit.instID[0][lane], r.hit.primID[lane], r.ray.tfar[lane]);
             }
         }

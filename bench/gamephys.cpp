@@ -65,18 +65,22 @@ public:
         return stats.memory_bytes + sizeof(gphys_vec3) * uint64_t{vertices} + sizeof(uint32_t) * uint64_t{indices};
     }
 
-    bool closest(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) override {
+    bool closest(const std::vector<gphys_ray>& rays) override {
         hits_.resize(rays.size());
         const auto n = static_cast<uint32_t>(rays.size());
         check(mesh_ ? gphys_shape_raycast_batch(GPHYS_SHAPE_MESH, mesh_, rays.data(), sizeof rays[0], n, hits_.data(),
                                                 sizeof hits_[0])
                     : gphys_scene_raycast_batch(scene_, rays.data(), sizeof rays[0], n, GPHYS_ALL_LAYERS, hits_.data(),
                                                 sizeof hits_[0]));
-        answers.resize(rays.size());
-        for (size_t i = 0; i < rays.size(); ++i) {
-            answers[i] = {hits_[i].t, mesh_ ? hits_[i].triangle : hits_[i].model ? hits_[i].tag : no_object};
-        }
         return true;
+    }
+    std::vector<Answer> answers() const override {
+        std::vector<Answer> found;
+        found.reserve(hits_.size());
+        for (const gphys_hit& hit : hits_) {
+            found.push_back({hit.t, mesh_ ? hit.triangle : hit.model ? hit.tag : no_object});
+        }
+        return found;
     }
 
     bool any(const std::vector<gphys_ray>& rays, std::vector<int32_t>& answers) override {

@@ -120,8 +120,7 @@ public:
         return true;
     }
 
-    bool closest(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) override {
-        answers.resize(rays.size());
+    bool closest(const std::vector<gphys_ray>& rays) override {
         hits_.resize(rays.size());
         constexpr uint32_t at_once = Octree::rays_at_once;
         for (size_t first = 0; first < rays.size(); first += at_once) {
@@ -134,8 +133,13 @@ public:
                 meet(spheres_, &rays[first], count, &hits_[first]);
             }
         }
-        for (size_t i = 0; i < rays.size(); ++i) answers[i] = {hits_[i].t, hits_[i].triangle};
         return true;
+    }
+    std::vector<Answer> answers() const override {
+        std::vector<Answer> found;
+        found.reserve(hits_.size());
+        for (const auto& hit : hits_) found.push_back({hit.t, hit.triangle});
+        return found;
     }
 
     bool overlap(const std::vector<gphys_sphere>& queries, uint64_t& total) override {

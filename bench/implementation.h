@@ -35,7 +35,9 @@ public:
     /// Bytes that the content takes, 0 if unknown.
     virtual uint64_t memory() const { return 0; }
 
-    virtual bool closest(const std::vector<gphys_ray>&, std::vector<Answer>&) { return false; }
+    virtual bool closest(const std::vector<gphys_ray>&) { return false; }
+    /// What it found; to put that into a form that all have in common is no part of the work.
+    virtual std::vector<Answer> answers() const { return answers_; }
     virtual bool any(const std::vector<gphys_ray>&, std::vector<int32_t>&) { return false; }
     /// Total number of overlapping boxes over all queries.
     virtual bool overlap(const std::vector<gphys_sphere>&, uint64_t& /*total*/) { return false; }
@@ -50,6 +52,9 @@ public:
     virtual bool remove_and_insert(const std::vector<gphys_obb>&, uint32_t /*first*/, uint32_t /*count*/) {
         return false;
     }
+
+protected:
+    std::vector<Answer> answers_;
 };
 
 /// `worker_count` of the scene.

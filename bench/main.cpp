@@ -192,8 +192,8 @@ struct Sample {
 /// Distances may differ by float rounding; a hit of something else, or a miss, is wrong.
 Check closest_right(const Sample& sample) {
     return [&sample](Implementation& implementation) -> std::pair<double, std::string> {
-        std::vector<Answer> answers;
-        implementation.closest(sample.rays, answers);
+        implementation.closest(sample.rays);
+        const std::vector<Answer> answers = implementation.answers();
         double worst = 0;
         size_t wrong = 0;
         for (size_t i = 0; i < answers.size(); ++i) {
@@ -238,27 +238,25 @@ std::vector<gphys_ray> every_61st_tile(const std::vector<gphys_ray>& rays) {
 }
 
 /// Closest hits of all rays, or of a part where all would take minutes.
-Task closest_hits(const std::vector<gphys_ray>& rays, std::vector<Answer>& answers) {
-    return [&rays, &answers, some = every_61st_tile(rays)](Implementation& i) -> double {
+Task closest_hits(const std::vector<gphys_ray>& rays) {
+    return [&rays, some = every_61st_tile(rays)](Implementation& i) -> double {
         const std::vector<gphys_ray>& its_rays = i.is_slow() ? some : rays;
-        return i.closest(its_rays, answers) ? static_cast<double>(its_rays.size()) : 0;
+        return i.closest(its_rays) ? static_cast<double>(its_rays.size()) : 0;
     };
 }
 
 void ray_cases(Bench& bench, const std::string& suite, const std::string& prefix, uint32_t n, float half,
                std::vector<Entry>& entries, double tests_per_ray, const std::function<Answer(const gphys_ray&)>& truth,
                bool with_any) {
-    std::vector<Answer> answers;
     const std::vector<gphys_ray> random = random_rays(half, bench.ray_count(n));
     const Sample random_sample(random, tests_per_ray, truth);
-    const auto closest_random = [task = closest_hits(random, answers)](Implementation& i) {
+    const auto closest_random = [task = closest_hits(random)](Implementation& i) {
         return i.wants_packets() ? 0 : task(i);
     };
     bench.measure(suite, prefix + "_ray_random", n, entries, closest_random, closest_right(random_sample));
     const std::vector<gphys_ray> camera = bench.camera_rays(half);
     const Sample camera_sample(camera, tests_per_ray, truth);
-    bench.measure(suite, prefix + "_ray_camera", n, entries, closest_hits(camera, answers),
-                  closest_right(camera_sample));
+    bench.measure(suite, prefix + "_ray_camera", n, entries, closest_hits(camera), closest_right(camera_sample));
     if (!with_any) return;
     std::vector<int32_t> hits;
     bench.measure(
@@ -410,10 +408,9 @@ void update_suite(Bench& bench) {
     std::vector<Entry> fresh = everybody();
     load(fresh, content);
     for (Entry& entry : fresh) entries.push_back({entry.name + "_fresh", std::move(entry.implementation)});
-    std::vector<Answer> answers;
     const std::vector<gphys_ray> rays = random_rays(half_side(n), bench.ray_count(n));
     const Sample sample(rays, n, [&](const gphys_ray& r) { return reference(content, r); });
-    bench.measure("update", "ray_after_update", n, entries, closest_hits(rays, answers), closest_right(sample));
+    bench.measure("update", "ray_after_update", n, entries, closest_hits(rays), closest_right(sample));
 
     const uint32_t some = n / 100;
     uint32_t first = 0;
@@ -429,8 +426,8 @@ void update_suite(Bench& bench) {
 /// Which share of the answers is false.
 Check false_answers(const HardRays& work) {
     return [&work](Implementation& implementation) -> std::pair<double, std::string> {
-        std::vector<Answer> answers;
-        implementation.closest(work.rays, answers);
+        implementation.closest(work.rays);
+        const std::vector<Answer> answers = implementation.answers();
         size_t wrong = 0;
         for (size_t i = 0; i < answers.size(); ++i) wrong += (answers[i].object != no_object) != work.hits[i];
         return {static_cast<double>(wrong) / static_cast<double>(answers.size()), "FALSE_FRACTION"};
@@ -440,8 +437,8 @@ Check false_answers(const HardRays& work) {
 /// The same where the truth is that of a loop in double precision, for some of the rays.
 Check false_answers(const Sample& sample) {
     return [&sample](Implementation& implementation) -> std::pair<double, std::string> {
-        std::vector<Answer> answers;
-        implementation.closest(sample.rays, answers);
+        implementation.closest(sample.rays);
+        const std::vector<Answer> answers = implementation.answers();
         size_t wrong = 0;
         for (size_t i = 0; i < answers.size(); ++i) {
             const Answer &answer = answers[i], &truth = sample.truth[i];
@@ -457,18 +454,16 @@ template <class Content>
 void easy_cases(Bench& bench, const std::string& prefix, uint32_t n, float half, const Content& content,
                 std::vector<Entry>& entries) {
     load(entries, content);
-    std::vector<Answer> answers;
     for (const bool of_camera : {false, true}) {
         const std::vector<gphys_ray> rays = of_camera ? bench.camera_rays(half) : random_rays(half, bench.ray_count(n));
         const Sample sample(rays, n, [&](const gphys_ray& r) { return reference(content, r); });
-        bench.measure("accuracy", prefix + (of_camera ? "_camera" : "_random"), n, entries, closest_hits(rays, answers),
+        bench.measure("accuracy", prefix + (of_camera ? "_camera" : "_random"), n, entries, closest_hits(rays),
                       false_answers(sample));
     }
 }
 
 void accuracy_suite(Bench& bench) {
     const uint32_t count = bench.ray_count(1000);
-    std::vector<Answer> answers;
     const auto everybody = [] {
         std::vector<Entry> all = bench::everybody();
         all.push_back({"gamephys_float", make_gamephys_float()});
@@ -483,7 +478,7 @@ void accuracy_suite(Bench& bench) {
         easy_cases(bench, "mesh", mesh.count(), 1.1f, mesh, entries);
     }
     const auto cast = [&](const std::string& name, uint32_t n, std::vector<Entry>& entries, const HardRays& work) {
-        bench.measure("accuracy", name, n, entries, closest_hits(work.rays, answers), false_answers(work));
+        bench.measure("accuracy", name, n, entries, closest_hits(work.rays), false_answers(work));
     };
     const Triangles mesh = bumpy_sphere(5);
     const struct {
