@@ -175,10 +175,15 @@ TEST_CASE("rays in groups of any size and direction get what each would get alon
                         ray = {rays[0].origin, widen(narrow(rays[0].direction + aside)), rays[0].t_max};
                     }
                 }
+                gphys_ray given[Mesh::rays_at_once];
+                for (uint32_t k = 0; k < count; ++k) {
+                    given[k] = {narrow(rays[k].origin), narrow(rays[k].direction), static_cast<float>(rays[k].t_max)};
+                    rays[k] = widen(given[k]);
+                }
                 gphys_hit hits[Mesh::rays_at_once], *out[Mesh::rays_at_once];
                 for (uint32_t k = 0; k < count; ++k) out[k] = hits + k;
                 std::feclearexcept(FE_ALL_EXCEPT);
-                const uint64_t found = mesh->raycast_many(rays, count, out);
+                const uint64_t found = mesh->raycast_many(given, sizeof given[0], count, out);
                 REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
                 for (uint32_t k = 0; k < count; ++k) {
                     Hit hit, alone;

@@ -43,15 +43,11 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape,
         const StridedOut<gphys_hit> out(out_hits, out_stride);
         for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
         if (target.mesh) {
-            Ray many[Mesh::rays_at_once];
             gphys_hit* hits[Mesh::rays_at_once];
             for (uint32_t first = 0; first < count; first += Mesh::rays_at_once) {
                 const uint32_t size = std::min(count - first, Mesh::rays_at_once);
-                for (uint32_t i = 0; i < size; ++i) {
-                    many[i] = widen(each[first + i]);
-                    hits[i] = &out[first + i];
-                }
-                const uint64_t found = target.mesh->raycast_many(many, size, hits);
+                for (uint32_t i = 0; i < size; ++i) hits[i] = &out[first + i];
+                const uint64_t found = target.mesh->raycast_many(&each[first], ray_stride, size, hits);
                 for (uint32_t i = 0; i < size; ++i) {
                     if ((found >> i & 1) == 0) *hits[i] = no_hit;
                 }

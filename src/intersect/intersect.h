@@ -92,8 +92,9 @@ struct ShearedRay : Ray {
     ShearedRay() = default;
     explicit ShearedRay(const Ray& ray);
 
-    int kx, ky, kz;  // kz: the axis along which the direction is longest
-    // On these axes, in fours so that those of eight rays are read at once (triangle_lanes.h).
+    // In fours, so that those of eight rays are read and written at once (triangle_lanes.h).
+    int kx, ky, kz, no_axis;  // kz: the axis along which the direction is longest
+    // On these axes.
     double from[3], speed;
     double sx, sy, end, unused;
 };

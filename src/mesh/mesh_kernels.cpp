@@ -15,20 +15,26 @@ void fetch_packet(const TrianglePacket* packets, uint32_t number) {
     fetch_ahead(packets + number, sizeof(TrianglePacket));
 }
 
-void prepare(const Ray* rays, uint32_t count, const RaysRoot& root, PreparedRay* to) {
+void prepare(const gphys_ray* rays, uint32_t stride, uint32_t count, const RaysRoot& root, PreparedRay* to) {
+    static_assert(sizeof(gphys_ray) == 7 * sizeof(float));
     for (uint32_t first = 0; first < count; first += 8) {
-        const Rays8 eight(rays + first, count - first);
+        const auto given = [&](int i) {
+            const uint32_t next = first + static_cast<uint32_t>(i), ray = next < count ? next : count - 1;
+            return reinterpret_cast<const float*>(reinterpret_cast<const char*>(rays) + size_t{ray} * stride);
+        };
+        const Four8 begins(given), goes([&](int i) { return given(i) + 3; });
+        const Double8 origin[3] = {begins.x, begins.y, begins.z}, direction[3] = {goes.x, goes.y, goes.z};
         const auto at = [&](int i) -> PreparedRay& { return to[first + static_cast<uint32_t>(i)]; };
-        const RaySetup<Double8> along(eight.origin, eight.direction, root);
-        const Float8 limits = put_probes(eight, along, [&](int i) -> RayProbe& { return at(i).along; });
+        const RaySetup<Double8> along(origin, direction, root);
+        const Float8 limits = put_probes(goes.w, along, [&](int i) -> RayProbe& { return at(i).along; });
 
-        const Shear<Double8> shear(eight.direction);
-        const TriangleSetup<Double8> setup(shear, eight.direction, along.begin, along.slack, along.span < beyond_trees,
-                                           root);
+        const Shear<Double8> shear(direction);
+        const TriangleSetup<Double8> setup(shear, direction, along.begin, along.slack, along.span < beyond_trees, root);
         constexpr double number[3] = {0, 1, 2};
         const auto axis = [](Double8 k) { return integer_bits(narrowed(k)); };
-        store_quads([&](int i) { return reinterpret_cast<float*>(at(i).triangles.axis); },
-                    {axis(shear.x(number)), axis(shear.y(number)), axis(shear.z(number)), splat(0)});
+        const Quads8 axes{axis(shear.x(number)), axis(shear.y(number)), axis(shear.z(number)), splat(0)};
+        store_quads([&](int i) { return reinterpret_cast<float*>(at(i).triangles.axis); }, axes);
+        store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).sheared.kx); }, axes);
         store_quads([&](int i) { return at(i).triangles.origin; },
                     {narrowed(setup.origin[0]), narrowed(setup.origin[1]), narrowed(setup.origin[2]), splat(0)});
         store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).triangles.across); },
@@ -38,23 +44,16 @@ void prepare(const Ray* rays, uint32_t count, const RaysRoot& root, PreparedRay*
         store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).triangles.rest); },
                     {ahead, splat(1) - ahead, narrowed(setup.margin), narrowed(setup.error)});
 
-        const Double8 from[4] = {shear.x(eight.origin), shear.y(eight.origin), shear.z(eight.origin),
-                                 shear.z(eight.direction)};
-        const Double8 rest[4] = {shear.sx, shear.sy, eight.t_max, 0};
+        const Double8 begin[4] = {begins.x, begins.y, begins.z, begins.w}, go[4] = {goes.x, goes.y, goes.z, goes.w};
+        const Double8 from[4] = {shear.x(origin), shear.y(origin), shear.z(origin), shear.z(direction)};
+        const Double8 rest[4] = {shear.sx, shear.sy, goes.w, 0};
+        store_components([&](int i) { return &at(i).sheared.origin.x; }, begin);
+        store_components([&](int i) { return &at(i).sheared.direction.x; }, go);
         store_components([&](int i) { return at(i).sheared.from; }, from);
         store_components([&](int i) { return &at(i).sheared.sx; }, rest);
-
         alignas(32) float limit[8];
         store(limit, limits);
-        for (uint32_t i = 0; i < 8; ++i) {
-            PreparedRay& ray = to[first + i];
-            const Ray& given = rays[first + i < count ? first + i : count - 1];
-            std::memcpy(static_cast<void*>(&ray.sheared), &given, sizeof given);
-            ray.sheared.kx = ray.triangles.axis[0];
-            ray.sheared.ky = ray.triangles.axis[1];
-            ray.sheared.kz = ray.triangles.axis[2];
-            ray.limit = limit[i];
-        }
+        for (uint32_t i = 0; i < 8; ++i) to[first + i].limit = limit[i];
     }
 }
 

@@ -83,16 +83,16 @@ public:
 
     RayBundling(const Box& root, uint32_t items);
 
-    /// Cuts rays 0 .. count - 1 into runs: run(first, last, together). probe_of(i) is the probe of one.
-    template <class ProbeOf, class Run>
-    void split(const Ray* rays, const ProbeOf& probe_of, uint32_t count, const Run& run) const {
+    /// Cuts rays 0 .. count - 1 into runs: run(first, last, together). ray_of(i) is one, probe_of(i) its probe.
+    template <class RayOf, class ProbeOf, class Run>
+    void split(const RayOf& ray_of, const ProbeOf& probe_of, uint32_t count, const Run& run) const {
         constexpr uint32_t worth_it = 8;  // a walk of a bundle costs as much as about six that take turns
         uint32_t alone = 0;               // first of those that have found no company
         for (uint32_t first = 0; first < count;) {
-            const Corridor corridor = corridor_of(rays[first]);
+            const Corridor corridor = corridor_of(ray_of(first));
             const uint32_t end = std::min(first + most, count);
             uint32_t last = first + 1;
-            while (last < end && corridor.holds(rays[last]) && same_signs(probe_of(first), probe_of(last))) ++last;
+            while (last < end && corridor.holds(ray_of(last)) && same_signs(probe_of(first), probe_of(last))) ++last;
             if (last - first >= worth_it) {
                 if (alone < first) run(alone, first, false);
                 run(first, last, true);

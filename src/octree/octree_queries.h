@@ -66,7 +66,8 @@ void Octree::walk_many(decltype(OctreeKernels::rays) kernel, const Ray* rays, ui
         return static_cast<Walk*>(context)->take(from_first, some, size, new_limits);
     };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
-    RayBundling(bounds_, size_).split(rays, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+    const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i]; };
+    RayBundling(bounds_, size_).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
         walk.first = first;
         kernel(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
                {take, &walk, items});

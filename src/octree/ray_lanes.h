@@ -28,9 +28,9 @@ struct Rays8 {
     }
 };
 
-/// The probes of eight rays: at(i) is where. Returns the limits.
+/// The probes of eight rays, which end at t_max: at(i) is where. Returns the limits.
 template <class At>
-Float8 put_probes(const Rays8& rays, const RaySetup<Double8>& setup, const At& at) {
+Float8 put_probes(Double8 t_max, const RaySetup<Double8>& setup, const At& at) {
     const auto quad = [](const Double8(&v)[3]) {
         return Quads8{narrowed(v[0]), narrowed(v[1]), narrowed(v[2]), splat(0)};
     };
@@ -48,7 +48,7 @@ Float8 put_probes(const Rays8& rays, const RaySetup<Double8>& setup, const At& a
     const Double8 course[] = {setup.slack, setup.scale, setup.start, setup.span};
     store_components([&](int i) { return at(i).begin; }, begin);
     store_components([&](int i) { return reinterpret_cast<double*>(&at(i).course); }, course);
-    return narrowed(ray_limit(rays.t_max, setup.slack, setup.scale, setup.start, setup.span));
+    return narrowed(ray_limit(t_max, setup.slack, setup.scale, setup.start, setup.span));
 }
 
 }  // namespace gphys::GPHYS_ISA
