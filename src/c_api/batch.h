@@ -97,25 +97,26 @@ gphys_status check_each(const Workers& workers, uint32_t count, Check&& check) {
 inline uint32_t saturated_sum(uint32_t a, uint32_t b) { return b > UINT32_MAX - a ? UINT32_MAX : a + b; }
 
 /// The lists of items begin .. end - 1 behind one another; ends[i] is where that of item i ends.
-template <class T, class Less, class AddAll>
-void list_chunk(T* out, uint32_t capacity, uint32_t begin, uint32_t end, uint32_t* ends, AddAll&& add_all) {
+template <class T, class Less, class ListAll>
+void list_chunk(T* out, uint32_t capacity, uint32_t begin, uint32_t end, uint32_t* ends, ListAll&& list_all) {
     uint32_t total = 0;
-    for (uint32_t i = begin; i < end; ++i) {
+    list_all(begin, end, [&](uint32_t i, const auto& add_all) {
         const uint32_t used = std::min(total, capacity);
         Smallest<T, Less> list(capacity == 0 ? nullptr : out + used, capacity - used);
-        add_all(i, list);
+        add_all(list);
         total = saturated_sum(total, list.finish());
         ends[i] = total;
-    }
+    });
 }
 
-/// Many lists behind one another: those of item i are added by add_all(i, list). How long a list
-/// gets is known only when it is there, and queries allocate nothing: so the room that is left is
-/// dealt out in equal shares to a wave of chunks, and their lists are moved together afterwards.
-/// Where a share was too small, the rest of the wave is listed again, by this thread and in place.
-template <class T, class Less, class AddAll>
+/// Many lists behind one another: list_all(begin, end, list_of) makes those of items begin .. end - 1, in
+/// order, by list_of(i, add_all) with add_all(list), which adds what there is of item i. How long a list gets is known
+/// only when it is there, and queries allocate nothing: so the room that is left is dealt out in equal shares to a wave
+/// of chunks, and their lists are moved together afterwards. Where a share was too small, the rest of the wave is
+/// listed again, by this thread and in place.
+template <class T, class Less, class ListAll>
 gphys_status concatenate(const Workers& workers, T* out, uint32_t capacity, uint32_t count, uint32_t* out_offsets,
-                         AddAll&& add_all) {
+                         ListAll&& list_all) {
     // Long enough that the wait for the last chunk of a wave is a few per cent of it.
     const uint32_t wave = workers.count() == 1 ? 1 : 16 * workers.count();
     uint32_t* const ends = out_offsets + 1;
@@ -126,14 +127,15 @@ gphys_status concatenate(const Workers& workers, T* out, uint32_t capacity, uint
         const auto begin_of = [&](uint32_t chunk) { return first + std::min(chunk * batch_chunk, count - first); };
         const uint32_t used = std::min(total, capacity), share = (capacity - used) / chunks;
         workers.run(chunks, [&](uint32_t chunk) {
-            list_chunk<T, Less>(out + used + chunk * share, share, begin_of(chunk), begin_of(chunk + 1), ends, add_all);
+            list_chunk<T, Less>(out + used + chunk * share, share, begin_of(chunk), begin_of(chunk + 1), ends,
+                                list_all);
         });
         bool in_place = false;
         for (uint32_t chunk = 0; chunk < chunks; ++chunk) {
             const uint32_t begin = begin_of(chunk), end = begin_of(chunk + 1), place = std::min(total, capacity);
             in_place = in_place || (ends[end - 1] > share && capacity - place > share);
             if (in_place) {
-                list_chunk<T, Less>(out + place, capacity - place, begin, end, ends, add_all);
+                list_chunk<T, Less>(out + place, capacity - place, begin, end, ends, list_all);
             } else if (const uint32_t listed = used + chunk * share; listed != place) {
                 std::copy_n(out + listed, std::min(ends[end - 1], share), out + place);
             }

@@ -1,8 +1,8 @@
 // The (out, capacity, out_total) lists of the public header.
 #pragma once
 
-#include "octree/octree.h"
 #include "c_api/api.h"
+#include "octree/octree.h"
 
 namespace gphys {
 

@@ -36,6 +36,22 @@ gphys_status check_concatenation(const void* out, uint32_t capacity, const uint3
     return GPHYS_OK;
 }
 
+/// The overlaps of shapes first .. first + count - 1, at most ItemsMet::most_queries; by list_of(i, add_all) as in
+/// concatenate.
+template <class ListOf>
+void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char>& shapes, uint32_t first,
+                   uint32_t count, uint32_t layers, const ListOf& list_of) {
+    Shape queries[ItemsMet::most_queries];
+    ItemsMet met[ItemsMet::most_queries];
+    for (uint32_t k = 0; k < count; ++k) {
+        if (read_shape(type, &shapes[first + k], queries[k]) != GPHYS_OK) return;  // which has been checked
+    }
+    scene.meet(queries, count, layers, met);
+    for (uint32_t k = 0; k < count; ++k) {
+        list_of(first + k, [&](auto& models) { scene.overlap(queries[k], layers, models, met + k); });
+    }
+}
+
 bool valid_max_distance(float distance) { return distance >= 0; }
 
 }  // namespace
@@ -123,8 +139,11 @@ gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys
         GPHYS_TRY(check_concatenation(out_hits, capacity, out_offsets));
         const Strided<gphys_ray> ray(rays, ray_stride);
         return concatenate<gphys_hit, FirstHit>(
-            workers, out_hits, capacity, count, out_offsets,
-            [&](uint32_t i, auto& hits) { unwrap(scene)->raycast_all(widen(ray[i]), layers, hits); });
+            workers, out_hits, capacity, count, out_offsets, [&](uint32_t begin, uint32_t end, const auto& list_of) {
+                for (uint32_t i = begin; i < end; ++i) {
+                    list_of(i, [&](auto& hits) { unwrap(scene)->raycast_all(widen(ray[i]), layers, hits); });
+                }
+            });
     });
 }
 
@@ -185,9 +204,11 @@ gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_typ
         }));
         GPHYS_TRY(check_concatenation(out_models, capacity, out_offsets));
         return concatenate<gphys_model_id, std::less<gphys_model_id>>(
-            workers, out_models, capacity, count, out_offsets, [&](uint32_t i, auto& models) {
-                Shape query;
-                if (read_shape(type, &shape[i], query) == GPHYS_OK) unwrap(scene)->overlap(query, layers, models);
+            workers, out_models, capacity, count, out_offsets, [&](uint32_t begin, uint32_t end, const auto& list_of) {
+                for (uint32_t first = begin; first < end; first += ItemsMet::most_queries) {
+                    const uint32_t size = std::min(end - first, ItemsMet::most_queries);
+                    list_overlaps(*unwrap(scene), type, shape, first, size, layers, list_of);
+                }
             });
     });
 }

@@ -139,6 +139,7 @@ private:
 
 /// Boxes that a ball touches, or holds.
 struct BallProbe {
+    BallProbe() = default;
     BallProbe(Vec3 center, double radius, const Box& root);
 
     float low[3], high[3];              // the centre between two floats on each axis

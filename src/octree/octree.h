@@ -88,6 +88,11 @@ public:
     template <class Visit>
     bool overlap_ball(Vec3 center, double radius, Visit&& visit, ItemMemory items = {},
                       ItemMemory items_inside = {}) const;
+    /// What up to ItemsMet::most_queries boxes or balls meet, faster than one after the other, as each would wait for
+    /// memory. A query that is not complete is for overlap_box or overlap_ball.
+    void meet_boxes(const Box* boxes, uint32_t count, ItemMemory items, ItemMemory items_inside, ItemsMet* met) const;
+    void meet_balls(const Sphere* balls, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                    ItemsMet* met) const;
     /// visit(item), for any test of boxes: touches(box) must be true for each box that holds what the
     /// query wants.
     template <class Touches, class Visit>

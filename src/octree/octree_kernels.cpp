@@ -61,6 +61,15 @@ bool walk_ball(const OctreeNode* nodes, uint32_t root, const BallProbe& probe, c
         nodes, root, [&](const Box8& boxes, uint32_t& inside) { return test.hits(boxes, inside); }, to);
 }
 
+template <class Test, class Query>
+void walk_several(const OctreeNode* nodes, uint32_t root, const Query* queries, uint32_t count, ItemMemory items,
+                  ItemMemory items_inside, ItemsMet* met) {
+    everything_met_by_several(
+        nodes, root, count,
+        [&](uint32_t query, const Box8& boxes, uint32_t& inside) { return Test(queries[query]).hits(boxes, inside); },
+        items, items_inside, met);
+}
+
 /// Planes that a node is wholly inside need no test below it, and when none is left the whole
 /// subtree is inside (Assarsson and Möller 2000).
 bool walk_frustum(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeListVisitor& to) {
@@ -181,6 +190,8 @@ extern const OctreeKernels octree_kernels{
     walk_ray_any,
     walk_box,
     walk_ball,
+    walk_several<BoxTest, Box>,
+    walk_several<BallTest, BallProbe>,
     walk_frustum,
     walk_pairs,
     around_node,

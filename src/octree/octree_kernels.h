@@ -39,6 +39,20 @@ struct OctreeListVisitor {
     bool asks_inside;  // else no item need be told to lie inside
 };
 
+/// What one of several queries that walk side by side has found.
+struct ItemsMet {
+    static constexpr uint32_t most_queries = 8, capacity = 64;
+
+    bool complete;      // else there is too much for this, and the query has to walk alone
+    uint32_t count[2];  // of those of which it is not known, and of those that lie wholly inside the query
+    uint32_t items[2][capacity + 8];
+
+    [[gnu::always_inline]] void clear() {
+        complete = true;
+        count[0] = count[1] = 0;
+    }
+};
+
 /// Gets pairs of items. Returns whether to go on.
 struct OctreePairVisitor {
     bool (*visit)(void* context, uint32_t item, uint32_t other_item);
@@ -65,6 +79,12 @@ struct OctreeKernels {
     // False if a visitor ended it.
     bool (*box)(const OctreeNode* nodes, uint32_t root, const Box& box, const OctreeListVisitor& to);
     bool (*ball)(const OctreeNode* nodes, uint32_t root, const BallProbe& probe, const OctreeListVisitor& to);
+    // Up to ItemsMet::most_queries, step by step side by side: while one would wait for memory, others go on.
+    // What a visitor reads of the items is on its way then. `met` is cleared.
+    void (*boxes)(const OctreeNode* nodes, uint32_t root, const Box* boxes, uint32_t count, ItemMemory items,
+                  ItemMemory items_inside, ItemsMet* met);
+    void (*balls)(const OctreeNode* nodes, uint32_t root, const BallProbe* probes, uint32_t count, ItemMemory items,
+                  ItemMemory items_inside, ItemsMet* met);
     bool (*frustum)(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeListVisitor& to);
     bool (*pairs)(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_nodes, uint32_t other_root,
                   const OctreePairVisitor& to);

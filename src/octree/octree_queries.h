@@ -136,6 +136,22 @@ bool Octree::overlap_ball(Vec3 center, double radius, Visit&& visit, ItemMemory 
                                           list_visitor(visit, items, items_inside));
 }
 
+inline void Octree::meet_boxes(const Box* boxes, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                               ItemsMet* met) const {
+    for (uint32_t i = 0; i < count; ++i) met[i].clear();
+    if (root_ != none) kernels_.boxes(nodes_.data(), root_, boxes, count, items, items_inside, met);
+}
+
+inline void Octree::meet_balls(const Sphere* balls, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                               ItemsMet* met) const {
+    BallProbe probes[ItemsMet::most_queries];
+    for (uint32_t i = 0; i < count; ++i) {
+        met[i].clear();
+        probes[i] = BallProbe(balls[i].center, balls[i].radius, bounds_);
+    }
+    if (root_ != none) kernels_.balls(nodes_.data(), root_, probes, count, items, items_inside, met);
+}
+
 template <class Visit>
 bool Octree::frustum(const Frustum& frustum, const Box& around, Visit&& visit, ItemMemory items,
                      ItemMemory items_inside) const {

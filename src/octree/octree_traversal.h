@@ -231,6 +231,15 @@ private:
     List<many_leaves + 8> leaves_;
 };
 
+/// Fetch what is read of items. Mostly there are at most two; a loop that ran as often as there are would surprise
+/// the processor. `refs` has two at least, of which more than `count` may be anything.
+[[gnu::always_inline]] inline void fetch_items(const ItemMemory& memory, const uint32_t* items, uint32_t count) {
+    if (memory.size == 0) return;
+    fetch_item(memory, items[0]);
+    fetch_item(memory, items[1]);
+    for (uint32_t i = 2; i < count; ++i) fetch_item(memory, items[i]);
+}
+
 /// Items that a walk without order has found. They are kept back for a while, until what a visit
 /// reads of the first has come from memory.
 class FoundItems {
@@ -271,13 +280,9 @@ private:
 
         bool add(const uint32_t children[8], uint32_t lanes) {
             if (count_ > capacity - 8 && !pass_on()) return false;
-            const uint32_t first = count_;
-            count_ += take_lanes(items_ + first, children, lanes);
-            if (memory_.size == 0) return true;
-            // Mostly there are at most two; a loop that ran as often as there are would surprise the processor.
-            fetch_item(memory_, items_[first]);
-            fetch_item(memory_, items_[first + 1]);
-            for (uint32_t i = first + 2; i < count_; ++i) fetch_item(memory_, items_[i]);
+            const uint32_t added = take_lanes(items_ + count_, children, lanes);
+            fetch_items(memory_, items_ + count_, added);
+            count_ += added;
             return true;
         }
         bool pass_on() {
@@ -346,6 +351,46 @@ bool everything_met(const OctreeNode* nodes, uint32_t root, const Hits& hits_of,
         if (inside != 0 && !found.add_below(nodes, node, inside)) return false;
     }
     return found.finish();
+}
+
+/// The same for several queries, hits_of(query, boxes, inside), which find nodes and items that are few: level by
+/// level, so that what one query needs next is fetched while the others are at work. `met` is cleared.
+template <class Hits>
+void everything_met_by_several(const OctreeNode* nodes, uint32_t root, uint32_t count, const Hits& hits_of,
+                               const ItemMemory& items, const ItemMemory& items_inside, ItemsMet* met) {
+    constexpr uint32_t most_nodes = 64 * ItemsMet::most_queries;
+    uint32_t refs[most_nodes + 8], query_of[most_nodes + 8], size = 0;
+    for (uint32_t query = 0; query < count; ++query) {
+        refs[size] = root;
+        query_of[size++] = query;
+    }
+    const auto add = [](ItemsMet& here, const OctreeNode& leaf, uint32_t lanes, bool inside, const ItemMemory& memory) {
+        uint32_t* const end = here.items[inside] + here.count[inside];
+        const uint32_t added = take_lanes(end, leaf.child, lanes);
+        fetch_items(memory, end, added);
+        here.count[inside] += added;
+        here.complete = here.complete && here.count[inside] <= ItemsMet::capacity;
+    };
+    for (uint32_t next = 0; next < size; ++next) {
+        const uint32_t ref = refs[next], query = query_of[next];
+        ItemsMet& here = met[query];
+        if (!here.complete) continue;
+        const OctreeNode& node = node_at(nodes, ref);
+        uint32_t inside;
+        const uint32_t hits = hits_of(query, node.boxes, inside) & lanes_of(node);
+        inside &= hits;
+        if (is_leaf(ref)) {
+            add(here, node, hits & ~inside, false, items);
+            add(here, node, inside, true, items_inside);
+        } else if (inside != 0 || size >= most_nodes) {
+            here.complete = false;
+        } else {
+            const uint32_t added = take_lanes(refs + size, node.child, hits);
+            for (uint32_t i = 0; i < 8; ++i) query_of[size + i] = query;
+            fetch_nodes(nodes, refs + size, added);
+            size += added;
+        }
+    }
 }
 
 }  // namespace gphys::GPHYS_ISA

@@ -108,7 +108,12 @@ public:
     /// The same for many rays: bit i of the result for ray i.
     uint64_t raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
-    void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out) const;
+    /// `met` is what meet has found of the shape.
+    void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out,
+                 const ItemsMet* met = nullptr) const;
+    /// The first step of overlap for 1 to ItemsMet::most_queries shapes of one type, which takes less time side by
+    /// side.
+    void meet(const Shape* shapes, uint32_t count, uint32_t layers, ItemsMet* met) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     /// World boxes that lie outside none of the six planes and of the frustum's own box, in
@@ -169,6 +174,11 @@ private:
 
     ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
     ItemMemory id_memory() const { return {ids_.ids(), sizeof(uint32_t)}; }
+    /// Whether of a model wholly inside a solid nothing but its id is asked: all models are in the layers.
+    bool inside_is_enough(uint32_t layers) const { return (common_layers_ & layers) != 0; }
+    ItemMemory memory_of_inside(uint32_t layers) const {
+        return inside_is_enough(layers) ? id_memory() : model_memory();
+    }
     const Model& at(gphys_model_id model) const { return models_[IdTable::slot_of(model)]; }
 
     // Shapes. visit gets some public struct, or const Mesh*, of the type; the model's; the same placed

@@ -79,7 +79,27 @@ void Scene::overlap_ball(const BallLanes& ball, const uint32_t* slots, uint32_t 
     if (waiting > 0) decide_boxes();
 }
 
-void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id>& out) const {
+void Scene::meet(const Shape* shapes, uint32_t count, uint32_t layers, ItemsMet* met) const {
+    const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
+    std::visit(
+        [&](const auto& first) {
+            using Query = std::decay_t<decltype(first)>;
+            if constexpr (std::is_same_v<Query, Plane> || std::is_same_v<Query, Frustum>) {
+                for (uint32_t i = 0; i < count; ++i) met[i].complete = false;
+            } else if constexpr (std::is_same_v<Query, Sphere>) {
+                Sphere balls[ItemsMet::most_queries];
+                for (uint32_t i = 0; i < count; ++i) balls[i] = std::get<Sphere>(shapes[i]);
+                octree_.meet_balls(balls, count, models, if_inside, met);
+            } else {
+                Box boxes[ItemsMet::most_queries];
+                for (uint32_t i = 0; i < count; ++i) boxes[i] = gphys::bounds(std::get<Query>(shapes[i]));
+                octree_.meet_boxes(boxes, count, models, std::is_same_v<Query, Aabb> ? if_inside : models, met);
+            }
+        },
+        shapes[0]);
+}
+
+void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id>& out, const ItemsMet* met) const {
     const auto exact = [&](const auto& shape) { return overlaps_shape(shape, query); };
     std::visit(
         [&](const auto& shape) {
@@ -91,13 +111,20 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
             };
             for (const uint32_t slot : unbounded_) ask(slot);
             // What is wholly inside a solid is found without a look at it.
-            const bool inside_is_found = (common_layers_ & layers) != 0;
+            const bool inside_is_found = inside_is_enough(layers);
             const auto find = [&](uint32_t slot, bool wholly_inside) {
                 if (!wholly_inside || !inside_is_found) return ask(slot);
                 out.add(ids_.id(slot));
                 return true;
             };
-            const ItemMemory models = model_memory(), if_inside = inside_is_found ? id_memory() : models;
+            const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
+            const bool is_met = met && met->complete;
+            const auto each_met = [&](const auto& visit) {
+                for (const bool inside : {false, true}) {
+                    for (uint32_t i = 0; i < met->count[inside]; ++i) visit(met->items[inside][i], inside);
+                }
+                return true;
+            };
             if constexpr (std::is_same_v<Query, Plane>) {
                 octree_.overlap([&](const Box& box) { return may_touch(shape, box); }, ask);
             } else if constexpr (std::is_same_v<Query, Frustum>) {
@@ -112,12 +139,17 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
                     }
                     return true;
                 };
-                octree_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
+                if (is_met) {
+                    find_all(met->items[0], met->count[0], false);
+                    find_all(met->items[1], met->count[1], true);
+                } else {
+                    octree_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
+                }
             } else if constexpr (std::is_same_v<Query, Aabb>) {
-                octree_.overlap_box(gphys::bounds(shape), find, models, if_inside);
+                is_met ? each_met(find) : octree_.overlap_box(gphys::bounds(shape), find, models, if_inside);
             } else {
-                octree_.overlap_box(
-                    gphys::bounds(shape), [&](uint32_t slot, bool) { return ask(slot); }, models, models);
+                const auto ask_each = [&](uint32_t slot, bool) { return ask(slot); };
+                is_met ? each_met(ask_each) : octree_.overlap_box(gphys::bounds(shape), ask_each, models, models);
             }
         },
         query);
