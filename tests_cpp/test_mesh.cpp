@@ -200,6 +200,46 @@ TEST_CASE("rays in groups of any size and direction get what each would get alon
     }
 }
 
+TEST_CASE("normals of needles, of which rounding would leave little, are the same in a batch") {
+    test::Random random(33);
+    // Corners whose differences have more digits than a product of doubles holds.
+    test::Arrays needles;
+    for (uint32_t i = 0; i < 3000; ++i) {
+        const Vec3 a = random.direction() * 1000, along = random.direction() * 1000;
+        const Vec3 aside = random.direction() * std::exp2(random.uniform(-13, -8));
+        for (const Vec3& corner : {a, a + along, a + along * 0.4375 + aside}) {
+            needles.vertices.push_back(narrow(corner));
+        }
+        needles.add(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    const MeshHolder expected = hold(needles);
+    for (const Isa isa : test::isas()) {
+        const MeshHolder mesh = hold(needles, isa);
+        uint32_t met = 0;
+        for (uint32_t first = 0; first < 3000; first += 60) {
+            gphys_ray rays[60];
+            gphys_hit hits[60], *out[60];
+            for (uint32_t k = 0; k < 60; ++k) {
+                const Triangle needle = mesh->triangle(first + k);
+                const Vec3 target = needle.a + (needle.b - needle.a) * 0.3 + (needle.c - needle.a) * 0.3;
+                const Vec3 away = random.direction();
+                rays[k] = {narrow(target + away), narrow(-away), INFINITY};
+                out[k] = hits + k;
+            }
+            const uint64_t found = mesh->raycast_many(rays, sizeof rays[0], 60, out);
+            for (uint32_t k = 0; k < 60; ++k) {
+                Hit hit;
+                REQUIRE((found >> k & 1) == uint32_t{expected->raycast(widen(rays[k]), hit)});
+                if ((found >> k & 1) == 0) continue;
+                const gphys_hit rounded = to_hit(hit);
+                REQUIRE(std::memcmp(&hits[k], &rounded, sizeof rounded) == 0);
+                ++met;
+            }
+        }
+        CHECK(met > 500);
+    }
+}
+
 TEST_CASE("no ray leaves a closed mesh through its edges and vertices") {
     test::Random random(2);
     for (const NamedArrays& named : hard_meshes()) {

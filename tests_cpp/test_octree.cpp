@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "meshes.h"
 #include "resources.h"
 #include "test.h"
 
@@ -442,7 +443,7 @@ TEST_CASE("rays at once find in an octree what each finds alone, in company or n
                 while (rays.size() < Octree::rays_at_once) {
                     const Ray first = random_ray(random, boxes, kind);
                     const double spread = std::ldexp(length(first.direction), -static_cast<int>(random.index(30)));
-                    const uint32_t company = 1 + random.index(30);
+                    const uint32_t company = 1 + random.index(64);
                     for (uint32_t i = 0; i < company && rays.size() < Octree::rays_at_once; ++i) {
                         Ray ray = first;
                         if (i > 0) ray.direction += random.direction() * spread;
@@ -455,6 +456,59 @@ TEST_CASE("rays at once find in an octree what each finds alone, in company or n
             }
         }
     }
+}
+
+TEST_CASE("queries side by side find in an octree what each finds alone, on every processor") {
+    test::Random random(29);
+    uint32_t complete = 0, too_much = 0, inside = 0;
+    const auto compare = [&](const ItemsMet& met, const auto& alone) {
+        too_much += !met.complete;
+        if (!met.complete) return;
+        ++complete;
+        std::map<uint32_t, bool> found, expected;
+        for (const bool within : {false, true}) {
+            for (uint32_t i = 0; i < met.count[within]; ++i)
+                REQUIRE(found.emplace(met.items[within][i], within).second);
+            inside += within ? met.count[within] : 0;
+        }
+        alone([&](uint32_t item, bool within) { return expected.emplace(item, within).second; });
+        REQUIRE(found == expected);
+    };
+    for (const Isa isa : test::isas()) {
+        for (Kind kind : kinds) {
+            for (uint32_t count : {0u, 1u, 9u, 200u, 5000u}) {
+                INFO(name_of(isa) << ", kind " << static_cast<int>(kind) << ", " << count << " boxes");
+                const Boxes items = random_boxes(random, kind, count);
+                Octree tree(std::pmr::get_default_resource(), isa);
+                build(tree, items);
+                for (int round = 0; round < 10; ++round) {
+                    const uint32_t queries = 1 + random.index(ItemsMet::most_queries);
+                    Box boxes[ItemsMet::most_queries];
+                    Sphere balls[ItemsMet::most_queries];
+                    for (uint32_t k = 0; k < queries; ++k) {
+                        boxes[k] = random_box(random, kind);
+                        const Vec3 low{boxes[k].min[0], boxes[k].min[1], boxes[k].min[2]};
+                        const double size = kind == Kind::tiny ? 1e-31 : std::exp2(random.uniform(-2, 7));
+                        balls[k] = {low, size};
+                        if (random.index(2)) boxes[k] = bounds(balls[k]);
+                    }
+                    ItemsMet met[ItemsMet::most_queries];
+                    tree.meet_boxes(boxes, queries, {}, {}, met);
+                    for (uint32_t k = 0; k < queries; ++k) {
+                        compare(met[k], [&](const auto& visit) { tree.overlap_box(boxes[k], visit); });
+                    }
+                    tree.meet_balls(balls, queries, {}, {}, met);
+                    for (uint32_t k = 0; k < queries; ++k) {
+                        compare(met[k],
+                                [&](const auto& visit) { tree.overlap_ball(balls[k].center, balls[k].radius, visit); });
+                    }
+                }
+            }
+        }
+    }
+    CHECK(complete > 1000);
+    CHECK(too_much > 100);
+    CHECK(inside > 1000);
 }
 
 TEST_CASE("updating many items of an octree at once is like updating each") {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 
 #include "c_api/handles.h"
 #include "scene/scene.h"
@@ -385,4 +386,51 @@ TEST_CASE("a batch answers each item as the single call does") {
         REQUIRE(total == offsets[i + 1] - offsets[i]);
         REQUIRE(std::equal(list, list + total, lists.begin() + offsets[i], same_bits<gphys_hit>));
     }
+}
+
+TEST_CASE("overlaps of a batch are those of single calls, for shapes of every type") {
+    RandomScene world(31);
+    for (int i = 0; i < 150; ++i) world.add();
+    const auto compare = [&](gphys_shape_type type, uint32_t stride, const std::vector<RandomScene::AnyShape>& shapes) {
+        std::vector<unsigned char> packed(stride * shapes.size());
+        const auto count = static_cast<uint32_t>(shapes.size());
+        for (uint32_t i = 0; i < count; ++i) std::memcpy(&packed[size_t{stride} * i], shapes[i].bytes, stride);
+        for (const uint32_t layers : {1u, 8u, GPHYS_ALL_LAYERS}) {
+            std::vector<gphys_model_id> lists(200 * size_t{count});
+            std::vector<uint32_t> offsets(count + 1);
+            REQUIRE(gphys_scene_overlap_batch(world.scene, type, packed.data(), stride, count, layers, lists.data(),
+                                              200 * count, offsets.data()) == GPHYS_OK);
+            for (uint32_t i = 0; i < count; ++i) {
+                gphys_model_id alone[200];
+                uint32_t total = 0;
+                REQUIRE(gphys_scene_overlap(world.scene, type, shapes[i].bytes, layers, alone, 200, &total) ==
+                        GPHYS_OK);
+                REQUIRE(total == offsets[i + 1] - offsets[i]);
+                REQUIRE(std::equal(alone, alone + total, lists.begin() + offsets[i]));
+            }
+        }
+    };
+    // Primitives as they come, of which those of each type are a batch.
+    std::map<gphys_shape_type, std::vector<RandomScene::AnyShape>> of_type;
+    for (int i = 0; i < 600; ++i) {
+        const RandomScene::AnyShape shape = world.primitive(12);
+        of_type[shape.type].push_back(shape);
+    }
+    for (int i = 0; i < 100; ++i) {
+        RandomScene::AnyShape shape;
+        const gphys_vec3 low = world.point(12);
+        shape.hold(GPHYS_SHAPE_SPHERE, gphys_sphere{low, 40 * world.size(1) * world.size(1)});
+        of_type[shape.type].push_back(shape);
+        shape.hold(GPHYS_SHAPE_AABB, gphys_aabb{low, {low.x + world.size(40), low.y + world.size(40), low.z + 20}});
+        of_type[shape.type].push_back(shape);
+        shape.hold(GPHYS_SHAPE_FRUSTUM, world.frustum());
+        of_type[shape.type].push_back(shape);
+    }
+    REQUIRE(of_type.size() == 7);
+    const std::map<gphys_shape_type, uint32_t> sizes = {
+        {GPHYS_SHAPE_SPHERE, sizeof(gphys_sphere)},  {GPHYS_SHAPE_CAPSULE, sizeof(gphys_capsule)},
+        {GPHYS_SHAPE_AABB, sizeof(gphys_aabb)},      {GPHYS_SHAPE_OBB, sizeof(gphys_obb)},
+        {GPHYS_SHAPE_PLANE, sizeof(gphys_plane)},    {GPHYS_SHAPE_TRIANGLE, sizeof(gphys_triangle)},
+        {GPHYS_SHAPE_FRUSTUM, sizeof(gphys_frustum)}};
+    for (const auto& [type, shapes] : of_type) compare(type, sizes.at(type), shapes);
 }
