@@ -49,14 +49,29 @@ bool meet(const TrianglePacket& packet, FloatRay& ray) {
 }
 
 void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* along,
-               FloatRay* rays, float* limits, uint32_t count, bool together) {
-    rays_at_once(
-        nodes, root, [&](uint32_t ray) -> const RayProbe& { return along[ray]; }, limits, count, together,
-        one_by_one([&](uint32_t ray, uint32_t number) {
-            if (meet(packets[number], rays[ray])) limits[ray] = along[ray].limit(static_cast<double>(rays[ray].t));
-            return limits[ray];
-        }),
-        [&](uint32_t number) { fetch_ahead(packets + number, sizeof(TrianglePacket)); });
+               FloatRay* rays, const float* limits, uint32_t count, bool together) {
+    RayLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
+    const auto meet_one = [&](uint32_t ray, uint32_t number) {
+        if (!meet(packets[number], rays[ray])) return;
+        of_all.limits[ray] = along[ray].limit(static_cast<double>(rays[ray].t));
+    };
+    const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return along[ray]; };
+    const auto fetch = [&](uint32_t number) { fetch_ahead(packets + number, sizeof(TrianglePacket)); };
+    if (together) {
+        const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
+            for (uint32_t k = 0; k < size; ++k) meet_one(numbers[k], items[k]);
+        };
+        return rays_together(
+            nodes, root, probe_of, of_all.limits, count, visit, [] {}, fetch);
+    }
+    const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
+        for (uint32_t k = 0; k < size; ++k) {
+            meet_one(numbers[k], items[k]);
+            new_limits[k] = of_all.limits[numbers[k]];
+        }
+        return (1u << size) - 1;
+    };
+    rays_in_turns<NearestFirst>(nodes, root, probe_of, limits, count, visit, fetch);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct FloatRay {
 struct FloatKernels {
     /// As MeshKernels::rays; each ray ends up with its nearest hit.
     void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* along,
-                 FloatRay* rays, float* limits, uint32_t count, bool together);
+                 FloatRay* rays, const float* limits, uint32_t count, bool together);
 };
 
 GPHYS_DECLARE_KERNELS(FloatKernels, float_kernels)

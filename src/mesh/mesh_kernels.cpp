@@ -81,11 +81,10 @@ public:
             if (pairs_.count == 8) finish();
         }
     }
-    /// Rays that cross something nearer have new limits, which `changed` tells.
+    /// Rays that cross something nearer have new limits then.
     void finish() {
         uint32_t open = (1u << pairs_.count) - 1;
-        if constexpr (lanes_are_worth_it) {
-            if (open == 0) return;
+        if (pairs_.count >= worth_eight_lanes) {
             const Crossings8 crossings(pairs_, rays_);
             for (uint32_t yes = crossings.yes & open; yes != 0; yes &= yes - 1) {
                 const auto i = static_cast<uint32_t>(__builtin_ctz(yes));
@@ -118,16 +117,27 @@ private:
 
 void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest) {
-    float limits[octree_most_rays];
-    for (uint32_t i = 0; i < count; ++i) limits[i] = rays[i].limit;
+    RayLimits of_all(count, [&](uint32_t ray) { return rays[ray].limit; });
+    float* const limits = of_all.limits;
     Crossing crossing(rays, packets[0], exact, nearest, limits);
+    const auto add = [&](uint32_t ray, uint32_t number) {
+        const TrianglePacket& packet = packets[number];
+        crossing.add(ray, packet, TriangleTest(rays[ray].triangles).hits(packet, limits[ray]));
+    };
+    const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; };
+    const auto fetch = [&](uint32_t number) { fetch_packet(packets, number); };
+    if (together) {
+        const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
+            for (uint32_t k = 0; k < size; ++k) add(numbers[k], items[k]);
+        };
+        return rays_together(
+            nodes, root, probe_of, limits, count, visit, [&] { crossing.finish(); }, fetch);
+    }
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
         float before[8];
         for (uint32_t k = 0; k < size; ++k) {
-            const uint32_t ray = numbers[k];
-            const TrianglePacket& packet = packets[items[k]];
-            before[k] = limits[ray];
-            crossing.add(ray, packet, TriangleTest(rays[ray].triangles).hits(packet, limits[ray]));
+            before[k] = limits[numbers[k]];
+            add(numbers[k], items[k]);
         }
         crossing.finish();
         uint32_t moved = 0;
@@ -137,14 +147,12 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
         }
         return moved;
     };
-    rays_at_once(
-        nodes, root, [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; }, limits, count, together, visit,
-        [&](uint32_t number) { fetch_packet(packets, number); });
+    rays_in_turns<NearestFirst>(nodes, root, probe_of, limits, count, visit, fetch);
 }
 
 uint64_t hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out) {
     uint64_t made = 0;
-    if constexpr (lanes_are_worth_it) {
+    if constexpr (worth_eight_lanes <= 8) {
         uint32_t number[8], size = 0;
         const auto make = [&] {
             const NearestCrossing* of[8];

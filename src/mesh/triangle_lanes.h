@@ -9,8 +9,8 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// With registers of two doubles, one by one is faster where fewer than eight ask.
-constexpr bool lanes_are_worth_it = double_register_lanes > 2;
+/// For fewer, one by one is faster; for as many as there may be with registers of two doubles.
+constexpr uint32_t worth_eight_lanes = double_register_lanes == 8 ? 3 : double_register_lanes == 4 ? 6 : 9;
 
 /// Corner c of eight triangles: first_of(i, k) is where coordinate k of the first corner is, in its packet.
 template <class FirstOf>

@@ -10,9 +10,11 @@ class BundleTest {
 public:
     static constexpr uint32_t most_groups = RayBundling::most / 8;
 
-    /// probe_of(i) for i < count; limits as below.
+    /// probe_of(i) for i < count; limits, which must live as long, are negative where there is no ray, and there for
+    /// all of the last group.
     template <class ProbeOf>
-    BundleTest(const ProbeOf& probe_of, const float* limits, uint32_t count) : groups_((count + 7) / 8) {
+    BundleTest(const ProbeOf& probe_of, const float* limits, uint32_t count)
+        : groups_((count + 7) / 8), limits_(limits) {
         for (int k = 0; k < 3; ++k) {
             near_face_[k] = probe_of(0).near_face[k];
             far_face_[k] = probe_of(0).far_face[k];
@@ -43,17 +45,16 @@ public:
         }
         bounds_ = group_bounds_[0];
         for (uint32_t group = 1; group < groups_; ++group) widen(bounds_, group_bounds_[group]);
-        set_limits(limits);
+        set_limits();
     }
 
     /// The greatest limit.
     float limit() const { return first_lane(limit_); }
-    /// Each ray's own limit; negative where there is no ray. Those of the last eight are there.
-    void set_limits(const float* limits) {
-        limits_ = limits;
+    /// After they have changed.
+    void set_limits() {
         limit_ = splat(-1);
         for (uint32_t group = 0; group < groups_; ++group) {
-            group_limits_[group] = greatest_lane(load(limits + 8 * group));
+            group_limits_[group] = greatest_lane(load(limits_ + 8 * group));
             limit_ = max(limit_, group_limits_[group]);
         }
     }

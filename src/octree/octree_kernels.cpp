@@ -24,12 +24,22 @@ void walk_nearest_first(const OctreeNode* nodes, uint32_t root, const Probe& pro
 template <class Walk>
 void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
                bool together, const OctreeRayVisitor& to) {
-    rays_at_once<Walk>(
-        nodes, root, [&](uint32_t ray) -> const RayProbe& { return probes[ray]; }, limits, count, together,
-        [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
-            return to.visit(to.context, rays, items, some, new_limits);
-        },
-        [&](uint32_t item) { fetch_item(to.items, item); });
+    const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return probes[ray]; };
+    const auto visit = [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
+        return to.visit(to.context, rays, items, some, new_limits);
+    };
+    const auto fetch = [&](uint32_t item) { fetch_item(to.items, item); };
+    if (!together) return rays_in_turns<Walk>(nodes, root, probe_of, limits, count, visit, fetch);
+    RayLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
+    const auto visit_and_set = [&](const uint32_t* rays, const uint32_t* items, uint32_t some) {
+        float new_limits[8];
+        for (uint32_t moved = visit(rays, items, some, new_limits); moved != 0; moved &= moved - 1) {
+            const int i = __builtin_ctz(moved);
+            of_all.limits[rays[i]] = new_limits[i];
+        }
+    };
+    rays_together(
+        nodes, root, probe_of, of_all.limits, count, visit_and_set, [] {}, fetch);
 }
 
 void walk_ray_any(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to) {

@@ -96,6 +96,17 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     }
 }
 
+/// Limits for rays_together.
+struct RayLimits {
+    alignas(32) float limits[octree_most_rays];
+
+    template <class LimitOf>
+    RayLimits(uint32_t count, const LimitOf& limit_of) {
+        for (uint32_t i = 0; i < count; ++i) limits[i] = limit_of(i);
+        for (uint32_t i = count; i % 8 != 0; ++i) limits[i] = -1;
+    }
+};
+
 struct Numbers {
     uint32_t up_to[RayBundling::most];
 
@@ -106,24 +117,18 @@ struct Numbers {
 inline constexpr Numbers numbers;
 
 /// The same for up to RayBundling::most rays with the same signs of direction, nearest first by all
-/// of them.
-template <class ProbeOf, class Visit, class Fetch>
-void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* first_limits,
-                   uint32_t count, const Visit& visit, const Fetch& fetch) {
-    alignas(32) float limits[RayBundling::most];
-    for (uint32_t i = 0; i < count; ++i) limits[i] = first_limits[i];
-    for (uint32_t i = count; i % 8 != 0; ++i) limits[i] = -1;
+/// of them. After visits, settle() is asked to have put new limits where the old ones are. Of the last eight there are
+/// all, negative where there is no ray.
+template <class ProbeOf, class Visit, class Settle, class Fetch>
+void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
+                   const Visit& visit, const Settle& settle, const Fetch& fetch) {
     BundleTest test(probe_of, limits, count);
     if (test.limit() < 0) return;
     // Of the boxes of a leaf, nearest first: eight visits take little longer than one.
     constexpr uint32_t visits = 8;
     uint32_t rays[2 * visits], items[2 * visits], waiting = 0;
     const auto visit_first = [&](uint32_t some) {
-        float new_limits[visits];
-        for (uint32_t moved = visit(rays, items, some, new_limits); moved != 0; moved &= moved - 1) {
-            const int i = __builtin_ctz(moved);
-            limits[rays[i]] = new_limits[i];
-        }
+        visit(rays, items, some);
         waiting -= some;
         for (uint32_t i = 0; i < waiting; ++i) {
             rays[i] = rays[visits + i];
@@ -165,7 +170,8 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
                 }
             }
             if (waiting > 0) visit_first(waiting);
-            test.set_limits(limits);
+            settle();
+            test.set_limits();
         }
         do {
             if (size == 0) return;
@@ -173,24 +179,6 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
         } while (!(key_of(stack[size]) <= test.limit()));
         ref = child_of(stack[size]);
     }
-}
-
-template <class Walk = NearestFirst, class ProbeOf, class Visit, class Fetch>
-void rays_at_once(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
-                  bool together, const Visit& visit, const Fetch& fetch) {
-    if (together) {
-        rays_together(nodes, root, probe_of, limits, count, visit, fetch);
-    } else {
-        rays_in_turns<Walk>(nodes, root, probe_of, limits, count, visit, fetch);
-    }
-}
-/// Visits of rays_at_once, one after the other: visit(ray, item) returns the new limit of the ray.
-template <class Visit>
-auto one_by_one(const Visit& visit) {
-    return [visit](const uint32_t* rays, const uint32_t* items, uint32_t count, float* limits) {
-        for (uint32_t k = 0; k < count; ++k) limits[k] = visit(rays[k], items[k]);
-        return (1u << count) - 1;
-    };
 }
 
 }  // namespace gphys::GPHYS_ISA
