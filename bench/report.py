@@ -18,7 +18,7 @@ PAGE = """# Benchmarks
 
 {machine}
 
-Written by `./bench.sh scene mesh query update --peers --docs`, which measures everybody in the same run on the same work, in interleaved repetitions of which the fastest counts. gamephys is built with the flags that users get and called through its C interface, in batches where there are some. Times are of one thread unless the row says otherwise.
+Written by `./bench.sh scene mesh query update --peers --docs`, which measures everybody in the same run on the same work, in interleaved repetitions of which the fastest counts. gamephys is built with the flags that users get and called through its C interface, in batches where there are some. The time ends where the answers are there; reading them is not part of it. Times are of one thread unless the row says otherwise.
 
 A ratio is the time of gamephys divided by that of the other: below 1, gamephys is faster. † marks those whose answers are not those of a loop over everything in double precision. [What limits the speed](limits_of_speed.md) has the profiles of rows in which gamephys is not as far ahead as was aimed for.
 

@@ -96,7 +96,7 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     }
 }
 
-/// Limits for rays_together.
+/// The limits of rays that go together, and of none behind them: groups of eight are whole.
 struct RayLimits {
     alignas(32) float limits[octree_most_rays];
 
@@ -107,6 +107,7 @@ struct RayLimits {
     }
 };
 
+/// As take_lanes takes them.
 struct Numbers {
     uint32_t up_to[RayBundling::most];
 
@@ -117,8 +118,8 @@ struct Numbers {
 inline constexpr Numbers numbers;
 
 /// The same for up to RayBundling::most rays with the same signs of direction, nearest first by all
-/// of them. After visits, settle() is asked to have put new limits where the old ones are. Of the last eight there are
-/// all, negative where there is no ray.
+/// of them. visit(rays, items, count) may put off to move limits, which are those of a RayLimits, until settle() at the
+/// end of a leaf.
 template <class ProbeOf, class Visit, class Settle, class Fetch>
 void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
                    const Visit& visit, const Settle& settle, const Fetch& fetch) {

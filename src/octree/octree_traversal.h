@@ -232,7 +232,7 @@ private:
 };
 
 /// Fetch what is read of items. Mostly there are at most two; a loop that ran as often as there are would surprise
-/// the processor. `refs` has two at least, of which more than `count` may be anything.
+/// the processor. Of `items` there are two at least, of which those beyond `count` may be any.
 [[gnu::always_inline]] inline void fetch_items(const ItemMemory& memory, const uint32_t* items, uint32_t count) {
     if (memory.size == 0) return;
     fetch_item(memory, items[0]);
