@@ -41,7 +41,7 @@ struct OctreeListVisitor {
 
 /// What one of several queries that walk side by side has found.
 struct ItemsMet {
-    static constexpr uint32_t most_queries = 8, capacity = 64;
+    static constexpr uint32_t most_queries = 8, most_nodes = 64, capacity = 128;
 
     bool complete;      // else there is too much for this, and the query has to walk alone
     uint32_t count[2];  // of those of which it is not known, and of those that lie wholly inside the query

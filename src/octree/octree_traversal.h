@@ -358,8 +358,8 @@ bool everything_met(const OctreeNode* nodes, uint32_t root, const Hits& hits_of,
 template <class Hits>
 void everything_met_by_several(const OctreeNode* nodes, uint32_t root, uint32_t count, const Hits& hits_of,
                                const ItemMemory& items, const ItemMemory& items_inside, ItemsMet* met) {
-    constexpr uint32_t most_nodes = 64 * ItemsMet::most_queries;
-    uint32_t refs[most_nodes + 8], query_of[most_nodes + 8], size = 0;
+    constexpr uint32_t room = ItemsMet::most_queries * ItemsMet::most_nodes + 8;
+    uint32_t refs[room], query_of[room], nodes_of[ItemsMet::most_queries] = {}, size = 0;
     for (uint32_t query = 0; query < count; ++query) {
         refs[size] = root;
         query_of[size++] = query;
@@ -382,10 +382,11 @@ void everything_met_by_several(const OctreeNode* nodes, uint32_t root, uint32_t 
         if (is_leaf(ref)) {
             add(here, node, hits & ~inside, false, items);
             add(here, node, inside, true, items_inside);
-        } else if (inside != 0 || size >= most_nodes) {
+        } else if (nodes_of[query] + 9 > ItemsMet::most_nodes) {
             here.complete = false;
         } else {
             const uint32_t added = take_lanes(refs + size, node.child, hits);
+            nodes_of[query] += added;
             for (uint32_t i = 0; i < 8; ++i) query_of[size + i] = query;
             fetch_nodes(nodes, refs + size, added);
             size += added;
