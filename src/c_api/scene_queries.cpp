@@ -43,12 +43,14 @@ void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char
                    uint32_t count, uint32_t layers, const ListOf& list_of) {
     Shape queries[ItemsMet::most_queries];
     ItemsMet met[ItemsMet::most_queries];
+    // They have been checked; if the caller has spoiled one since then, nothing is found, but all lists are there.
+    bool valid = true;
+    for (uint32_t k = 0; k < count; ++k) valid &= read_shape(type, &shapes[first + k], queries[k]) == GPHYS_OK;
+    if (valid) scene.meet(queries, count, layers, met);
     for (uint32_t k = 0; k < count; ++k) {
-        if (read_shape(type, &shapes[first + k], queries[k]) != GPHYS_OK) return;  // which has been checked
-    }
-    scene.meet(queries, count, layers, met);
-    for (uint32_t k = 0; k < count; ++k) {
-        list_of(first + k, [&](auto& models) { scene.overlap(queries[k], layers, models, met + k); });
+        list_of(first + k, [&](auto& models) {
+            if (valid) scene.overlap(queries[k], layers, models, met + k);
+        });
     }
 }
 

@@ -98,6 +98,7 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
 
 /// The limits of rays that go together, and of none behind them: groups of eight are whole.
 struct RayLimits {
+    static_assert(RayBundling::most <= octree_most_rays);
     alignas(32) float limits[octree_most_rays];
 
     template <class LimitOf>
