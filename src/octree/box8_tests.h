@@ -12,9 +12,9 @@ public:
     /// The probe must live as long.
     explicit RayTest(const RayProbe& probe) : probe_(&probe) {}
 
-    /// Lanes that the ray meets no later than at `limit`; `entry` is where, in the same unit. Counted
-    /// from the boxes back to the origin, as what comes from memory is best subtracted.
-    uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
+    /// Lanes that the ray meets no later than at `limit`; `entry` is where, in the same unit, and `exit` where it
+    /// leaves them or ends. Counted from the boxes back to the origin, as what comes from memory is best subtracted.
+    uint32_t hits(const Box8& boxes, float limit, Float8& entry, Float8& exit) const {
         const RayProbe& ray = *probe_;
         const Float8 back[3] = {splat(ray.back[0]), splat(ray.back[1]), splat(ray.back[2])};
         const auto enters = [&](int k) {
@@ -24,8 +24,12 @@ public:
             return (splat(ray.far_origin[k]) - load(boxes.from(ray.far_face[k]))) * back[k];
         };
         entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
-        const Float8 exit = min(min(leaves(0), leaves(1)), leaves(2));
-        return bits(entry <= min(exit, splat(limit)));
+        exit = min(min(min(leaves(0), leaves(1)), leaves(2)), splat(limit));
+        return bits(entry <= exit);
+    }
+    uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
+        Float8 exit;
+        return hits(boxes, limit, entry, exit);
     }
 
 private:

@@ -22,15 +22,17 @@ struct LaneLists {
 };
 inline constexpr LaneLists lane_lists;
 
-/// Of eight numbers those in the lanes; returns how many there are. Writes eight.
-inline uint32_t take_lanes(uint32_t* to, const uint32_t from[8], uint32_t lanes) {
+/// Of eight numbers those in the lanes, with the bits of a mark set; returns how many there are. Writes eight.
+inline uint32_t take_lanes(uint32_t* to, const uint32_t from[8], uint32_t lanes, uint32_t mark = 0) {
 #if GPHYS_HAS_AVX2
     const __m128i packed = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(lane_lists.of[lanes]));
     const __m256i order = _mm256_cvtepi8_epi32(packed);
     const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(all, order));
+    const __m256i taken =
+        _mm256_or_si256(_mm256_permutevar8x32_epi32(all, order), _mm256_set1_epi32(static_cast<int>(mark)));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), taken);
 #else
-    for (int i = 0; i < 8; ++i) to[i] = from[lane_lists.of[lanes][i] & 7];
+    for (int i = 0; i < 8; ++i) to[i] = from[lane_lists.of[lanes][i] & 7] | mark;
 #endif
     return static_cast<uint32_t>(__builtin_popcount(lanes));
 }

@@ -195,7 +195,7 @@ extern const OctreeKernels octree_kernels{
     make_probes,
     walk_nearest_first<RayTest, RayProbe>,
     walk_rays<NearestFirst>,
-    walk_rays<InNoOrder>,
+    walk_rays<LongestFirst>,
     walk_nearest_first<PointTest, PointProbe>,
     walk_ray_any,
     walk_box,

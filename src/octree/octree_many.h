@@ -8,7 +8,7 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// All nearest first, or InNoOrder. probe_of(ray) is a RayProbe; visit(rays, items, count, limits) is for up
+/// A walk is NearestFirst or LongestFirst. probe_of(ray) is a RayProbe; visit(rays, items, count, limits) is for up
 /// to eight, as that of OctreeRayVisitor. Before that fetch(item) prepares for each.
 template <class Walk, class ProbeOf, class Visit, class Fetch>
 void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,

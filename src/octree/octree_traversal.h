@@ -78,8 +78,9 @@ private:
     KeyedChild* stack_;
 };
 
-/// The same in no order, for walks whose limit stays until it ends them.
-class InNoOrder {
+/// The same for walks whose limit stays until it ends them: first where the ray is longest, as something is met there
+/// most likely; the others in no order.
+class LongestFirst {
 public:
     using Stack = uint32_t[stack_size + 8];  // take_lanes writes eight
 
@@ -97,14 +98,17 @@ public:
     template <class Test>
     void look(const OctreeNode* nodes, const Test& test, Found& found) const {
         const OctreeNode& here = node(nodes);
-        Float8 keys;
-        found.hits = test.hits(here.boxes, limit_, keys) & lanes_of(here);
+        Float8 entry, exit;
+        found.hits = test.hits(here.boxes, limit_, entry, exit) & lanes_of(here);
+        store(found.keys, exit - entry);
     }
     bool leave_node(const OctreeNode* nodes, const Found& found) {
         uint32_t* const top = stack_ + size_;
-        size_ += static_cast<int>(take_lanes(top, node(nodes).child, found.hits));
+        const uint32_t* const child = node(nodes).child;
         const uint32_t mark = is_leaf(at_) ? item_bit : 0;
-        for (int i = 0; i < 8; ++i) top[i] |= mark;
+        const uint32_t longest = longest_of(found);
+        top[take_lanes(top, child, found.hits & ~(1u << longest), mark)] = child[longest] | mark;
+        size_ += __builtin_popcount(found.hits);
         return leave_item();
     }
     void set_limit(float) { size_ = 0; }
@@ -115,6 +119,11 @@ public:
     }
 
 private:
+    /// Mostly one that was hit: where a lane that is not in use seems longer, none of the others comes first.
+    static uint32_t longest_of(const Found& found) {
+        const Float8 lengths = load(found.keys);
+        return static_cast<uint32_t>(__builtin_ctz(bits(greatest_lane(lengths) <= lengths)));
+    }
     static constexpr uint32_t item_bit = octree_leaf_bit >> 1;  // neither nodes nor items are ever so many
 
     uint32_t at_;
