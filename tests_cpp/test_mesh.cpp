@@ -176,14 +176,16 @@ TEST_CASE("rays in groups of any size and direction get what each would get alon
                     }
                 }
                 gphys_ray given[Mesh::rays_at_once];
+                const gphys_ray* each[Mesh::rays_at_once];
                 for (uint32_t k = 0; k < count; ++k) {
+                    each[k] = given + k;
                     given[k] = {narrow(rays[k].origin), narrow(rays[k].direction), static_cast<float>(rays[k].t_max)};
                     rays[k] = widen(given[k]);
                 }
                 gphys_hit hits[Mesh::rays_at_once], *out[Mesh::rays_at_once];
                 for (uint32_t k = 0; k < count; ++k) out[k] = hits + k;
                 std::feclearexcept(FE_ALL_EXCEPT);
-                const uint64_t found = mesh->raycast_many(given, sizeof given[0], count, out);
+                const uint64_t found = mesh->raycast_many(each, count, out);
                 REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
                 for (uint32_t k = 0; k < count; ++k) {
                     Hit hit, alone;
@@ -218,15 +220,17 @@ TEST_CASE("normals of needles, of which rounding would leave little, are the sam
         uint32_t met = 0;
         for (uint32_t first = 0; first < 3000; first += 60) {
             gphys_ray rays[60];
+            const gphys_ray* each[60];
             gphys_hit hits[60], *out[60];
             for (uint32_t k = 0; k < 60; ++k) {
                 const Triangle needle = mesh->triangle(first + k);
                 const Vec3 target = needle.a + (needle.b - needle.a) * 0.3 + (needle.c - needle.a) * 0.3;
                 const Vec3 away = random.direction();
                 rays[k] = {narrow(target + away), narrow(-away), INFINITY};
+                each[k] = rays + k;
                 out[k] = hits + k;
             }
-            const uint64_t found = mesh->raycast_many(rays, sizeof rays[0], 60, out);
+            const uint64_t found = mesh->raycast_many(each, 60, out);
             for (uint32_t k = 0; k < 60; ++k) {
                 Hit hit;
                 REQUIRE((found >> k & 1) == uint32_t{expected->raycast(widen(rays[k]), hit)});

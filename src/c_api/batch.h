@@ -7,6 +7,7 @@
 
 #include "c_api/api.h"
 #include "c_api/shape_input.h"
+#include "foundation/image_tiles.h"
 #include "foundation/results.h"
 #include "foundation/strided.h"
 #include "scene/scene.h"
@@ -36,35 +37,44 @@ void answer_each(const Workers& workers, uint32_t count, Answer&& answer) {
     });
 }
 
-/// Rays in groups of Scene::rays_at_once: cast(rays, items, size) for each group, with the items that
-/// the rays are of. ray_of(i, ray) is false where there is no ray.
-template <class RayOf, class Cast>
-void cast_in_groups(const Scene& scene, uint32_t count, RayOf&& ray_of, Cast&& cast) {
-    for_each_chunk(scene.workers(), count, [&](uint32_t begin, uint32_t end) {
-        Ray rays[Scene::rays_at_once];
-        uint32_t items[Scene::rays_at_once];
-        for (uint32_t first = begin; first < end; first += Scene::rays_at_once) {
-            uint32_t size = 0;
-            for (uint32_t i = first; i < std::min(first + Scene::rays_at_once, end); ++i) {
-                items[size] = i;
-                if (ray_of(i, rays[size])) ++size;
+/// Rays by tiles: cast(rays, items, size) for each, with the items that the rays are of. ray_of(item, ray) is false
+/// where there is no ray; fetch(item) fetches what is read and written of one.
+template <class RayOf, class Fetch, class Cast>
+void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, Fetch&& fetch, Cast&& cast) {
+    static_assert(ImageTiles::most <= Scene::rays_at_once);
+    constexpr uint32_t at_once = batch_chunk / ImageTiles::most;
+    const uint32_t count = tiles.count(), chunks = (count + at_once - 1) / at_once;
+    scene.workers().run(chunks, [&](uint32_t chunk) {
+        const uint32_t begin = at_once * chunk, end = std::min(begin + at_once, count);
+        tiles.for_each(begin, end, fetch, [&](const uint32_t* all, uint32_t all_size) {
+            Ray rays[ImageTiles::most];
+            uint32_t items[ImageTiles::most], size = 0;
+            for (uint32_t k = 0; k < all_size; ++k) {
+                items[size] = all[k];
+                if (ray_of(all[k], rays[size])) ++size;
             }
             cast(rays, items, size);
-        }
+        });
     });
 }
 
-/// The first hits of many rays. Where there is no ray, there is no hit.
-template <class RayOf>
-void raycast_each(const Scene& scene, uint32_t count, uint32_t layers, const StridedOut<gphys_hit>& out,
-                  RayOf&& ray_of) {
+/// The first hits of many rays, those of elements that are near one another by their first `floats`; ray_of(element,
+/// ray) is false where there is no ray, and no hit.
+template <class T, class RayOf>
+void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uint32_t count, uint32_t layers,
+                  const StridedOut<gphys_hit>& out, RayOf&& ray_of) {
+    const ImageTiles tiles(in.template beginnings<float>(), floats, count);
     const auto ray_or_no_hit = [&](uint32_t i, Ray& ray) {
-        if (ray_of(i, ray)) return true;
+        if (ray_of(in[i], ray)) return true;
         out[i] = no_hit;
         return false;
     };
-    cast_in_groups(scene, count, ray_or_no_hit, [&](Ray* rays, const uint32_t* items, uint32_t size) {
-        gphys_hit* hits[Scene::rays_at_once];
+    const auto fetch = [&](uint32_t i) {
+        __builtin_prefetch(&in[i]);
+        __builtin_prefetch(&out[i], 1);
+    };
+    cast_by_tiles(scene, tiles, ray_or_no_hit, fetch, [&](Ray* rays, const uint32_t* items, uint32_t size) {
+        gphys_hit* hits[ImageTiles::most];
         for (uint32_t k = 0; k < size; ++k) {
             hits[k] = &out[items[k]];
             *hits[k] = no_hit;

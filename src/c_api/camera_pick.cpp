@@ -50,8 +50,8 @@ gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_sce
         GPHYS_REQUIRE(is_pixel(in[i].x, in[i].y), "pixels: not finite or out of range");
         return GPHYS_OK;
     }));
-    raycast_each(*unwrap(scene), count, layers, out,
-                 [&](uint32_t i, Ray& ray) { return unwrap(camera)->pick_ray(in[i].x, in[i].y, ray); });
+    raycast_each(*unwrap(scene), in, 2, count, layers, out,
+                 [&](Pixel pixel, Ray& ray) { return unwrap(camera)->pick_ray(pixel.x, pixel.y, ray); });
     return GPHYS_OK;
 }
 

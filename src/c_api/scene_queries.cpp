@@ -77,8 +77,8 @@ gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_ray> ray(rays, ray_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
-        raycast_each(*unwrap(scene), count, layers, out, [&](uint32_t i, Ray& r) {
-            r = widen(ray[i]);
+        raycast_each(*unwrap(scene), ray, ray_coordinates, count, layers, out, [](const gphys_ray& given, Ray& r) {
+            r = widen(given);
             return true;
         });
         return GPHYS_OK;
@@ -110,8 +110,13 @@ gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys
             r = widen(ray[i]);
             return true;
         };
-        cast_in_groups(*unwrap(scene), count, ray_of, [&](Ray* group, const uint32_t* items, uint32_t size) {
-            const uint64_t met = unwrap(scene)->raycast_any_many(group, size, layers);
+        const ImageTiles tiles(ray.beginnings<float>(), ray_coordinates, count);
+        const auto fetch = [&](uint32_t i) {
+            __builtin_prefetch(&ray[i]);
+            __builtin_prefetch(&out[i], 1);
+        };
+        cast_by_tiles(*unwrap(scene), tiles, ray_of, fetch, [&](Ray* tile, const uint32_t* items, uint32_t size) {
+            const uint64_t met = unwrap(scene)->raycast_any_many(tile, size, layers);
             for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(met >> k & 1);
         });
         return GPHYS_OK;
@@ -170,10 +175,11 @@ gphys_status gphys_scene_segment_test_batch(const gphys_scene* scene, const gphy
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_segment> segment(segments, segment_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
-        raycast_each(*unwrap(scene), count, layers, out, [&](uint32_t i, Ray& ray) {
-            ray = ray_along(widen(segment[i]));
-            return true;
-        });
+        raycast_each(*unwrap(scene), segment, ray_coordinates, count, layers, out,
+                     [](const gphys_segment& given, Ray& ray) {
+                         ray = ray_along(widen(given));
+                         return true;
+                     });
         return GPHYS_OK;
     });
 }

@@ -24,6 +24,9 @@ gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& o
 /// Bytes of the public struct; 0 for a mesh and for unknown types.
 size_t shape_struct_size(gphys_shape_type type) noexcept;
 
+/// Rays and segments begin with so many floats that tell where they go.
+constexpr uint32_t ray_coordinates = 6;
+
 /// What a batch holds for a miss: t = INFINITY, no triangle, the rest 0.
 inline constexpr gphys_hit no_hit{0, 0, std::numeric_limits<float>::infinity(), {}, {}, GPHYS_NO_TRIANGLE, 0, 0, 0};
 /// What a batch holds where nothing is near: distance = INFINITY, no triangle, the rest 0.

@@ -1,5 +1,6 @@
 // Rays, segments and sweeps against one shape or mesh.
 #include "c_api/shape_input.h"
+#include "foundation/image_tiles.h"
 #include "mesh/mesh.h"
 
 namespace gphys {
@@ -7,6 +8,28 @@ namespace {
 
 bool raycast(const ShapeOrMesh& target, const Ray& ray, Hit& hit) {
     return target.mesh ? target.mesh->raycast(ray, hit) : raycast(target.shape, ray, hit);
+}
+
+void raycast_by_tiles(const Mesh& mesh, const Strided<gphys_ray>& ray, uint32_t count,
+                      const StridedOut<gphys_hit>& out) {
+    static_assert(ImageTiles::most <= Mesh::rays_at_once);
+    const ImageTiles tiles(ray.beginnings<float>(), ray_coordinates, count);
+    const auto fetch = [&](uint32_t i) {
+        __builtin_prefetch(&ray[i]);
+        __builtin_prefetch(&out[i], 1);
+    };
+    tiles.for_each(0, tiles.count(), fetch, [&](const uint32_t* items, uint32_t size) {
+        const gphys_ray* rays[ImageTiles::most];
+        gphys_hit* hits[ImageTiles::most];
+        for (uint32_t k = 0; k < size; ++k) {
+            rays[k] = &ray[items[k]];
+            hits[k] = &out[items[k]];
+        }
+        const uint64_t found = mesh.raycast_many(rays, size, hits);
+        for (uint32_t k = 0; k < size; ++k) {
+            if ((found >> k & 1) == 0) *hits[k] = no_hit;
+        }
+    });
 }
 
 bool sweep(const ShapeOrMesh& target, const Sphere& moving, Vec3 displacement, Hit& hit) {
@@ -43,15 +66,7 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape,
         const StridedOut<gphys_hit> out(out_hits, out_stride);
         for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
         if (target.mesh) {
-            gphys_hit* hits[Mesh::rays_at_once];
-            for (uint32_t first = 0; first < count; first += Mesh::rays_at_once) {
-                const uint32_t size = std::min(count - first, Mesh::rays_at_once);
-                for (uint32_t i = 0; i < size; ++i) hits[i] = &out[first + i];
-                const uint64_t found = target.mesh->raycast_many(&each[first], ray_stride, size, hits);
-                for (uint32_t i = 0; i < size; ++i) {
-                    if ((found >> i & 1) == 0) *hits[i] = no_hit;
-                }
-            }
+            raycast_by_tiles(*target.mesh, each, count, out);
             return GPHYS_OK;
         }
         for (uint32_t i = 0; i < count; ++i) {

@@ -15,6 +15,12 @@ public:
         return *reinterpret_cast<const T*>(first_ + static_cast<size_t>(i) * stride_);
     }
 
+    /// What elements begin with.
+    template <class Part>
+    Strided<Part> beginnings() const {
+        return {reinterpret_cast<const Part*>(first_), static_cast<uint32_t>(stride_)};
+    }
+
 private:
     const char* first_;
     size_t stride_;

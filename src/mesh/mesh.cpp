@@ -63,7 +63,7 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     return hit_at(nearest, prepared.sheared, hit);
 }
 
-uint64_t Mesh::raycast_many(const gphys_ray* rays, uint32_t stride, uint32_t count, gphys_hit* const* out) const {
+uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
     if (packets_.empty() || count == 0) return 0;
     // Nothing is written before it is needed.
     union Rays {
@@ -71,7 +71,7 @@ uint64_t Mesh::raycast_many(const gphys_ray* rays, uint32_t stride, uint32_t cou
         PreparedRay prepared[rays_at_once];
     } rays_of;
     NearestCrossing nearest[rays_at_once];
-    kernels_.prepare(rays, stride, count, rays_root_, rays_of.prepared);
+    kernels_.prepare(rays, count, rays_root_, rays_of.prepared);
     const auto exact = [](const PreparedRay& ray, const TrianglePacket& packet, uint32_t lane,
                           TriangleCrossing& crossing) {
         return crosses(packet.triangle(static_cast<int>(lane)), ray.sheared, crossing);

@@ -48,10 +48,10 @@ public:
     void for_each_box(Visit&& visit) const;
 
     bool raycast(const Ray& ray, Hit& hit) const;
-    /// Up to rays_at_once rays, so many bytes apart, with the same answers, rounded: bit i of the result is set if ray
-    /// i hits, which *out[i] tells then. Faster than one by one, the more so if they go the same way.
+    /// Up to rays_at_once rays with the same answers, rounded: bit i of the result is set if *rays[i] hits, which
+    /// *out[i] tells then. Faster than one by one, the more so if they go the same way.
     static constexpr uint32_t rays_at_once = Octree::rays_at_once;
-    uint64_t raycast_many(const gphys_ray* rays, uint32_t stride, uint32_t count, gphys_hit* const* out) const;
+    uint64_t raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const;
     bool raycast_any(const Ray& ray) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>

@@ -15,12 +15,12 @@ void fetch_packet(const TrianglePacket* packets, uint32_t number) {
     fetch_ahead(packets + number, sizeof(TrianglePacket));
 }
 
-void prepare(const gphys_ray* rays, uint32_t stride, uint32_t count, const RaysRoot& root, PreparedRay* to) {
+void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to) {
     static_assert(sizeof(gphys_ray) == 7 * sizeof(float));
     for (uint32_t first = 0; first < count; first += 8) {
         const auto given = [&](int i) {
-            const uint32_t next = first + static_cast<uint32_t>(i), ray = next < count ? next : count - 1;
-            return reinterpret_cast<const float*>(reinterpret_cast<const char*>(rays) + size_t{ray} * stride);
+            const uint32_t next = first + static_cast<uint32_t>(i);
+            return &rays[next < count ? next : count - 1]->origin.x;
         };
         const Four8 begins(given), goes([&](int i) { return given(i) + 3; });
         const Double8 origin[3] = {begins.x, begins.y, begins.z}, direction[3] = {goes.x, goes.y, goes.z};

@@ -18,9 +18,9 @@ using CrossesTriangle = bool (*)(const PreparedRay& ray, const TrianglePacket& p
                                  TriangleCrossing& crossing);
 
 struct MeshKernels {
-    /// Prepares many rays, so many bytes apart, with the same bits as one by one. `count` is at least 1; what
-    /// is written is rounded up to a multiple of eight.
-    void (*prepare)(const gphys_ray* rays, uint32_t stride, uint32_t count, const RaysRoot& root, PreparedRay* to);
+    /// Prepares many rays with the same bits as one by one. `count` is at least 1; what is written is rounded up to a
+    /// multiple of eight.
+    void (*prepare)(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to);
     /// Roughly nearest first, through an octree whose items are the numbers of `packets`.
     void (*ray)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);

@@ -1,0 +1,81 @@
+#include "foundation/image_tiles.h"
+
+#include <algorithm>
+
+namespace gphys {
+
+namespace {
+
+/// Squares of how far items are apart.
+struct Apart {
+    const Strided<float>& items;
+    uint32_t floats;
+
+    double operator()(uint32_t i, uint32_t j) const {
+        const float *a = &items[i], *b = &items[j];
+        double sum = 0;
+        for (uint32_t k = 0; k < floats; ++k) {
+            const double difference = double{a[k]} - b[k];
+            sum += difference * difference;
+        }
+        return sum;
+    }
+};
+
+/// Where items come back to the first after they have gone away from it in even steps; 0 if they do not.
+uint32_t row_length(const Apart& apart, uint32_t count) {
+    constexpr uint32_t even_steps = 7, longest = 1 << 14, samples = 8;
+    if (count < 2 * ImageTiles::most) return 0;
+    const double step = apart(0, 1), near = 36 * step;
+    for (uint32_t i = 1; i < even_steps; ++i) {
+        const double next = apart(i, i + 1);
+        if (!(0 < next && next <= 4 * step && step <= 4 * next)) return 0;
+    }
+    const uint32_t end = std::min(count, longest);
+    uint32_t row = 1;
+    while (row < end && apart(0, row) <= near) ++row;
+    while (row < end && !(apart(0, row) <= near)) ++row;
+    if (row == end) return 0;
+    while (row + 1 < end && apart(0, row + 1) < apart(0, row)) ++row;
+    // So it is to go on.
+    for (uint32_t k = 0; k < samples; ++k) {
+        const auto i = static_cast<uint32_t>(uint64_t{count - 1 - row} * k / samples);
+        if (!(apart(i, i + row) <= 4 * near)) return 0;
+    }
+    return row;
+}
+
+}  // namespace
+
+ImageTiles::ImageTiles(const Strided<float>& items, uint32_t floats, uint32_t count) : count_(count) {
+    const Apart apart{items, floats};
+    const uint32_t row = row_length(apart, count);
+    if (row == 0) return;
+    row_ = row;
+    width_ = 8;
+    // As wide as high, where neighbours in a row are not as far apart as rows.
+    const double along = apart(0, 1), across = apart(0, row);
+    const auto twice = [](double a, uint32_t as, double b, uint32_t bs) { return a * as * as > 4 * b * bs * bs; };
+    while (width_ > 1 && twice(along, width_, across, height())) width_ /= 2;
+    while (width_ < most && twice(across, height(), along, width_)) width_ *= 2;
+    width_ = std::min(width_, row);
+    in_band_ = (row + width_ - 1) / width_;
+}
+
+uint32_t ImageTiles::count() const {
+    const uint64_t rows = (uint64_t{count_} + row_ - 1) / row_, bands = (rows + height() - 1) / height();
+    return static_cast<uint32_t>(bands * in_band_);
+}
+
+uint32_t ImageTiles::items(uint32_t tile, uint32_t* out) const {
+    const uint32_t left = tile % in_band_ * width_, right = std::min(left + width_, row_);
+    uint64_t row = uint64_t{tile / in_band_} * height() * row_;
+    uint32_t size = 0;
+    for (uint32_t y = 0; y < height(); ++y, row += row_) {
+        const uint64_t end = std::min<uint64_t>(row + right, count_);
+        for (uint64_t i = row + left; i < end; ++i) out[size++] = static_cast<uint32_t>(i);
+    }
+    return size;
+}
+
+}  // namespace gphys
