@@ -22,11 +22,24 @@ struct Apart {
     }
 };
 
-/// Where items come back to the first after they have gone away from it in even steps; 0 if they do not.
+/// From where on items are back near the first: where they jump there, or else come nearest. A lidar's turn closes, so
+/// that its end is near the beginning as well.
+uint32_t begin_of_row(const Apart& apart, uint32_t from, uint32_t end, double step, double near) {
+    uint32_t nearest = from;
+    for (uint32_t i = from; i < end && apart(0, i) <= near; ++i) {
+        if (apart(i - 1, i) > 2 * step) return i;
+        if (apart(0, i) < apart(0, nearest)) nearest = i;
+    }
+    return nearest;
+}
+
+/// How many items there are until they come back to the first, after they have gone away from it in even steps; 0 if
+/// they do not.
 uint32_t row_length(const Apart& apart, uint32_t count) {
     constexpr uint32_t even_steps = 7, longest = 1 << 14, samples = 8;
     if (count < 2 * ImageTiles::most) return 0;
     const double step = apart(0, 1), near = 36 * step;
+    // Most that come in no rows are told by the first few.
     for (uint32_t i = 1; i < even_steps; ++i) {
         const double next = apart(i, i + 1);
         if (!(0 < next && next <= 4 * step && step <= 4 * next)) return 0;
@@ -36,7 +49,7 @@ uint32_t row_length(const Apart& apart, uint32_t count) {
     while (row < end && apart(0, row) <= near) ++row;
     while (row < end && !(apart(0, row) <= near)) ++row;
     if (row == end) return 0;
-    while (row + 1 < end && apart(0, row + 1) < apart(0, row)) ++row;
+    row = begin_of_row(apart, row, end, step, near);
     // So it is to go on.
     for (uint32_t k = 0; k < samples; ++k) {
         const auto i = static_cast<uint32_t>(uint64_t{count - 1 - row} * k / samples);
