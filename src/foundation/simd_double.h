@@ -175,7 +175,13 @@ inline DoubleMask8 operator!(DoubleMask8 a) {
     return a;
 }
 inline Double8 select(DoubleMask8 mask, Double8 a, Double8 b) {
-    for (int i = 0; i < double_register_count; ++i) a.part[i] = mask.part[i] ? a.part[i] : b.part[i];
+    for (int i = 0; i < double_register_count; ++i) {
+#if GPHYS_ISA_IS(avx2)
+        a.part[i] = _mm256_blendv_pd(b.part[i], a.part[i], reinterpret_cast<__m256d>(mask.part[i]));
+#else
+        a.part[i] = mask.part[i] ? a.part[i] : b.part[i];
+#endif
+    }
     return a;
 }
 /// Bit i is set if lane i is.

@@ -24,7 +24,8 @@ void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root,
         };
         const Four8 begins(given), goes([&](int i) { return given(i) + 3; });
         const Double8 origin[3] = {begins.x, begins.y, begins.z}, direction[3] = {goes.x, goes.y, goes.z};
-        const auto at = [&](int i) -> PreparedRay& { return to[first + static_cast<uint32_t>(i)]; };
+        PreparedRay* const eight = to + first;
+        const auto at = [&](int i) -> PreparedRay& { return eight[i]; };
         const RaySetup<Double8> along(origin, direction, root);
         const Float8 limits = put_probes(goes.w, along, [&](int i) -> RayProbe& { return at(i).along; });
 
@@ -53,7 +54,7 @@ void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root,
         store_components([&](int i) { return &at(i).sheared.sx; }, rest);
         alignas(32) float limit[8];
         store(limit, limits);
-        for (uint32_t i = 0; i < 8; ++i) to[first + i].limit = limit[i];
+        for (int i = 0; i < 8; ++i) at(i).limit = limit[i];
     }
 }
 

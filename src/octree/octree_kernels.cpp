@@ -11,7 +11,8 @@ void make_probes(const Ray* rays, uint32_t count, const RaysRoot& root, RayProbe
     for (uint32_t first = 0; first < count; first += 8) {
         const Rays8 eight(rays + first, count - first);
         const RaySetup<Double8> setup(eight.origin, eight.direction, root);
-        store(limits + first, put_probes(eight.t_max, setup, [&](int i) -> RayProbe& { return probes[first + i]; }));
+        RayProbe* const to = probes + first;
+        store(limits + first, put_probes(eight.t_max, setup, [&](int i) -> RayProbe& { return to[i]; }));
     }
 }
 
