@@ -1,5 +1,8 @@
 // gamephys through its public interface, as a user links it.
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
+#include <thread>
 
 #include "implementation.h"
 
@@ -15,7 +18,7 @@ const gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
 
 class Gamephys final : public Implementation {
 public:
-    explicit Gamephys(uint32_t worker_count) : worker_count_(worker_count) {}
+    Gamephys(uint32_t worker_count, uint32_t callers) : worker_count_(worker_count), callers_(callers) {}
     ~Gamephys() override { clear(); }
 
     bool load(const std::vector<gphys_obb>& boxes) override {
@@ -67,11 +70,12 @@ public:
 
     bool closest(const std::vector<gphys_ray>& rays) override {
         hits_.resize(rays.size());
-        const auto n = static_cast<uint32_t>(rays.size());
-        check(mesh_ ? gphys_shape_raycast_batch(GPHYS_SHAPE_MESH, mesh_, rays.data(), sizeof rays[0], n, hits_.data(),
-                                                sizeof hits_[0])
-                    : gphys_scene_raycast_batch(scene_, rays.data(), sizeof rays[0], n, GPHYS_ALL_LAYERS, hits_.data(),
-                                                sizeof hits_[0]));
+        by_callers(rays, [&](uint32_t, const gphys_ray* some, uint32_t n) {
+            gphys_hit* const hits = hits_.data() + (some - rays.data());
+            check(mesh_
+                      ? gphys_shape_raycast_batch(GPHYS_SHAPE_MESH, mesh_, some, sizeof *some, n, hits, sizeof *hits)
+                      : gphys_scene_raycast_batch(scene_, some, sizeof *some, n, GPHYS_ALL_LAYERS, hits, sizeof *hits));
+        });
         return true;
     }
     std::vector<Answer> answers() const override {
@@ -86,8 +90,10 @@ public:
     bool any(const std::vector<gphys_ray>& rays, std::vector<int32_t>& answers) override {
         if (mesh_) return false;
         answers.resize(rays.size());
-        check(gphys_scene_raycast_any_batch(scene_, rays.data(), sizeof rays[0], static_cast<uint32_t>(rays.size()),
-                                            GPHYS_ALL_LAYERS, answers.data(), sizeof answers[0]));
+        by_callers(rays, [&](uint32_t, const gphys_ray* some, uint32_t n) {
+            check(gphys_scene_raycast_any_batch(scene_, some, sizeof *some, n, GPHYS_ALL_LAYERS,
+                                                answers.data() + (some - rays.data()), sizeof answers[0]));
+        });
         return true;
     }
 
@@ -164,19 +170,40 @@ private:
         for (uint32_t i = 0; i < models_.size(); ++i) check(gphys_scene_set_tag(scene_, models_[i], i));
     }
 
+    /// call(caller, first, count) for each caller's part of the queries.
+    template <class Query, class Call>
+    void by_callers(const std::vector<Query>& queries, const Call& call) const {
+        std::vector<std::thread> others;
+        const size_t part = (queries.size() + callers_ - 1) / callers_;
+        for (uint32_t caller = callers_; caller-- > 0;) {
+            const size_t first = caller * part;
+            const auto one = [=, &queries, &call] {
+                call(caller, queries.data() + first, static_cast<uint32_t>(std::min(part, queries.size() - first)));
+            };
+            caller > 0 ? void(others.emplace_back(one)) : one();
+        }
+        for (std::thread& other : others) other.join();
+    }
+
     template <class Query>
     bool overlap(gphys_shape_type type, const std::vector<Query>& queries, uint64_t& total) {
         if (mesh_) return false;
-        offsets_.resize(queries.size() + 1);
-        models_seen_.resize(64 * queries.size());
-        check(gphys_scene_overlap_batch(scene_, type, queries.data(), sizeof(Query),
-                                        static_cast<uint32_t>(queries.size()), GPHYS_ALL_LAYERS, models_seen_.data(),
-                                        static_cast<uint32_t>(models_seen_.size()), offsets_.data()));
-        total = offsets_.back();
+        constexpr uint32_t room = 64;
+        offsets_.resize(queries.size() + callers_);
+        models_seen_.resize(room * queries.size());
+        std::vector<uint64_t> totals(callers_);
+        by_callers(queries, [&](uint32_t caller, const Query* some, uint32_t n) {
+            const auto first = static_cast<size_t>(some - queries.data());
+            uint32_t* const offsets = offsets_.data() + first + caller;
+            check(gphys_scene_overlap_batch(scene_, type, some, sizeof(Query), n, GPHYS_ALL_LAYERS,
+                                            models_seen_.data() + room * first, room * n, offsets));
+            totals[caller] = offsets[n];
+        });
+        total = std::accumulate(totals.begin(), totals.end(), uint64_t{0});
         return true;
     }
 
-    uint32_t worker_count_;
+    uint32_t worker_count_, callers_;
     gphys_scene* scene_ = nullptr;
     gphys_mesh* mesh_ = nullptr;
     std::vector<gphys_model_id> models_;
@@ -187,8 +214,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count) {
-    return std::make_unique<Gamephys>(worker_count);
+std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count, uint32_t callers) {
+    return std::make_unique<Gamephys>(worker_count, callers);
 }
 
 }  // namespace bench

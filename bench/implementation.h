@@ -57,8 +57,8 @@ protected:
     std::vector<Answer> answers_;
 };
 
-/// `worker_count` of the scene.
-std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count);
+/// `worker_count` of the scene, and threads that call, each with a part of the queries.
+std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count, uint32_t callers = 1);
 /// The library's own trees with float tests in place of its exact ones: for the accuracy suite.
 std::unique_ptr<Implementation> make_gamephys_float();
 /// A flat sweep over all boxes with SIMD, the baseline for culling.

@@ -66,6 +66,8 @@ struct Entry {
 };
 
 Entry on_two_threads() { return {"gamephys_2_threads", make_gamephys(2), true}; }
+/// Two callers that have nothing to do with one another, with half of the queries each: what the machine allows.
+Entry two_apart() { return {"gamephys_2_apart", make_gamephys(1, 2), true}; }
 
 std::vector<Entry> everybody([[maybe_unused]] bool moving = false) {
     std::vector<Entry> all;
@@ -89,8 +91,9 @@ public:
     explicit Bench(const Options& options) : options_(options) {}
 
     uint32_t ray_count(uint32_t n) const { return options_.quick ? 50000 : n >= 1000000 ? 500000 : 1000000; }
+    uint32_t camera_width() const { return options_.quick ? 256 : 1024; }
     std::vector<gphys_ray> camera_rays(float half_side) const {
-        return options_.quick ? bench::camera_rays(half_side, 256, 192) : bench::camera_rays(half_side, 1024, 768);
+        return bench::camera_rays(half_side, camera_width(), camera_width() * 3 / 4);
     }
     bool wants(uint32_t n) const { return options_.wants(n); }
     std::vector<uint32_t> sizes() const {
@@ -237,6 +240,17 @@ std::vector<gphys_ray> every_61st_tile(const std::vector<gphys_ray>& rays) {
     return some;
 }
 
+/// The rays of a camera as its picture is stored.
+std::vector<gphys_ray> row_by_row(const std::vector<gphys_ray>& tiles, size_t width) {
+    std::vector<gphys_ray> rows(tiles.size());
+    const size_t in_row = width / 8;
+    for (size_t i = 0; i < tiles.size(); ++i) {
+        const size_t tile = i / 64, x = tile % in_row * 8 + i % 8, y = tile / in_row * 8 + i / 8 % 8;
+        rows[y * width + x] = tiles[i];
+    }
+    return rows;
+}
+
 /// Closest hits of all rays, or of a part where all would take minutes.
 Task closest_hits(const std::vector<gphys_ray>& rays) {
     return [&rays, some = every_61st_tile(rays)](Implementation& i) -> double {
@@ -257,6 +271,8 @@ void ray_cases(Bench& bench, const std::string& suite, const std::string& prefix
     const std::vector<gphys_ray> camera = bench.camera_rays(half);
     const Sample camera_sample(camera, tests_per_ray, truth);
     bench.measure(suite, prefix + "_ray_camera", n, entries, closest_hits(camera), closest_right(camera_sample));
+    const std::vector<gphys_ray> rows = row_by_row(camera, bench.camera_width());
+    bench.measure(suite, prefix + "_ray_rows", n, entries, closest_hits(rows), closest_right(camera_sample));
     if (!with_any) return;
     std::vector<int32_t> hits;
     bench.measure(
@@ -301,6 +317,8 @@ void scene_suite(Bench& bench) {
             "scene", "build_scene", n, entries, [&](Implementation& i) { return i.load(content) ? n : 0; }, unchecked);
         report_memory(bench, "scene", "memory_scene", n, entries);
         add_packets(entries, content);
+        entries.push_back(two_apart());
+        entries.back().implementation->load(content);
         ray_cases(
             bench, "scene", "scene", n, half, entries, n, [&](const gphys_ray& r) { return reference(content, r); },
             true);
@@ -360,6 +378,7 @@ void query_suite(Bench& bench) {
         const float half = half_side(n);
         std::vector<Entry> entries = everybody();
         entries.push_back(on_two_threads());
+        entries.push_back(two_apart());
         load(entries, content);
         uint64_t expected = 0, total = 0;
         const auto run = [&](const std::string& name, double operations,

@@ -20,7 +20,7 @@ PAGE = """# Benchmarks
 
 Written by `./bench.sh scene mesh query update --peers --docs`, which measures everybody in the same run on the same work, in interleaved repetitions of which the fastest counts. gamephys is built with the flags that users get and called through its C interface, in batches where there are some. The time ends where the answers are there; reading them is not part of it. Times are of one thread unless the row says otherwise.
 
-A ratio is the time of gamephys divided by that of the other: below 1, gamephys is faster. † marks those whose answers are not those of a loop over everything in double precision. [What limits the speed](limits_of_speed.md) has the profiles of rows in which gamephys is not as far ahead as was aimed for.
+A ratio is the time of gamephys divided by that of the other: below 1, gamephys is faster. † marks those whose answers are not those of a loop over everything in double precision. `_rows` are the rays of `_camera` as its picture is stored, row by row; those are in tiles of 8 by 8 pixels. Two callers apart are threads that have nothing to do with one another, each with half of the queries: what the machine allows. [What limits the speed](limits_of_speed.md) has the profiles of rows in which gamephys is not as far ahead as was aimed for.
 
 ![Time of a ray against the number of boxes](images/growth.png)
 
@@ -88,7 +88,9 @@ def within(suites):
             other = suites[suite].get((other_case, n), {}).get(other_name)
             if this == case and name in by and other:
                 ratio = by[name]["value"] / other["value"]
-                rows.append([what, f"{n:,}", number(1 / ratio if invert else ratio)])
+                apart = by.get("gamephys_2_apart") if invert else None
+                rows.append([what, f"{n:,}", number(1 / ratio if invert else ratio),
+                             number(other["value"] / apart["value"]) if apart else ""])
 
     compare("any hit / closest hit", "scene", "scene_ray_any", "gamephys", "scene_ray_random", "gamephys")
     compare("rays after 100 frames of motion / after a build", "update", "ray_after_update", "gamephys",
@@ -98,7 +100,7 @@ def within(suites):
             if case != "cull":  # a single call, which one thread answers
                 compare(f"speed-up of `{case}` by a second thread", suite, case, "gamephys_2_threads", case,
                         "gamephys", invert=True)
-    return table(["gamephys beside itself", "objects", "ratio"], rows) if rows else ""
+    return table(["gamephys beside itself", "objects", "ratio", "two callers apart"], rows) if rows else ""
 
 
 def solver_page(directory):

@@ -20,19 +20,21 @@ constexpr uint32_t batch_chunk = 256;
 
 inline uint32_t chunks_in(uint32_t count) { return count / batch_chunk + (count % batch_chunk != 0); }
 
-/// visit(begin, end) for each chunk of 0 .. count - 1.
+/// visit(begin, end) for chunks of 0 .. count - 1, of at least so many: as few as keep all workers busy to the end,
+/// as what is neighbouring in memory is best read and written by one.
 template <class Visit>
-void for_each_chunk(const Workers& workers, uint32_t count, Visit&& visit) {
-    workers.run(chunks_in(count), [&](uint32_t chunk) {
-        const uint32_t begin = chunk * batch_chunk;
-        visit(begin, begin + std::min(batch_chunk, count - begin));
+void for_each_chunk(const Workers& workers, uint32_t count, uint32_t smallest, Visit&& visit) {
+    const uint32_t size = std::clamp(count / (32 * workers.count()), smallest, 64 * smallest);
+    workers.run(count / size + (count % size != 0), [&](uint32_t chunk) {
+        const uint32_t begin = chunk * size;
+        visit(begin, begin + std::min(size, count - begin));
     });
 }
 
 /// answer(i) for each item; it writes the output of item i.
 template <class Answer>
 void answer_each(const Workers& workers, uint32_t count, Answer&& answer) {
-    for_each_chunk(workers, count, [&](uint32_t begin, uint32_t end) {
+    for_each_chunk(workers, count, batch_chunk, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i) answer(i);
     });
 }
@@ -42,10 +44,8 @@ void answer_each(const Workers& workers, uint32_t count, Answer&& answer) {
 template <class RayOf, class Fetch, class Cast>
 void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, Fetch&& fetch, Cast&& cast) {
     static_assert(ImageTiles::most <= Scene::rays_at_once);
-    constexpr uint32_t at_once = batch_chunk / ImageTiles::most;
-    const uint32_t count = tiles.count(), chunks = (count + at_once - 1) / at_once;
-    scene.workers().run(chunks, [&](uint32_t chunk) {
-        const uint32_t begin = at_once * chunk, end = std::min(begin + at_once, count);
+    constexpr uint32_t smallest = batch_chunk / ImageTiles::most;
+    for_each_chunk(scene.workers(), tiles.count(), smallest, [&](uint32_t begin, uint32_t end) {
         tiles.for_each(begin, end, fetch, [&](const uint32_t* all, uint32_t all_size) {
             Ray rays[ImageTiles::most];
             uint32_t items[ImageTiles::most], size = 0;
@@ -91,7 +91,7 @@ inline uint32_t distinct(uint32_t stride, uint32_t count) { return stride == 0 ?
 template <class Check>
 gphys_status check_each(const Workers& workers, uint32_t count, Check&& check) {
     std::atomic<uint32_t> first_bad{count};
-    for_each_chunk(workers, count, [&](uint32_t begin, uint32_t end) {
+    for_each_chunk(workers, count, batch_chunk, [&](uint32_t begin, uint32_t end) {
         uint32_t i = begin;
         while (i < end && check(i) == GPHYS_OK) ++i;
         if (i == end) return;
