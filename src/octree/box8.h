@@ -89,10 +89,15 @@ public:
         constexpr uint32_t worth_it = 8;  // a walk of a bundle costs as much as about six that take turns
         uint32_t alone = 0;               // first of those that have found no company
         for (uint32_t first = 0; first < count;) {
-            const Corridor corridor = corridor_of(ray_of(first));
             const uint32_t end = std::min(first + most, count);
             uint32_t last = first + 1;
-            while (last < end && corridor.holds(ray_of(last)) && same_signs(probe_of(first), probe_of(last))) ++last;
+            // Rays that have nothing in common are mostly told by their signs.
+            if (last < end && same_signs(probe_of(first), probe_of(last))) {
+                const Corridor corridor = corridor_of(ray_of(first));
+                while (last < end && corridor.holds(ray_of(last)) && same_signs(probe_of(first), probe_of(last))) {
+                    ++last;
+                }
+            }
             if (last - first >= worth_it) {
                 if (alone < first) run(alone, first, false);
                 run(first, last, true);

@@ -23,19 +23,24 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
         Found found;
         Walk walk;
     };
-    struct Queue {
-        Turn* turns[most];
-        uint32_t first = 0, size = 0;
-
-        void add(Turn& turn) { turns[(first + size++) % most] = &turn; }
-        Turn& take() {
-            --size;
-            return *turns[first++ % most];
-        }
-    };
     Turn turns[most];
     typename Walk::Stack stacks[most];
-    Queue looking, visiting;  // those that are at a node, and at an item
+    /// Turns by their numbers, first in, first out: four bits each, in a register.
+    struct Queue {
+        Turn* turns;
+        uint64_t numbers = 0;
+        uint32_t size = 0;
+
+        void add(const Turn& turn) { numbers |= static_cast<uint64_t>(&turn - turns) << (4 * size++); }
+        Turn& take() {
+            Turn& turn = turns[numbers % most];
+            numbers /= most;
+            --size;
+            return turn;
+        }
+    };
+    static_assert(most == 1 << 4);
+    Queue looking{turns}, visiting{turns};  // those that are at a node, and at an item
     uint32_t next = 0;
     const auto begin = [&](Turn& turn) {
         while (next < count && !(limits[next] >= 0)) ++next;

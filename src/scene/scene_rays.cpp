@@ -266,10 +266,11 @@ void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* 
 
 /// Whether a ray meets a plane, which no octree holds.
 bool Scene::meets_unbounded(const Ray& ray, uint32_t layers) const {
-    return std::any_of(unbounded_.begin(), unbounded_.end(), [&](uint32_t slot) {
-        return (models_[slot].layers & layers) &&
-               with_shape(slot, [&](const auto& shape) { return is_met(shape, ray); });
-    });
+    const auto meets = [&](const auto& shape) { return is_met(shape, ray); };
+    for (const uint32_t slot : unbounded_) {
+        if ((models_[slot].layers & layers) && with_shape(slot, meets)) return true;
+    }
+    return false;
 }
 
 bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
