@@ -20,6 +20,7 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
     struct alignas(64) Turn {
         RayTest test;
         uint32_t ray;
+        const OctreeNode* here;  // the node that it is at, or was last
         Found found;
         Walk walk;
     };
@@ -48,6 +49,7 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
         turn.ray = next++;
         turn.test = RayTest(probe_of(turn.ray));
         turn.walk.begin(root, limits[turn.ray], stacks[&turn - turns]);
+        turn.here = &node_at(nodes, root);
         looking.add(turn);
     };
     // Fetches what the walk is at, for when its turn comes.
@@ -59,16 +61,17 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
             fetch(turn.walk.item());
         } else {
             looking.add(turn);
-            fetch_ahead(&turn.walk.node(nodes), sizeof(OctreeNode));
+            turn.here = &turn.walk.node(nodes);
+            fetch_ahead(turn.here, sizeof(OctreeNode));
         }
     };
     const auto look = [&](uint32_t size) {
         Turn* now[group];
         for (uint32_t i = 0; i < size; ++i) {
             now[i] = &looking.take();
-            now[i]->walk.look(nodes, now[i]->test, now[i]->found);
+            now[i]->walk.look(*now[i]->here, now[i]->test, now[i]->found);
         }
-        for (uint32_t i = 0; i < size; ++i) go_on(*now[i], now[i]->walk.leave_node(nodes, now[i]->found));
+        for (uint32_t i = 0; i < size; ++i) go_on(*now[i], now[i]->walk.leave_node(*now[i]->here, now[i]->found));
     };
     const auto visit_some = [&](uint32_t size) {
         Turn* now[visits];

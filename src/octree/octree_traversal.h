@@ -40,16 +40,14 @@ public:
 
     /// What there is in the node that the walk is at.
     template <class Test>
-    void look(const OctreeNode* nodes, const Test& test, Found& found) const {
-        const OctreeNode& here = node(nodes);
+    void look(const OctreeNode& here, const Test& test, Found& found) const {
         Float8 keys;
         found.hits = test.hits(here.boxes, limit_, keys) & lanes_of(here);
         store(found.keys, keys);
     }
     /// Go on from a node, or else the item that has been visited. False at the end.
-    bool leave_node(const OctreeNode* nodes, const Found& found) {
-        const uint32_t ref = child_of(at_);
-        size_ = push_nearest_last(stack_, size_, node_at(nodes, ref).child, found, is_leaf(ref));
+    bool leave_node(const OctreeNode& here, const Found& found) {
+        size_ = push_nearest_last(stack_, size_, here.child, found, is_leaf(child_of(at_)));
         return next();
     }
     /// A nearer one. What lies behind it is dropped at once: how much of that there is on top could not be
@@ -96,15 +94,14 @@ public:
     const OctreeNode& node(const OctreeNode* nodes) const { return node_at(nodes, at_); }
 
     template <class Test>
-    void look(const OctreeNode* nodes, const Test& test, Found& found) const {
-        const OctreeNode& here = node(nodes);
+    void look(const OctreeNode& here, const Test& test, Found& found) const {
         Float8 entry, exit;
         found.hits = test.hits(here.boxes, limit_, entry, exit) & lanes_of(here);
         store(found.keys, exit - entry);
     }
-    bool leave_node(const OctreeNode* nodes, const Found& found) {
+    bool leave_node(const OctreeNode& here, const Found& found) {
         uint32_t* const top = stack_ + size_;
-        const uint32_t* const child = node(nodes).child;
+        const uint32_t* const child = here.child;
         const uint32_t mark = is_leaf(at_) ? item_bit : 0;
         const uint32_t longest = longest_of(found);
         top[take_lanes(top, child, found.hits & ~(1u << longest), mark)] = child[longest] | mark;
@@ -147,8 +144,9 @@ void nearest_first(const OctreeNode* nodes, uint32_t root, const Test& test, flo
             if (limit < before) walk.set_limit(limit);
             goes_on = walk.leave_item();
         } else {
-            walk.look(nodes, test, found);
-            goes_on = walk.leave_node(nodes, found);
+            const OctreeNode& here = walk.node(nodes);
+            walk.look(here, test, found);
+            goes_on = walk.leave_node(here, found);
         }
     } while (goes_on);
 }
