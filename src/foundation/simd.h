@@ -26,6 +26,13 @@
 #include <wasm_simd128.h>
 #endif
 
+/// Before a loop that is to be written out as often as it runs.
+#ifdef __clang__
+#define GPHYS_UNROLLED _Pragma("unroll")
+#else
+#define GPHYS_UNROLLED _Pragma("GCC unroll 8")
+#endif
+
 namespace gphys::GPHYS_ISA {
 
 // Vectors of the compilers' own extension, as wide as the registers of the set.
@@ -60,6 +67,10 @@ inline Float8 load(const float* from) {
         std::memcpy(&v.part[i], from + register_lanes * i, sizeof v.part[i]);
     }
     return v;
+}
+/// The same from where a register would be stored. What is not known to be so, gcc 12 loads apart with AVX-512.
+inline Float8 load_aligned(const float* from) {
+    return load(static_cast<const float*>(__builtin_assume_aligned(from, sizeof(FloatRegister))));
 }
 inline void store(float* to, Float8 v) {
     for (int i = 0; i < register_count; ++i) std::memcpy(to + register_lanes * i, &v.part[i], sizeof v.part[i]);

@@ -11,7 +11,7 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-void fetch_packet(const TrianglePacket* packets, uint32_t number) {
+[[gnu::always_inline]] inline void fetch_packet(const TrianglePacket* packets, uint32_t number) {
     fetch_ahead(packets + number, sizeof(TrianglePacket));
 }
 
@@ -126,7 +126,7 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
         crossing.add(ray, packet, TriangleTest(rays[ray].triangles).hits(packet, limits[ray]));
     };
     const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; };
-    const auto fetch = [&](uint32_t number) { fetch_packet(packets, number); };
+    const auto fetch = [&](uint32_t number) __attribute__((always_inline)) { fetch_packet(packets, number); };
     if (together) {
         const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
             for (uint32_t k = 0; k < size; ++k) add(numbers[k], items[k]);

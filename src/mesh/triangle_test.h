@@ -36,9 +36,9 @@ public:
     uint32_t hits(const TrianglePacket& packet, float limit) const {
         Float8 x[3], y[3], z[3];
         for (int c = 0; c < 3; ++c) {
-            z[c] = load(packet.corner[c][axis_[2]]) - origin_[2];
-            x[c] = load(packet.corner[c][axis_[0]]) - origin_[0] - slope_x_ * z[c];
-            y[c] = load(packet.corner[c][axis_[1]]) - origin_[1] - slope_y_ * z[c];
+            z[c] = load_aligned(packet.corner[c][axis_[2]]) - origin_[2];
+            x[c] = load_aligned(packet.corner[c][axis_[0]]) - origin_[0] - slope_x_ * z[c];
+            y[c] = load_aligned(packet.corner[c][axis_[1]]) - origin_[1] - slope_y_ * z[c];
         }
         const Float8 volume_a = x[2] * y[1] - y[2] * x[1];
         const Float8 volume_b = x[0] * y[2] - y[0] * x[2];
@@ -69,7 +69,8 @@ private:
 inline Box8 boxes_of(const TrianglePacket& packet) {
     Box8 boxes;
     for (int k = 0; k < 3; ++k) {
-        const Float8 a = load(packet.corner[0][k]), b = load(packet.corner[1][k]), c = load(packet.corner[2][k]);
+        const Float8 a = load_aligned(packet.corner[0][k]), b = load_aligned(packet.corner[1][k]),
+                     c = load_aligned(packet.corner[2][k]);
         store(boxes.row[k], min(min(a, b), c));
         store(boxes.row[3 + k], max(max(a, b), c));
     }

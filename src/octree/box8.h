@@ -122,7 +122,9 @@ private:
     };
     Corridor corridor_of(const Ray& ray) const;
     static bool same_signs(const RayProbe& a, const RayProbe& b) {
-        return a.near_face[0] == b.near_face[0] && a.near_face[1] == b.near_face[1] && a.near_face[2] == b.near_face[2];
+        uint32_t differ = 0;  // of rays that have nothing in common it is not to be foreseen which axis tells
+        for (int k = 0; k < 3; ++k) differ |= a.near_face[k] ^ b.near_face[k];
+        return differ == 0;
     }
 
     Vec3 centre_;

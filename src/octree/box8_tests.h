@@ -18,10 +18,10 @@ public:
         const RayProbe& ray = *probe_;
         const Float8 back[3] = {splat(ray.back[0]), splat(ray.back[1]), splat(ray.back[2])};
         const auto enters = [&](int k) {
-            return (splat(ray.near_origin[k]) - load(boxes.from(ray.near_face[k]))) * back[k];
+            return (splat(ray.near_origin[k]) - load_aligned(boxes.from(ray.near_face[k]))) * back[k];
         };
         const auto leaves = [&](int k) {
-            return (splat(ray.far_origin[k]) - load(boxes.from(ray.far_face[k]))) * back[k];
+            return (splat(ray.far_origin[k]) - load_aligned(boxes.from(ray.far_face[k]))) * back[k];
         };
         entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
         exit = min(min(min(leaves(0), leaves(1)), leaves(2)), splat(limit));
@@ -48,7 +48,7 @@ public:
     /// Lanes whose squared distance is at most `limit`.
     uint32_t hits(const Box8& boxes, float limit, Float8& distance_squared) const {
         const auto gap = [&](int k) {
-            return max(max(load(boxes.row[k]) - high_[k], low_[k] - load(boxes.row[3 + k])), splat(0));
+            return max(max(load_aligned(boxes.row[k]) - high_[k], low_[k] - load_aligned(boxes.row[3 + k])), splat(0));
         };
         const Float8 x = gap(0), y = gap(1), z = gap(2);
         distance_squared = x * x + y * y + z * z;
@@ -76,15 +76,15 @@ public:
     }
 
     uint32_t hits(const Box8& boxes) const {
-        return bits((load(boxes.row[0]) <= max_[0]) & (min_[0] <= load(boxes.row[3])) &
-                    (load(boxes.row[1]) <= max_[1]) & (min_[1] <= load(boxes.row[4])) &
-                    (load(boxes.row[2]) <= max_[2]) & (min_[2] <= load(boxes.row[5])));
+        return bits((load_aligned(boxes.row[0]) <= max_[0]) & (min_[0] <= load_aligned(boxes.row[3])) &
+                    (load_aligned(boxes.row[1]) <= max_[1]) & (min_[1] <= load_aligned(boxes.row[4])) &
+                    (load_aligned(boxes.row[2]) <= max_[2]) & (min_[2] <= load_aligned(boxes.row[5])));
     }
     /// The same, and which lanes are wholly inside the box.
     uint32_t hits(const Box8& boxes, uint32_t& inside) const {
-        inside =
-            bits((min_[0] <= load(boxes.row[0])) & (load(boxes.row[3]) <= max_[0]) & (min_[1] <= load(boxes.row[1])) &
-                 (load(boxes.row[4]) <= max_[1]) & (min_[2] <= load(boxes.row[2])) & (load(boxes.row[5]) <= max_[2]));
+        inside = bits((min_[0] <= load_aligned(boxes.row[0])) & (load_aligned(boxes.row[3]) <= max_[0]) &
+                      (min_[1] <= load_aligned(boxes.row[1])) & (load_aligned(boxes.row[4]) <= max_[1]) &
+                      (min_[2] <= load_aligned(boxes.row[2])) & (load_aligned(boxes.row[5]) <= max_[2]));
         return hits(boxes);
     }
 
@@ -108,7 +108,7 @@ public:
         for (int k = 0; k < 3; ++k) {
             // How far both faces are beyond the centre, outward: the larger one is the gap, if it is
             // positive, and the smaller one, without its sign, leads to the far corner.
-            const Float8 a = load(boxes.row[k]) - high_[k], b = low_[k] - load(boxes.row[3 + k]);
+            const Float8 a = load_aligned(boxes.row[k]) - high_[k], b = low_[k] - load_aligned(boxes.row[3 + k]);
             const Float8 gap = max(max(a, b), splat(0)), reach = min(a, b);
             nearest = nearest + gap * gap;
             furthest = furthest + reach * reach;
@@ -150,8 +150,8 @@ private:
     uint32_t test(const Box8& boxes, uint32_t planes, Float8& crossed) const {
         Float8 face[6], magnitude[3];  // as seen from the origin
         for (int k = 0; k < 3; ++k) {
-            face[k] = load(boxes.row[k]) - splat(probe_.origin_high[k]);
-            face[3 + k] = load(boxes.row[3 + k]) - splat(probe_.origin_low[k]);
+            face[k] = load_aligned(boxes.row[k]) - splat(probe_.origin_high[k]);
+            face[3 + k] = load_aligned(boxes.row[3 + k]) - splat(probe_.origin_low[k]);
             magnitude[k] = max(face[3 + k], splat(0) - face[k]);  // of whichever has the larger one
         }
         crossed = splat(0);

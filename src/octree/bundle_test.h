@@ -115,11 +115,11 @@ private:
     /// the two computed here.
     uint32_t hits(const Bounds& bounds, Float8 limit, const Box8& boxes, Float8& entry) const {
         const auto enters = [&](int k) {
-            const Float8 x = bounds.near_origin[k] - load(boxes.from(near_face_[k]));
+            const Float8 x = bounds.near_origin[k] - load_aligned(boxes.from(near_face_[k]));
             return min(x * bounds.back_low[k], x * bounds.back_high[k]);
         };
         const auto leaves = [&](int k) {
-            const Float8 x = bounds.far_origin[k] - load(boxes.from(far_face_[k]));
+            const Float8 x = bounds.far_origin[k] - load_aligned(boxes.from(far_face_[k]));
             return max(x * bounds.back_low[k], x * bounds.back_high[k]);
         };
         entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));

@@ -36,8 +36,8 @@ inline float key_of(KeyedChild entry) {
     return key;
 }
 
-/// push_nearest_last may write so many more entries than it pushes.
-constexpr int pushed_beyond = 4;
+/// push_nearest_last and keep_up_to may write so many more entries than there are.
+constexpr int pushed_beyond = 8;
 // The bottom, and of each level at most seven siblings besides the children of the last.
 constexpr int stack_size = 1 + 7 * octree_max_levels + 8 + pushed_beyond;
 
@@ -135,6 +135,65 @@ inline int push_nearest_last(KeyedChild* stack, int size, const uint32_t childre
 #else
     return push_by_insertion(stack, size, children, found, mark);
 #endif
+}
+
+#if GPHYS_HAS_AVX2
+/// For each set of four entries the numbers of their halves, in order.
+struct HalvesOfEntries {
+    alignas(32) int32_t of[16][8];
+
+    constexpr HalvesOfEntries() : of{} {
+        for (int set = 0; set < 16; ++set) {
+            int32_t* to = of[set];
+            for (int32_t entry = 0; entry < 4; ++entry) {
+                if ((set >> entry & 1) == 0) continue;
+                *to++ = 2 * entry;
+                *to++ = 2 * entry + 1;
+            }
+        }
+    }
+};
+inline constexpr HalvesOfEntries halves_of_entries;
+#endif
+
+/// Of some entries keep those up to a limit, in their order, without a branch for each; returns how many. May read and
+/// write pushed_beyond more.
+inline int keep_up_to(float limit, KeyedChild* entries, int size) {
+    int kept = 0;
+#if GPHYS_HAS_AVX2
+    // Keys compare as signed numbers; their lowest bits do not count.
+    int32_t limit_bits;
+    std::memcpy(&limit_bits, &limit, sizeof limit_bits);
+    const int64_t last = int64_t{limit_bits} << 32 | int64_t{lane_field} << 32 | 0xffffffff;
+#endif
+#if GPHYS_ISA_IS(avx512)
+    const __m512i lasts = _mm512_set1_epi64(last);
+    for (int i = 0; i < size; i += 8) {
+        const __m512i eight = _mm512_loadu_si512(entries + i);
+        const auto there = static_cast<__mmask8>(size - i < 8 ? (1u << (size - i)) - 1 : 0xff);
+        const __mmask8 keep = _mm512_mask_cmple_epi64_mask(there, eight, lasts);
+        _mm512_storeu_si512(entries + kept, _mm512_maskz_compress_epi64(keep, eight));
+        kept += __builtin_popcount(keep);
+    }
+#elif GPHYS_HAS_AVX2
+    const __m256i lasts = _mm256_set1_epi64x(last);
+    for (int i = 0; i < size; i += 4) {
+        const __m256i four = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(entries + i));
+        const __m256d beyond = _mm256_castsi256_pd(_mm256_cmpgt_epi64(four, lasts));
+        const uint32_t there = size - i < 4 ? (1u << (size - i)) - 1 : 0xf;
+        const uint32_t keep = there & ~static_cast<uint32_t>(_mm256_movemask_pd(beyond));
+        const __m256i words = _mm256_load_si256(reinterpret_cast<const __m256i*>(halves_of_entries.of[keep]));
+        _mm256_storeu_si256(reinterpret_cast<__m256i*>(entries + kept), _mm256_permutevar8x32_epi32(four, words));
+        kept += __builtin_popcount(keep);
+    }
+#else
+    for (int i = 0; i < size; ++i) {
+        const KeyedChild entry = entries[i];
+        entries[kept] = entry;
+        kept += key_of(entry) <= limit;
+    }
+#endif
+    return kept;
 }
 
 }  // namespace gphys::GPHYS_ISA

@@ -29,7 +29,7 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, c
     const auto visit = [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
         return to.visit(to.context, rays, items, some, new_limits);
     };
-    const auto fetch = [&](uint32_t item) { fetch_item(to.items, item); };
+    const auto fetch = [&](uint32_t item) __attribute__((always_inline)) { fetch_item(to.items, item); };
     if (!together) return rays_in_turns<Walk>(nodes, root, probe_of, limits, count, visit, fetch);
     RayLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
     const auto visit_and_set = [&](const uint32_t* rays, const uint32_t* items, uint32_t some) {

@@ -3,6 +3,8 @@
 // that have nothing in common take turns, so that none waits for memory.
 #pragma once
 
+#include <type_traits>
+
 #include "octree/bundle_test.h"
 #include "octree/octree_traversal.h"
 
@@ -15,7 +17,8 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
                    const Visit& visit, const Fetch& fetch) {
     constexpr uint32_t most = 16;
     // Turns are taken in groups: to look side by side lets their arithmetic overlap, and loops that run
-    // as often each time do not surprise the processor.
+    // as often each time do not surprise the processor. All of a group leave before any goes on: whether to a node
+    // or an item is not to be foreseen, and a wrong guess costs less the sooner it is noticed.
     constexpr uint32_t group = 4, visits = 8;
     struct alignas(64) Turn {
         RayTest test;
@@ -65,13 +68,19 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
             fetch_ahead(turn.here, sizeof(OctreeNode));
         }
     };
-    const auto look = [&](uint32_t size) {
-        Turn* now[group];
+    const auto look = [&](auto some) {
+        constexpr uint32_t size = some;
+        Turn* now[size];
+        bool goes_on[size];
+        GPHYS_UNROLLED
         for (uint32_t i = 0; i < size; ++i) {
             now[i] = &looking.take();
             now[i]->walk.look(*now[i]->here, now[i]->test, now[i]->found);
         }
-        for (uint32_t i = 0; i < size; ++i) go_on(*now[i], now[i]->walk.leave_node(*now[i]->here, now[i]->found));
+        GPHYS_UNROLLED
+        for (uint32_t i = 0; i < size; ++i) goes_on[i] = now[i]->walk.leave_node(*now[i]->here, now[i]->found);
+        GPHYS_UNROLLED
+        for (uint32_t i = 0; i < size; ++i) go_on(*now[i], goes_on[i]);
     };
     const auto visit_some = [&](uint32_t size) {
         Turn* now[visits];
@@ -93,11 +102,11 @@ void rays_in_turns(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
         if (visiting.size >= visits) {
             visit_some(visits);
         } else if (looking.size >= group) {
-            look(group);
+            look(std::integral_constant<uint32_t, group>());
         } else if (visiting.size > 0) {
             visit_some(visiting.size);
         } else if (looking.size > 0) {
-            look(looking.size);
+            look(std::integral_constant<uint32_t, 1>());
         } else {
             return;
         }

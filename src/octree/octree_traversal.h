@@ -54,13 +54,7 @@ public:
     /// foreseen each time that something is taken from there.
     void set_limit(float limit) {
         limit_ = limit;
-        int kept = 1;
-        for (int i = 1; i < size_; ++i) {
-            const KeyedChild entry = stack_[i];
-            stack_[kept] = entry;
-            kept += key_of(entry) <= limit;
-        }
-        size_ = kept;
+        size_ = 1 + keep_up_to(limit, stack_ + 1, size_ - 1);
     }
     bool leave_item() { return next(); }
 
