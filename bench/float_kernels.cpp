@@ -10,9 +10,9 @@ namespace {
 bool meet(const TrianglePacket& packet, FloatRay& ray) {
     Float8 a[3], ab[3], ac[3], d[3];
     for (int k = 0; k < 3; ++k) {
-        const Float8 corner = load(packet.corner[0][k]);
-        ab[k] = load(packet.corner[1][k]) - corner;
-        ac[k] = load(packet.corner[2][k]) - corner;
+        const Float8 corner = load_aligned(packet.corner[0][k]);
+        ab[k] = load_aligned(packet.corner[1][k]) - corner;
+        ac[k] = load_aligned(packet.corner[2][k]) - corner;
         a[k] = splat(ray.origin[k]) - corner;
         d[k] = splat(ray.direction[k]);
     }
@@ -56,13 +56,16 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
         of_all.limits[ray] = along[ray].limit(static_cast<double>(rays[ray].t));
     };
     const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return along[ray]; };
-    const auto fetch = [&](uint32_t number) { fetch_ahead(packets + number, sizeof(TrianglePacket)); };
+    const auto fetch = [&](uint32_t number) __attribute__((always_inline)) {
+        fetch_ahead(packets + number, sizeof(TrianglePacket));
+    };
     if (together) {
-        const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
-            for (uint32_t k = 0; k < size; ++k) meet_one(numbers[k], items[k]);
+        BundleTest bundle(probe_of, of_all.limits, count);
+        const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
+            for (; set != 0; set &= set - 1) meet_one(8 * group + static_cast<uint32_t>(__builtin_ctz(set)), number);
         };
         return rays_together(
-            nodes, root, probe_of, of_all.limits, count, visit, [] {}, fetch);
+            nodes, root, bundle, visit, [] {}, fetch);
     }
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
         for (uint32_t k = 0; k < size; ++k) {

@@ -128,11 +128,12 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
     const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; };
     const auto fetch = [&](uint32_t number) __attribute__((always_inline)) { fetch_packet(packets, number); };
     if (together) {
-        const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
-            for (uint32_t k = 0; k < size; ++k) add(numbers[k], items[k]);
+        BundleTest bundle(probe_of, limits, count);
+        const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
+            for (; set != 0; set &= set - 1) add(8 * group + static_cast<uint32_t>(__builtin_ctz(set)), number);
         };
         return rays_together(
-            nodes, root, probe_of, limits, count, visit, [&] { crossing.finish(); }, fetch);
+            nodes, root, bundle, visit, [&] { crossing.finish(); }, fetch);
     }
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
         float before[8];

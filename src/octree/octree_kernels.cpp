@@ -39,8 +39,11 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, c
             of_all.limits[rays[i]] = new_limits[i];
         }
     };
+    VisitsByEight visits(visit_and_set);
+    BundleTest bundle(probe_of, of_all.limits, count);
     rays_together(
-        nodes, root, probe_of, of_all.limits, count, visit_and_set, [] {}, fetch);
+        nodes, root, bundle, [&](uint32_t group, uint32_t set, uint32_t item) { visits.add(group, set, item); },
+        [&] { visits.finish(); }, fetch);
 }
 
 void walk_ray_any(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to) {

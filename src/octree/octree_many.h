@@ -135,30 +135,41 @@ struct Numbers {
 };
 inline constexpr Numbers numbers;
 
-/// The same for up to RayBundling::most rays with the same signs of direction, nearest first by all
-/// of them. visit(rays, items, count) may put off to move limits, which are those of a RayLimits, until settle() at the
-/// end of a leaf.
-template <class ProbeOf, class Visit, class Settle, class Fetch>
-void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_of, const float* limits, uint32_t count,
-                   const Visit& visit, const Settle& settle, const Fetch& fetch) {
-    BundleTest test(probe_of, limits, count);
-    if (test.limit() < 0) return;
-    // Of the boxes of a leaf, nearest first: eight visits take little longer than one.
-    constexpr uint32_t visits = 8;
-    uint32_t rays[2 * visits], items[2 * visits], waiting = 0;
-    const auto visit_first = [&](uint32_t some) {
-        visit(rays, items, some);
-        waiting -= some;
-        for (uint32_t i = 0; i < waiting; ++i) {
-            rays[i] = rays[visits + i];
-            items[i] = items[visits + i];
+/// Visits of several rays to items, by eight: those take little longer than one.
+template <class Visit>
+class VisitsByEight {
+public:
+    /// visit(rays, items, count)
+    explicit VisitsByEight(const Visit& visit) : visit_(visit) {}
+
+    /// A set of rays of a group, as BundleTest counts them.
+    void add(uint32_t group, uint32_t set, uint32_t item) {
+        for (uint32_t i = 0; i < 8; ++i) items_[count_ + i] = item;
+        count_ += take_lanes(rays_ + count_, numbers.up_to + 8 * group, set);
+        if (count_ < 8) return;
+        visit_(rays_, items_, 8u);
+        count_ -= 8;
+        for (uint32_t i = 0; i < count_; ++i) {
+            rays_[i] = rays_[8 + i];
+            items_[i] = items_[8 + i];
         }
-    };
-    const auto visit_later = [&](uint32_t first, uint32_t set, uint32_t item) {
-        for (uint32_t i = 0; i < 8; ++i) items[waiting + i] = item;
-        waiting += take_lanes(rays + waiting, numbers.up_to + first, set);
-        if (waiting >= visits) visit_first(visits);
-    };
+    }
+    void finish() {
+        if (count_ > 0) visit_(rays_, items_, count_);
+        count_ = 0;
+    }
+
+private:
+    const Visit& visit_;
+    uint32_t rays_[16], items_[16], count_ = 0;
+};
+
+/// Rays that have been made a BundleTest share one walk, nearest first by all of them. visit(group, set, item) is for
+/// some rays of a group; it may put off to move their limits until settle() at the end of a leaf.
+template <class Visit, class Settle, class Fetch>
+void rays_together(const OctreeNode* nodes, uint32_t root, BundleTest& test, const Visit& visit, const Settle& settle,
+                   const Fetch& fetch) {
+    if (test.limit() < 0) return;
     KeyedChild stack[stack_size];
     int size = 0;
     uint32_t ref = root;
@@ -185,10 +196,9 @@ void rays_together(const OctreeNode* nodes, uint32_t root, const ProbeOf& probe_
                 for (uint64_t rest = met >> lane & lane_of_groups; rest != 0; rest &= rest - 1) {
                     const auto group = static_cast<uint32_t>(__builtin_ctzll(rest)) / 8;
                     const uint32_t set = test.rays(group, node.boxes, lane);
-                    if (set != 0) visit_later(8 * group, set, node.child[lane]);
+                    if (set != 0) visit(group, set, node.child[lane]);
                 }
             }
-            if (waiting > 0) visit_first(waiting);
             settle();
             test.set_limits();
         }
