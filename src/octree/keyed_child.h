@@ -162,9 +162,9 @@ inline int keep_up_to(float limit, KeyedChild* entries, int size) {
     int kept = 0;
 #if GPHYS_HAS_AVX2
     // Keys compare as signed numbers; their lowest bits do not count.
-    int32_t limit_bits;
+    uint32_t limit_bits;
     std::memcpy(&limit_bits, &limit, sizeof limit_bits);
-    const int64_t last = int64_t{limit_bits} << 32 | int64_t{lane_field} << 32 | 0xffffffff;
+    const auto last = static_cast<int64_t>(uint64_t{limit_bits | lane_field} << 32 | 0xffffffffu);
 #endif
 #if GPHYS_ISA_IS(avx512)
     const __m512i lasts = _mm512_set1_epi64(last);
