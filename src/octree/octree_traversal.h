@@ -172,7 +172,7 @@ bool everywhere(const OctreeNode* nodes, uint32_t root, const Hits& hits, const 
 /// that ran as often as there are would surprise the processor.
 template <size_t read_from = 0>
 [[gnu::always_inline]] inline void fetch_nodes(const OctreeNode* nodes, const uint32_t* refs, uint32_t count) {
-    constexpr uint32_t often = 4, size = sizeof(OctreeNode) - read_from;
+    constexpr uint32_t often = 3, size = sizeof(OctreeNode) - read_from;
     const char* const first = reinterpret_cast<const char*>(nodes) + read_from;
     const auto at = [&](uint32_t i) { return first + sizeof(OctreeNode) * size_t{refs[i] & ~octree_leaf_bit}; };
     for (uint32_t i = 0; i < often; ++i) fetch_ahead(at(i < count ? i : 0), size);
@@ -239,6 +239,14 @@ private:
     fetch_item(memory, items[0]);
     fetch_item(memory, items[1]);
     for (uint32_t i = 2; i < count; ++i) fetch_item(memory, items[i]);
+}
+
+/// The same for a list of any length, four at a time: how often a loop runs is not to be foreseen.
+[[gnu::always_inline]] inline void fetch_many(const ItemMemory& memory, const uint32_t* items, uint32_t count) {
+    if (memory.size == 0) return;
+    for (uint32_t first = 0; first < count; first += 4) {
+        for (uint32_t i = first; i < first + 4; ++i) fetch_item(memory, items[i < count ? i : first]);
+    }
 }
 
 /// Items that a walk without order has found. They are kept back for a while, until what a visit
@@ -365,14 +373,19 @@ void everything_met_by_several(const OctreeNode* nodes, uint32_t root, uint32_t 
         refs[size] = root;
         query_of[size++] = query;
     }
-    const auto add = [](ItemsMet& here, const OctreeNode& leaf, uint32_t lanes, bool inside, const ItemMemory& memory) {
-        uint32_t* const end = here.items[inside] + here.count[inside];
-        const uint32_t added = take_lanes(end, leaf.child, lanes);
-        fetch_items(memory, end, added);
-        here.count[inside] += added;
+    const auto add = [](ItemsMet& here, const OctreeNode& leaf, uint32_t lanes, bool inside) {
+        here.count[inside] += take_lanes(here.items[inside] + here.count[inside], leaf.child, lanes);
         here.complete = here.complete && here.count[inside] <= ItemsMet::capacity;
     };
+    // Nodes are fetched in the order in which they will be visited, one for each that is and another for each that
+    // adds some: without a branch by how many those are, and a good deal ahead.
+    uint32_t fetched = size;
+    const auto fetch_next = [&]() __attribute__((always_inline)) {
+        fetch_ahead(&node_at(nodes, refs[std::min(fetched, size - 1)]), sizeof(OctreeNode));
+        fetched += fetched < size;
+    };
     for (uint32_t next = 0; next < size; ++next) {
+        fetch_next();
         const uint32_t ref = refs[next], query = query_of[next];
         ItemsMet& here = met[query];
         if (!here.complete) continue;
@@ -381,17 +394,21 @@ void everything_met_by_several(const OctreeNode* nodes, uint32_t root, uint32_t 
         const uint32_t hits = hits_of(query, node.boxes, inside) & lanes_of(node);
         inside &= hits;
         if (is_leaf(ref)) {
-            add(here, node, hits & ~inside, false, items);
-            add(here, node, inside, true, items_inside);
+            add(here, node, hits & ~inside, false);
+            add(here, node, inside, true);
         } else if (nodes_of[query] + 9 > ItemsMet::most_nodes) {
             here.complete = false;
         } else {
             const uint32_t added = take_lanes(refs + size, node.child, hits);
             nodes_of[query] += added;
-            for (uint32_t i = 0; i < 8; ++i) query_of[size + i] = query;
-            fetch_nodes(nodes, refs + size, added);
+            std::fill_n(query_of + size, 8, query);
             size += added;
+            fetch_next();
         }
+    }
+    for (uint32_t query = 0; query < count; ++query) {
+        fetch_many(items, met[query].items[0], met[query].count[0]);
+        fetch_many(items_inside, met[query].items[1], met[query].count[1]);
     }
 }
 
