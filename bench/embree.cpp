@@ -45,6 +45,51 @@ bool ray_box(const Box& box, V origin, V direction, float t_far, float& t) {
     return t0 <= t1;
 }
 
+bool sphere_touches(const Box& box, V center, float radius) {
+    const V d = center - box.center;
+    const float half[3] = {box.half.x, box.half.y, box.half.z};
+    float sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float out = std::fmax(0.0f, std::fabs(dot(d, box.axis[k])) - half[k]);
+        sum += out * out;
+    }
+    return sum <= radius * radius;
+}
+
+/// By the fifteen axes of Gottschalk, Lin and Manocha 1996 that may separate them, those of the world first: most
+/// boxes that do not touch are found by these.
+bool aabb_touches(const Box& box, V center, V half_extents) {
+    const V difference = box.center - center;
+    const float d[3] = {difference.x, difference.y, difference.z};
+    const float h[3] = {half_extents.x, half_extents.y, half_extents.z};
+    const float half[3] = {box.half.x, box.half.y, box.half.z};
+    float turn[3][3], size[3][3];  // component i of axis j
+    for (int j = 0; j < 3; ++j) {
+        const V& axis = box.axis[j];
+        turn[0][j] = axis.x;
+        turn[1][j] = axis.y;
+        turn[2][j] = axis.z;
+        for (int i = 0; i < 3; ++i) size[i][j] = std::fabs(turn[i][j]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (std::fabs(d[i]) > h[i] + half[0] * size[i][0] + half[1] * size[i][1] + half[2] * size[i][2]) return false;
+    }
+    for (int j = 0; j < 3; ++j) {
+        const float reach = half[j] + h[0] * size[0][j] + h[1] * size[1][j] + h[2] * size[2][j];
+        if (std::fabs(dot(difference, box.axis[j])) > reach) return false;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        for (int j = 0; j < 3; ++j) {
+            const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            const float reach =
+                h[i1] * size[i2][j] + h[i2] * size[i1][j] + half[j1] * size[i][j2] + half[j2] * size[i][j1];
+            if (std::fabs(d[i2] * turn[i1][j] - d[i1] * turn[i2][j]) > reach) return false;
+        }
+    }
+    return true;
+}
+
 void box_bounds(const RTCBoundsFunctionArguments* args) {
     const Box& b = static_cast<const std::vector<Box>*>(args->geometryUserPtr)->at(args->primID);
     const auto reach = [&](float V::*axis) {
@@ -213,32 +258,24 @@ public:
 
     bool overlap(const std::vector<gphys_sphere>& queries, uint64_t& total) override {
         if (boxes_.empty()) return false;
-        struct Found {
-            const std::vector<Box>* boxes;
-            uint64_t count;
-        } found{&boxes_, 0};
+        total = 0;
         for (const gphys_sphere& q : queries) {
-            RTCPointQuery query{q.center.x, q.center.y, q.center.z, 0, q.radius};
-            RTCPointQueryContext context;
-            rtcInitPointQueryContext(&context);
-            rtcPointQuery(
-                scene_, &query, &context,
-                [](RTCPointQueryFunctionArguments* args) {
-                    auto* f = static_cast<Found*>(args->userPtr);
-                    const Box& b = (*f->boxes)[args->primID];
-                    const V d = V{args->query->x, args->query->y, args->query->z} - b.center;
-                    const float half[3] = {b.half.x, b.half.y, b.half.z};
-                    float sum = 0;
-                    for (int k = 0; k < 3; ++k) {
-                        const float out = std::fmax(0.0f, std::fabs(dot(d, b.axis[k])) - half[k]);
-                        sum += out * out;
-                    }
-                    f->count += sum <= args->query->radius * args->query->radius;
-                    return false;
-                },
-                &found);
+            const V center{q.center.x, q.center.y, q.center.z};
+            total += count_near(center, q.radius, [&](const Box& b) { return sphere_touches(b, center, q.radius); });
         }
-        total = found.count;
+        return true;
+    }
+
+    /// A point query knows spheres only: it is of the one around the box.
+    bool overlap(const std::vector<gphys_aabb>& queries, uint64_t& total) override {
+        if (boxes_.empty()) return false;
+        total = 0;
+        for (const gphys_aabb& q : queries) {
+            const V center{(q.min.x + q.max.x) / 2, (q.min.y + q.max.y) / 2, (q.min.z + q.max.z) / 2};
+            const V half{(q.max.x - q.min.x) / 2, (q.max.y - q.min.y) / 2, (q.max.z - q.min.z) / 2};
+            const float radius = 1.00001f * std::sqrt(dot(half, half));
+            total += count_near(center, radius, [&](const Box& b) { return aabb_touches(b, center, half); });
+        }
         return true;
     }
 
@@ -250,6 +287,28 @@ public:
     }
 
 private:
+    /// How many boxes pass a test, of those whose bounds are that near.
+    template <class Test>
+    uint64_t count_near(V center, float radius, const Test& test) const {
+        struct Found {
+            const std::vector<Box>& boxes;
+            const Test& test;
+            uint64_t count;
+        } found{boxes_, test, 0};
+        RTCPointQuery query{center.x, center.y, center.z, 0, radius};
+        RTCPointQueryContext context;
+        rtcInitPointQueryContext(&context);
+        rtcPointQuery(
+            scene_, &query, &context,
+            [](RTCPointQueryFunctionArguments* args) {
+                auto* f = static_cast<Found*>(args->userPtr);
+                f->count += f->test(f->boxes[args->primID]);
+                return false;
+            },
+            &found);
+        return found.count;
+    }
+
     bool closest_by_packets(const std::vector<gphys_ray>& rays) {
         answers_.resize(rays.size());
         RTCIntersectContext context;
