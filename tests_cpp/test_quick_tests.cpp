@@ -161,61 +161,127 @@ TEST_CASE("of rays that are fewer than eight the quick numbers are those of eigh
     }
 }
 
-TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the same on any instruction set") {
-    Cases cases(75);
-    Tally fine, coarse, elsewhere;
-    for (int i = 0; i < 20000; ++i) {
-        cases.next();
-        // Numbers below the smallest normal float, too.
-        const bool tiny = i % 8 == 0, touching = i % 4 == 1;
-        const float scale = tiny ? 0x1p-147f : 1;
-        const auto scaled = [&](gphys_vec3 v) { return narrow(widen(v) * scale); };
-        // In any order, and one of them twice.
-        constexpr uint32_t order[8] = {6, 2, 0, 5, 3, 1, 4, 2};
-        gphys_aabb boxes[7];
-        std::vector<StoredModel> stored;
-        uint32_t first_quad[8];
-        for (gphys_aabb& box : boxes) {
+namespace {
+
+/// What was said of boxes about the origins of their models, and of others.
+struct Told {
+    Tally fine, hard, elsewhere;
+};
+
+/// Seven boxes in any order, and one of them twice.
+class EightBoxes {
+public:
+    EightBoxes(Cases& cases, int round)
+        : tiny_(round % 8 == 0), touching_(round % 4 == 1), scale_(tiny_ ? 0x1p-147f : 1) {
+        for (gphys_aabb& box : boxes_) {
             gphys_transform world = cases.transform();
-            world.position = scaled(world.position);
-            box = cases.aabb();
-            box = {scaled(box.min), scaled(box.max)};
-            stored.emplace_back(world, box);
+            world.position = scaled(world.position, scale_);
+            if (round % 3 == 0) world.rotation = {0, 0, 0, 1};
+            box = scaled(cases.aabb(), scale_);
+            stored_.emplace_back(world, box);
         }
-        for (int k = 0; k < 8; ++k) first_quad[k] = 4 * order[k];
-        Vec3 center = widen(scaled(cases.point(8)));
-        float radius = cases.size() * scale;
-        if (touching) {
-            // All but touches one of them, from nearby.
-            with_placed(boxes[0], stored[0].world, [&](const auto& placed) {
-                const Vec3 outside = closest_point(placed, center), away = center - outside;
-                center = widen(narrow(outside + away * std::exp2(cases.number(10) - 10)));
-                radius = static_cast<float>(length(center - closest_point(placed, center)));
-            });
-        }
-        const BallLanes ball(center, radius);
-        const float* quads = &stored[0].world.position.x;
-        const Verdicts8 verdicts = scene_kernels(Isa::scalar).boxes_near(quads, first_quad, ball);
+        for (int k = 0; k < 8; ++k) first_quad_[k] = 4 * order[k];
+    }
+
+    /// Of the query; numbers below the smallest normal float, too.
+    float scale() const { return scale_; }
+    /// Whether the query is to touch the first box, all but.
+    bool touching() const { return touching_; }
+    /// Of the first box.
+    Vec3 closest(Vec3 to) const {
+        Vec3 point;
+        with_placed(boxes_[0], stored_[0].world, [&](const auto& placed) { point = closest_point(placed, to); });
+        return point;
+    }
+
+    /// Asks ask(kernels, quads, first_quad) whether `query` meets them.
+    template <class Ask>
+    void check(const Shape& query, bool coarse, const Ask& ask, Told& told) const {
+        const float* quads = &stored_[0].world.position.x;
+        const Verdicts8 verdicts = ask(scene_kernels(Isa::scalar), quads, first_quad_);
         for (const Isa isa : test::isas()) {
-            const Verdicts8 same = scene_kernels(isa).boxes_near(quads, first_quad, ball);
+            const Verdicts8 same = ask(scene_kernels(isa), quads, first_quad_);
             REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));
         }
         REQUIRE((verdicts.no & verdicts.yes) == 0);
         for (int k = 0; k < 8; ++k) {
-            const gphys_aabb& box = boxes[order[k]];
-            const bool truth = with_placed(box, stored[order[k]].world, [&](const auto& placed) {
-                return overlaps(Shape(Sphere{center, radius}), Shape(placed));
-            });
+            const gphys_aabb& box = boxes_[order[k]];
+            const bool truth = with_placed(box, stored_[order[k]].world,
+                                           [&](const auto& placed) { return overlaps(query, Shape(placed)); });
             const bool centered = widen(box.min) == -widen(box.max);
-            Tally& tally = !centered ? elsewhere : tiny || touching || cases.coarse() ? coarse : fine;
+            Tally& tally = !centered ? told.elsewhere : tiny_ || touching_ || coarse ? told.hard : told.fine;
             REQUIRE(tally.add(verdict_of(verdicts, k), truth));
         }
     }
-    CHECK(fine.no > 10000);
-    CHECK(fine.yes > 2000);
-    CHECK(fine.open < 10);
-    CHECK(coarse.open > 100);
-    CHECK(elsewhere.no + elsewhere.yes == 0);
+
+private:
+    static constexpr uint32_t order[8] = {6, 2, 0, 5, 3, 1, 4, 2};
+
+    bool tiny_, touching_;
+    float scale_;
+    gphys_aabb boxes_[7];
+    std::vector<StoredModel> stored_;
+    uint32_t first_quad_[8];
+};
+
+}  // namespace
+
+TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the same on any instruction set") {
+    Cases cases(75);
+    Told told;
+    for (int i = 0; i < 20000; ++i) {
+        cases.next();
+        EightBoxes eight(cases, i);
+        Vec3 center = widen(scaled(cases.point(8), eight.scale()));
+        float radius = cases.size() * eight.scale();
+        if (eight.touching()) {
+            const Vec3 outside = eight.closest(center);
+            center = widen(narrow(outside + (center - outside) * std::exp2(cases.number(10) - 10)));
+            radius = static_cast<float>(length(center - eight.closest(center)));
+        }
+        const BallLanes ball(center, radius);
+        eight.check(
+            Sphere{center, radius}, cases.coarse(),
+            [&](const SceneKernels& kernels, const float* quads, const uint32_t* first_quad) {
+                return kernels.boxes_near(quads, first_quad, ball);
+            },
+            told);
+    }
+    CHECK(told.fine.no > 10000);
+    CHECK(told.fine.yes > 2000);
+    CHECK(told.fine.open < 10);
+    CHECK(told.hard.open > 100);
+    CHECK(told.elsewhere.no + told.elsewhere.yes == 0);
+}
+
+TEST_CASE("of eight boxes at once a box is told the truth, or nothing, and the same on any instruction set") {
+    Cases cases(76);
+    Told told;
+    for (int i = 0; i < 20000; ++i) {
+        cases.next();
+        EightBoxes eight(cases, i);
+        Vec3 center = widen(scaled(cases.point(8), eight.scale()));
+        Vec3 half = Vec3{cases.size(), cases.size(), cases.size()} * eight.scale();
+        if (eight.touching()) {
+            // With a corner, an edge or a face.
+            const Vec3 outside = eight.closest(center);
+            center = outside + (center - outside) * std::exp2(cases.number(10) - 10);
+            half = max(abs(center - outside), i % 8 == 1 ? half * 0.25 : Vec3{});
+        }
+        const gphys_aabb query{narrow(center - half), narrow(center + half)};
+        const BlockLanes block(widen(query));
+        eight.check(
+            widen(query), cases.coarse(),
+            [&](const SceneKernels& kernels, const float* quads, const uint32_t* first_quad) {
+                return kernels.boxes_in_block(quads, first_quad, block);
+            },
+            told);
+    }
+    CHECK(told.fine.no > 10000);
+    CHECK(told.fine.yes > 2000);
+    CHECK(told.fine.open < 10);
+    CHECK(told.hard.open > 100);
+    CHECK(told.elsewhere.no + told.elsewhere.yes == 0);
 }
 
 TEST_CASE("quick tests raise no floating-point exception, however far the ray and the point reach") {
@@ -245,6 +311,9 @@ TEST_CASE("quick tests raise no floating-point exception, however far the ray an
         const SceneKernels& kernels = scene_kernels(isa);
         kernels.boxes_near(&stored.world.position.x, same, BallLanes({-1e15, 1e15, 1e15}, 1e15));
         kernels.boxes_near(&stored.world.position.x, same, BallLanes({}, 0));
+        kernels.boxes_in_block(&stored.world.position.x, same,
+                               BlockLanes(Aabb{{-1e15, -1e15, -1e15}, {1e15, 1e15, 1e15}}));
+        kernels.boxes_in_block(&stored.world.position.x, same, BlockLanes(Aabb{}));
         for (const Vec3 direction : {Vec3{1, 0, 0}, Vec3{1e-45, 0, 0}, Vec3{1e15, 1e15, 1e15}, Vec3{}}) {
             for (const double t_max : {infinity, 0.0, -1.0, 1e38}) {
                 const Ray ray{{-1e15, 0, 1e15}, direction, t_max};

@@ -216,8 +216,8 @@ private:
     uint32_t next_beside(uint32_t slot, uint32_t top) const;
     void remove_slot(uint32_t slot);
 
-    template <class Ask>
-    void overlap_ball(const BallLanes& ball, const uint32_t* slots, uint32_t count, uint32_t layers, const Ask& ask,
+    template <class AskEight, class Ask>
+    void overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, uint32_t layers, const Ask& ask,
                       Smallest<gphys_model_id>& out) const;
 
     // Placement.

@@ -65,7 +65,20 @@ public:
     /// By the conjugate.
     Vector8 back(const Vector8& v) const { return (ww_ - uu_) * v + splat(2) * (dot(u_, v) * u_ + w_ * cross(v, u_)); }
     /// Lanes that leave all vectors as they are, to the last bit.
-    Mask8 none() const { return (sum(abs(u_)) <= splat(0)) & (abs(w_) <= splat(1)) & (splat(1) <= abs(w_)); }
+    Mask8 none() const { return has_no_vector() & (abs(w_) <= splat(1)) & (splat(1) <= abs(w_)); }
+    /// Lanes that turn nothing.
+    Mask8 has_no_vector() const { return sum(abs(u_)) <= splat(0); }
+    /// Component i of axis j.
+    void matrix(Float8 (&axis)[3][3]) const {
+        const Float8 two = splat(2), rest = ww_ - uu_;
+        const Float8 u[3] = {u_.x, u_.y, u_.z};
+        for (int j = 0; j < 3; ++j) {
+            const int next = (j + 1) % 3, previous = (j + 2) % 3;
+            axis[j][j] = rest + two * (u[j] * u[j]);
+            axis[j][next] = two * (u[j] * u[next] + w_ * u[previous]);
+            axis[j][previous] = two * (u[j] * u[previous] - w_ * u[next]);
+        }
+    }
 
 private:
     Vector8 u_;
@@ -198,39 +211,94 @@ Verdicts8 rays_and_spheres(const RaysAndModels<RayQuads>& pairs) {
             bits(below <= square_beyond(closest, zero - margin) + least) ^ 0xff};
 }
 
-/// QuickPoint of the placed boxes: the same numbers and margins.
-Verdicts8 boxes_near(const float* quads, const uint32_t* first_quad, const BallLanes& ball) {
-    const auto quad = [&](uint32_t number) {
+/// Eight models that are Aabbs, as a point sees them: by the numbers and margins of BoxInSight (quick_shape.h).
+struct Boxes8 {
+    Boxes8(const float* quads, const uint32_t* first_quad, const SeenFrom& point)
+        : Boxes8(quad(quads, first_quad, 0), quad(quads, first_quad, 1), quad(quads, first_quad, 2),
+                 quad(quads, first_quad, 3), point) {}
+
+    Vector8 half, from;  // on the axes of the world, the point from the centre
+    Turn8 turn;
+    Float8 margin;      // of each coordinate
+    uint32_t centered;  // those about their origins; of the others nothing is known
+
+private:
+    Boxes8(const Quads8& a, const Quads8& b, const Quads8& c, const Quads8& d, const SeenFrom& point)
+        : turn({a.w, b.x, b.y}, b.z) {
+        const Vector8 position{a.x, a.y, a.z}, low{c.z, c.w, d.x}, high{d.y, d.z, d.w};
+        const Float8 scale = b.w;
+        centered = bits(equal_bits(splat(0) - low.x, high.x) & equal_bits(splat(0) - low.y, high.y) &
+                        equal_bits(splat(0) - low.z, high.z));
+        half = (splat(0.5f) * scale) * (high - low);
+        from = splat3(point.head) - position + splat3(point.rest);
+        const Float8 half_sum = sum(half), sums = sum(abs(position)) + half_sum;
+        margin = splat(float_slack) * (sum(abs(from)) + half_sum) + splat(static_cast<float>(slack)) * sums +
+                 splat(point.slack) + splat(static_cast<float>(smallest_slack)) * (splat(1) + scale);
+    }
+    static Quads8 quad(const float* quads, const uint32_t* first_quad, uint32_t number) {
         uint32_t index[8];
         for (int i = 0; i < 8; ++i) index[i] = first_quad[i] + number;
         return load_quads(quads, index);
-    };
-    const Quads8 a = quad(0), b = quad(1), c = quad(2), d = quad(3);
-    const Vector8 position{a.x, a.y, a.z}, u{a.w, b.x, b.y}, low{c.z, c.w, d.x}, high{d.y, d.z, d.w};
-    const Float8 w = b.z, scale = b.w;
-    const Mask8 centered = equal_bits(splat(0) - low.x, high.x) & equal_bits(splat(0) - low.y, high.y) &
-                           equal_bits(splat(0) - low.z, high.z);
+    }
+};
 
-    const Vector8 half = (splat(0.5f) * scale) * (high - low);
-    const Vector8 from = splat3(ball.head) - position + splat3(ball.rest);
-    const Float8 half_sum = sum(half), sums = sum(abs(position)) + half_sum;
-    const Float8 margin = splat(float_slack) * (sum(abs(from)) + half_sum) + splat(static_cast<float>(slack)) * sums +
-                          splat(ball.slack) + splat(static_cast<float>(smallest_slack)) * (splat(1) + scale);
-    const Turn8 turn(u, w);
-    const Float8 unit = turn.unit();
-    const Vector8 outside = abs(turn.back(from)) - unit * half;
-    const Float8 scaled_margin = margin * unit, far = splat(ball.reach) * unit, limit = far * far;
+/// QuickPoint of the placed boxes: the same numbers and margins.
+Verdicts8 boxes_near(const float* quads, const uint32_t* first_quad, const BallLanes& ball) {
+    const Boxes8 boxes(quads, first_quad, ball.center);
+    const Float8 unit = boxes.turn.unit();
+    const Vector8 outside = abs(boxes.turn.back(boxes.from)) - unit * boxes.half;
+    const Float8 scaled_margin = boxes.margin * unit, far = splat(ball.reach) * unit, limit = far * far;
     const Float8 at_least = square_beyond(outside, scaled_margin),
                  at_most = square_beyond(outside, splat(0) - scaled_margin);
     const Float8 above = limit * splat(1 + square_slack) + splat(smallest_square);
     const uint32_t no = bits(at_least <= above) ^ 0xff;
     const uint32_t yes = bits(limit * splat(1 - square_slack) <= at_most + splat(smallest_square)) ^ 0xff;
-    const uint32_t known = bits(centered);
-    return {no & known, yes & known};
+    return {no & boxes.centered, yes & boxes.centered};
+}
+
+/// The separating axes of QuickBlock, where the query is parallel to the axes of the world: with as many roundings of
+/// 2^-24, of distances that are as large. Axes across an edge of each are none where those are parallel, as in models
+/// that are not turned at all: to these the others are enough.
+Verdicts8 boxes_in_block(const float* quads, const uint32_t* first_quad, const BlockLanes& block) {
+    const Boxes8 boxes(quads, first_quad, block.center);
+    const Float8 unit = boxes.turn.unit();
+    const Vector8 sizes = splat3(block.half);
+    const Float8 offset[3] = {boxes.from.x, boxes.from.y, boxes.from.z};
+    const Float8 own[3] = {sizes.x, sizes.y, sizes.z}, half[3] = {boxes.half.x, boxes.half.y, boxes.half.z};
+    Float8 axis[3][3], size[3][3];  // component i of axis j, times unit
+    boxes.turn.matrix(axis);
+    for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 3; ++i) size[j][i] = abs(axis[j][i]);
+    }
+    const Float8 margin = unit * (boxes.margin + splat(float_slack) * sum(sizes));
+
+    Float8 gap = splat(-std::numeric_limits<float>::max()), across = gap;  // the widest between them
+    for (int k = 0; k < 3; ++k) {
+        const Float8 reach = size[0][k] * half[0] + size[1][k] * half[1] + size[2][k] * half[2];
+        const Float8 here = (abs(offset[k]) - own[k]) * unit - reach;
+        const Float8 along = axis[k][0] * offset[0] + axis[k][1] * offset[1] + axis[k][2] * offset[2];
+        const Float8 of_query = size[k][0] * own[0] + size[k][1] * own[1] + size[k][2] * own[2];
+        const Float8 there = abs(along) - half[k] * unit - of_query;
+        gap = max(gap, max(here, there));
+    }
+    for (int i = 0; i < 3; ++i) {
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        for (int j = 0; j < 3; ++j) {
+            const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+            const Float8 distance = abs(offset[i2] * axis[j][i1] - offset[i1] * axis[j][i2]);
+            const Float8 reach =
+                own[i1] * size[j][i2] + own[i2] * size[j][i1] + half[j1] * size[j2][i] + half[j2] * size[j1][i];
+            across = max(across, distance - reach);
+        }
+    }
+    gap = choose(boxes.turn.has_no_vector(), gap, max(gap, across));
+    const uint32_t no = bits(gap <= margin) ^ 0xff, yes = bits(splat(0) - margin <= gap) ^ 0xff;
+    return {no & boxes.centered, yes & boxes.centered};
 }
 
 }  // namespace
 
-extern const SceneKernels scene_kernels{make_ray_quads, rays_and_spheres, rays_and_aabbs, rays_and_obbs, boxes_near};
+extern const SceneKernels scene_kernels{make_ray_quads, rays_and_spheres, rays_and_aabbs,
+                                        rays_and_obbs,  boxes_near,       boxes_in_block};
 
 }  // namespace gphys::GPHYS_ISA

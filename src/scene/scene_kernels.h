@@ -18,18 +18,37 @@ inline float ray_end(double t_max, Vec3 direction) {
     return static_cast<float>(std::min(t_max * std::max(max_component(abs(direction)), least_speed), most_end));
 }
 
-/// A ball: what QuickPoint (quick_tests.h) knows of it.
-struct BallLanes {
-    float head[3], rest[3];  // of the centre, as those of SplitPoint
-    float slack, reach;
+/// A point that models are seen from, as SplitPoint (quick_shape.h).
+struct SeenFrom {
+    float head[3], rest[3];
+    float slack;
 
-    BallLanes(Vec3 center, double radius) : reach(static_cast<float>(std::min(radius, most_reach))) {
-        const SplitPoint split(center);
+    /// `size` is that of what is around the point.
+    SeenFrom(Vec3 point, double size) : slack(static_cast<float>(gphys::slack * (sum(abs(point)) + size))) {
+        const SplitPoint split(point);
         for (int k = 0; k < 3; ++k) {
             head[k] = split.head[k];
             rest[k] = split.rest[k];
         }
-        slack = static_cast<float>(gphys::slack * sum(abs(center)));
+    }
+};
+
+/// A ball: what QuickPoint (quick_tests.h) knows of it.
+struct BallLanes {
+    SeenFrom center;
+    float reach;
+
+    BallLanes(Vec3 c, double radius) : center(c, 0), reach(static_cast<float>(std::min(radius, most_reach))) {}
+};
+
+/// A box that is parallel to the axes of the world: what QuickBlock knows of it.
+struct BlockLanes {
+    SeenFrom center;
+    float half[3];
+
+    explicit BlockLanes(const Aabb& box) : center((box.min + box.max) * 0.5, sum(box.max - box.min)) {
+        const Vec3 sizes = (box.max - box.min) * 0.5;
+        for (int k = 0; k < 3; ++k) half[k] = static_cast<float>(sizes[k]);
     }
 };
 
@@ -41,9 +60,10 @@ struct SceneKernels {
     Verdicts8 (*rays_and_spheres)(const RaysAndModels<RayQuads>& pairs);
     Verdicts8 (*rays_and_aabbs)(const RaysAndModels<RayQuads>& pairs);
     Verdicts8 (*rays_and_obbs)(const RaysAndModels<RayQuads>& pairs);
-    /// Of eight models that are Aabbs; those that are not about their origins stay open. Model k has four
-    /// quads from first_quad[k] on: its transform, two words of no interest, min and max.
+    // Whether eight models that are Aabbs meet a query; those that are not about their origins stay open. Model k has
+    // four quads from first_quad[k] on: its transform, two words of no interest, min and max.
     Verdicts8 (*boxes_near)(const float* quads, const uint32_t* first_quad, const BallLanes& ball);
+    Verdicts8 (*boxes_in_block)(const float* quads, const uint32_t* first_quad, const BlockLanes& block);
 };
 
 GPHYS_DECLARE_KERNELS(SceneKernels, scene_kernels)

@@ -49,17 +49,16 @@ Box box_around(const Frustum& frustum) {
 
 }  // namespace
 
-/// Those of a list that a ball meets: Aabbs by eight, others by ask(slot).
-template <class Ask>
-void Scene::overlap_ball(const BallLanes& ball, const uint32_t* slots, uint32_t count, uint32_t layers, const Ask& ask,
-                         Smallest<gphys_model_id>& out) const {
+/// Those of a list that meet a query: Aabbs by ask_eight(quads, first_quad), others by ask(slot).
+template <class AskEight, class Ask>
+void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, uint32_t layers,
+                         const Ask& ask, Smallest<gphys_model_id>& out) const {
     constexpr uint32_t quads = sizeof(Model) / (4 * sizeof(float));
     static_assert(quads == 4);
     uint32_t boxes[8], first_quad[8], waiting = 0;
     const auto decide_boxes = [&] {
         for (uint32_t k = waiting; k < 8; ++k) first_quad[k] = first_quad[0];
-        const Verdicts8 verdicts =
-            kernels_.boxes_near(reinterpret_cast<const float*>(models_.data()), first_quad, ball);
+        const Verdicts8 verdicts = ask_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
         for (uint32_t k = 0; k < waiting; ++k) out.add_if(verdicts.yes >> k & 1, ids_.id(boxes[k]));
         uint32_t open = ~(verdicts.no | verdicts.yes) & ((1u << waiting) - 1);
         for (; open != 0; open &= open - 1) ask(boxes[__builtin_ctz(open)]);
@@ -119,11 +118,18 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
             };
             const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
             const bool is_met = met && met->complete;
-            const auto each_met = [&](const auto& visit) {
-                for (const bool inside : {false, true}) {
-                    for (uint32_t i = 0; i < met->count[inside]; ++i) visit(met->items[inside][i], inside);
-                }
-                return true;
+            const auto find_by = [&](const auto& ask_eight) {
+                return [&](const uint32_t* slots, uint32_t count, bool wholly_inside) {
+                    if (wholly_inside && inside_is_found) {
+                        for (uint32_t i = 0; i < count; ++i) out.add(ids_.id(slots[i]));
+                    } else {
+                        overlap_each(ask_eight, slots, count, layers, ask, out);
+                    }
+                    return true;
+                };
+            };
+            const auto find_met = [&](const auto& find_all) {
+                return find_all(met->items[0], met->count[0], false) && find_all(met->items[1], met->count[1], true);
             };
             if constexpr (std::is_same_v<Query, Plane>) {
                 octree_.overlap([&](const Box& box) { return may_touch(shape, box); }, ask);
@@ -131,25 +137,24 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
                 octree_.frustum(shape, box_around(shape), find, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Sphere>) {
                 const BallLanes ball(shape.center, shape.radius);
-                const auto find_all = [&](const uint32_t* slots, uint32_t count, bool wholly_inside) {
-                    if (wholly_inside && inside_is_found) {
-                        for (uint32_t i = 0; i < count; ++i) out.add(ids_.id(slots[i]));
-                    } else {
-                        overlap_ball(ball, slots, count, layers, ask, out);
-                    }
-                    return true;
+                const auto near_ball = [&](const float* quads, const uint32_t* first) {
+                    return kernels_.boxes_near(quads, first, ball);
                 };
-                if (is_met) {
-                    find_all(met->items[0], met->count[0], false);
-                    find_all(met->items[1], met->count[1], true);
-                } else {
-                    octree_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
-                }
+                const auto find_all = find_by(near_ball);
+                is_met ? find_met(find_all)
+                       : octree_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Aabb>) {
-                is_met ? each_met(find) : octree_.overlap_box(gphys::bounds(shape), find, models, if_inside);
+                const BlockLanes block(shape);
+                const auto in_block = [&](const float* quads, const uint32_t* first) {
+                    return kernels_.boxes_in_block(quads, first, block);
+                };
+                const auto find_all = find_by(in_block);
+                is_met ? find_met(find_all) : octree_.overlap_box(gphys::bounds(shape), find_all, models, if_inside);
             } else {
-                const auto ask_each = [&](uint32_t slot, bool) { return ask(slot); };
-                is_met ? each_met(ask_each) : octree_.overlap_box(gphys::bounds(shape), ask_each, models, models);
+                const auto ask_all = [&](const uint32_t* slots, uint32_t count, bool) {
+                    return std::all_of(slots, slots + count, ask);
+                };
+                is_met ? find_met(ask_all) : octree_.overlap_box(gphys::bounds(shape), ask_all, models, models);
             }
         },
         query);
