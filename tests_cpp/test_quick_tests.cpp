@@ -224,28 +224,17 @@ private:
     uint32_t first_quad_[8];
 };
 
-}  // namespace
-
-TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the same on any instruction set") {
-    Cases cases(75);
+/// make_query(cases, eight, query) returns how kernels are asked about it.
+template <class MakeQuery>
+void check_eight_boxes(uint64_t seed, const MakeQuery& make_query) {
+    Cases cases(seed);
     Told told;
     for (int i = 0; i < 20000; ++i) {
         cases.next();
-        EightBoxes eight(cases, i);
-        Vec3 center = widen(scaled(cases.point(8), eight.scale()));
-        float radius = cases.size() * eight.scale();
-        if (eight.touching()) {
-            const Vec3 outside = eight.closest(center);
-            center = widen(narrow(outside + (center - outside) * std::exp2(cases.number(10) - 10)));
-            radius = static_cast<float>(length(center - eight.closest(center)));
-        }
-        const BallLanes ball(center, radius);
-        eight.check(
-            Sphere{center, radius}, cases.coarse(),
-            [&](const SceneKernels& kernels, const float* quads, const uint32_t* first_quad) {
-                return kernels.boxes_near(quads, first_quad, ball);
-            },
-            told);
+        const EightBoxes eight(cases, i);
+        Shape query;
+        const auto ask = make_query(cases, eight, query);
+        eight.check(query, cases.coarse(), ask, told);
     }
     CHECK(told.fine.no > 10000);
     CHECK(told.fine.yes > 2000);
@@ -254,34 +243,41 @@ TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the 
     CHECK(told.elsewhere.no + told.elsewhere.yes == 0);
 }
 
+}  // namespace
+
+TEST_CASE("of eight boxes at once a ball is told the truth, or nothing, and the same on any instruction set") {
+    check_eight_boxes(75, [](Cases& cases, const EightBoxes& eight, Shape& query) {
+        Vec3 center = widen(scaled(cases.point(8), eight.scale()));
+        float radius = cases.size() * eight.scale();
+        if (eight.touching()) {
+            const Vec3 outside = eight.closest(center);
+            center = widen(narrow(outside + (center - outside) * std::exp2(cases.number(10) - 10)));
+            radius = static_cast<float>(length(center - eight.closest(center)));
+        }
+        query = Sphere{center, radius};
+        return [ball = BallLanes(center, radius)](const SceneKernels& kernels, const float* quads,
+                                                  const uint32_t* first_quad) {
+            return kernels.boxes_near(quads, first_quad, ball);
+        };
+    });
+}
+
 TEST_CASE("of eight boxes at once a box is told the truth, or nothing, and the same on any instruction set") {
-    Cases cases(76);
-    Told told;
-    for (int i = 0; i < 20000; ++i) {
-        cases.next();
-        EightBoxes eight(cases, i);
+    check_eight_boxes(76, [](Cases& cases, const EightBoxes& eight, Shape& query) {
         Vec3 center = widen(scaled(cases.point(8), eight.scale()));
         Vec3 half = Vec3{cases.size(), cases.size(), cases.size()} * eight.scale();
         if (eight.touching()) {
             // With a corner, an edge or a face.
             const Vec3 outside = eight.closest(center);
             center = outside + (center - outside) * std::exp2(cases.number(10) - 10);
-            half = max(abs(center - outside), i % 8 == 1 ? half * 0.25 : Vec3{});
+            half = max(abs(center - outside), cases.number(1) > 0 ? half * 0.25 : Vec3{});
         }
-        const gphys_aabb query{narrow(center - half), narrow(center + half)};
-        const BlockLanes block(widen(query));
-        eight.check(
-            widen(query), cases.coarse(),
-            [&](const SceneKernels& kernels, const float* quads, const uint32_t* first_quad) {
-                return kernels.boxes_in_block(quads, first_quad, block);
-            },
-            told);
-    }
-    CHECK(told.fine.no > 10000);
-    CHECK(told.fine.yes > 2000);
-    CHECK(told.fine.open < 10);
-    CHECK(told.hard.open > 100);
-    CHECK(told.elsewhere.no + told.elsewhere.yes == 0);
+        const Aabb box = widen(gphys_aabb{narrow(center - half), narrow(center + half)});
+        query = box;
+        return [block = BlockLanes(box)](const SceneKernels& kernels, const float* quads, const uint32_t* first_quad) {
+            return kernels.boxes_in_block(quads, first_quad, block);
+        };
+    });
 }
 
 TEST_CASE("quick tests raise no floating-point exception, however far the ray and the point reach") {
