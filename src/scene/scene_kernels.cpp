@@ -256,9 +256,11 @@ Verdicts8 boxes_near(const float* quads, const uint32_t* first_quad, const BallL
     return {no & boxes.centered, yes & boxes.centered};
 }
 
-/// The separating axes of QuickBlock, where the query is parallel to the axes of the world: with as many roundings of
-/// 2^-24, of distances that are as large. Axes across an edge of each are none where those are parallel, as in models
-/// that are not turned at all: to these the others are enough.
+/// The separating axes of QuickBlock, where the query is parallel to the axes of the world. Axes across an edge of each
+/// are none where those are parallel, as in models that are not turned at all: to these the others are enough.
+///
+/// A component of an axis is off by at most 18 roundings of 2^-24 of `unit`: six, of numbers that add up to three times
+/// that. What is added up of such components and distances takes five more. float_slack stands for 128.
 Verdicts8 boxes_in_block(const float* quads, const uint32_t* first_quad, const BlockLanes& block) {
     const Boxes8 boxes(quads, first_quad, block.center);
     const Float8 unit = boxes.turn.unit();
