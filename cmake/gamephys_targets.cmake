@@ -1,13 +1,14 @@
 # gamephys         shared library (gamephys::gamephys), or another name of the static one
 # gamephys_static  static archive (gamephys::static)
 #
-# The archive is a compilation of its own, without exported symbols: objects made for the shared
-# library would re-export the whole interface from any shared object that takes the archive in.
+# Both take the same objects of everything below src/c_api. The C interface itself is compiled for
+# each: objects that export it would re-export it from any shared object that takes the archive in.
 
 file(GLOB_RECURSE GAMEPHYS_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*.cpp)
 # Compiled once for each instruction set (src/foundation/isa.h has the same list).
 file(GLOB_RECURSE GAMEPHYS_KERNELS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*_kernels.cpp)
-list(REMOVE_ITEM GAMEPHYS_SOURCES ${GAMEPHYS_KERNELS})
+file(GLOB GAMEPHYS_INTERFACE CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/c_api/*.cpp)
+list(REMOVE_ITEM GAMEPHYS_SOURCES ${GAMEPHYS_KERNELS} ${GAMEPHYS_INTERFACE})
 set(GAMEPHYS_ISAS scalar)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|i[3-6]86)$")
   list(APPEND GAMEPHYS_ISAS sse2 avx2 avx512)
@@ -75,21 +76,27 @@ function(gamephys_compilation target)
   endif()
 endfunction()
 
-# What both forms of the library share.
+# Objects for both forms of the library: the kernels of each instruction set, and the rest.
+set(GAMEPHYS_OBJECTS)
+function(gamephys_objects target)
+  add_library(${target} OBJECT ${ARGN})
+  gamephys_compilation(${target})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  target_compile_definitions(${target} PRIVATE GAMEPHYS_STATIC)
+  set(GAMEPHYS_OBJECTS ${GAMEPHYS_OBJECTS} $<TARGET_OBJECTS:${target}> PARENT_SCOPE)
+endfunction()
+gamephys_objects(gamephys_core ${GAMEPHYS_SOURCES})
+foreach(isa ${GAMEPHYS_ISAS})
+  gamephys_objects(gamephys_${isa} ${GAMEPHYS_KERNELS})
+  target_compile_definitions(gamephys_${isa} PRIVATE GPHYS_ISA=${isa})
+  target_compile_options(gamephys_${isa} PRIVATE ${GAMEPHYS_OPTIONS_${isa}})
+endforeach()
+
 function(gamephys_library target)
-  add_library(${target} ${ARGN} ${GAMEPHYS_SOURCES})
+  add_library(${target} ${ARGN} ${GAMEPHYS_INTERFACE} ${GAMEPHYS_OBJECTS})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   gamephys_compilation(${target})
-  foreach(isa ${GAMEPHYS_ISAS})
-    set(kernels ${target}_${isa})
-    add_library(${kernels} OBJECT ${GAMEPHYS_KERNELS})
-    gamephys_compilation(${kernels})
-    target_include_directories(${kernels} PRIVATE ${PROJECT_SOURCE_DIR}/include)
-    target_compile_definitions(${kernels} PRIVATE GPHYS_ISA=${isa})
-    target_compile_options(${kernels} PRIVATE ${GAMEPHYS_OPTIONS_${isa}})
-    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
-  endforeach()
 endfunction()
 
 gamephys_library(gamephys_static STATIC)
