@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Times the library: ./bench.sh [scene mesh query update accuracy solver] [--peers] [--quick] [--docs]
+# Times the library: ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]
 # Installs what it needs, builds with the flags that users get, writes build/bench/<suite>.csv with
 # a plot beside each, the machine's description and ratios.md. --peers measures Embree, Bullet and
 # FCL in the same run; --quick is a few seconds of smaller work; --docs puts the results into
 # docs/benchmarks.md, those of the accuracy suite into docs/accuracy.md, those of the solver into
-# docs/solver_figures.md.
+# docs/solver_figures.md. The batches suite fails if a batch of rays takes longer
+# than single calls.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -13,6 +14,7 @@ docs=OFF
 arguments=()
 suites=()
 solver=OFF
+batches=OFF
 for argument in "$@"; do
     case $argument in
         --peers) peers=ON ;;
@@ -20,8 +22,9 @@ for argument in "$@"; do
         --quick) arguments+=("$argument") ;;
         scene | mesh | query | update | accuracy) suites+=("$argument") ;;
         solver) solver=ON ;;
+        batches) batches=ON ;;
         *)
-            echo "usage: ./bench.sh [scene mesh query update accuracy solver] [--peers] [--quick] [--docs]" >&2
+            echo "usage: ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]" >&2
             exit 2
             ;;
     esac
@@ -35,7 +38,7 @@ install_packages "${packages[@]}"
 
 cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_TESTS=OFF -DGAMEPHYS_EXAMPLES=OFF \
     -DGAMEPHYS_BENCH=ON -DGAMEPHYS_BENCH_PEERS=$peers
-cmake --build build/release --target gamephys_bench gamephys_bench_solver
+cmake --build build/release --target gamephys_bench gamephys_bench_batches gamephys_bench_solver
 mkdir -p build/bench
 rm -f build/bench/*.csv
 {
@@ -45,7 +48,7 @@ rm -f build/bench/*.csv
     echo "Date: $(date -u +%F)"
     case " ${arguments[*]} " in *" --quick "*) echo "Work: a part, by --quick" ;; esac
 } | tee build/bench/machine.txt
-if [ ${#suites[@]} -gt 0 ] || [ $solver = OFF ]; then
+if [ ${#suites[@]} -gt 0 ] || [ $solver$batches = OFFOFF ]; then
     build/release/bench/gamephys_bench --out=build/bench "${suites[@]}" "${arguments[@]}"
 fi
 
@@ -86,6 +89,12 @@ plot for [row in rows] sprintf("< awk -F, -v OFS=, -v r=%s '\$2\"/\"\$3==r {prin
     with linespoints title row noenhanced
 PLOT
 done
+
+# Batches beside single calls: a table.
+slower=0
+if [ $batches = ON ]; then
+    build/release/bench/gamephys_bench_batches --out=build/bench "${arguments[@]}" || slower=1
+fi
 
 # Work and precision of solvers: stretch against the time of a frame, a picture a case.
 if [ $solver = ON ]; then
@@ -138,3 +147,4 @@ if [ $docs = ON ] && [ $solver = ON ]; then
     python3 bench/report.py build/bench --docs-solver >docs/solver_figures.md
 fi
 ls build/bench
+exit $slower

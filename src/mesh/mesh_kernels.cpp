@@ -132,8 +132,9 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
         const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
             for (; set != 0; set &= set - 1) add(8 * group + static_cast<uint32_t>(__builtin_ctz(set)), number);
         };
-        return rays_together(
-            nodes, root, bundle, visit, [&] { crossing.finish(); }, fetch);
+        const bool done = rays_together(
+            nodes, root, bundle, count, visit, [&] { crossing.finish(); }, fetch);
+        if (done) return;
     }
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
         float before[8];

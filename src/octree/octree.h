@@ -64,6 +64,8 @@ public:
     /// Up to rays_at_once rays. Neighbours that go much the same way share a walk; the others take
     /// turns, so that none waits for memory. visit(numbers, items, count) is for up to eight rays, each with
     /// an item, cuts short what it will of them, and tells which: bit k of the result is for rays[numbers[k]].
+    /// A ray may visit an item twice: with its neighbours, and again by itself where they turn out to have too
+    /// little in common.
     static constexpr uint32_t rays_at_once = octree_most_rays;
     template <class Visit>
     void raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items = {}) const;

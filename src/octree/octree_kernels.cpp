@@ -41,9 +41,10 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, c
     };
     VisitsByEight visits(visit_and_set);
     BundleTest bundle(probe_of, of_all.limits, count);
-    rays_together(
-        nodes, root, bundle, [&](uint32_t group, uint32_t set, uint32_t item) { visits.add(group, set, item); },
+    const bool done = rays_together(
+        nodes, root, bundle, count, [&](uint32_t group, uint32_t set, uint32_t item) { visits.add(group, set, item); },
         [&] { visits.finish(); }, fetch);
+    if (!done) rays_in_turns<Walk>(nodes, root, probe_of, of_all.limits, count, visit, fetch);
 }
 
 void walk_ray_any(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to) {

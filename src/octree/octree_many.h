@@ -164,21 +164,47 @@ private:
     uint32_t rays_[16], items_[16], count_ = 0;
 };
 
+/// Whether a shared traversal is still cheaper than one for each ray. How far rays are apart tells little, as leaves
+/// differ in size; what the traversal has met so far tells more. Each ray would have visited some nodes by itself,
+/// and about one for each item that it may meet. The shared traversal has visited nodes, and in leaves has tested
+/// groups and rays; a test of one box costs about a third of that of a node. The weights are fitted to the
+/// benchmark of batches (bench/batches.cpp), which fails where a batch takes longer than its single calls.
+class SharedCost {
+public:
+    explicit SharedCost(uint32_t rays) : alone_(nodes_of_each * rays) {}
+
+    void add_node() { shared_ += node; }
+    void add_groups(uint32_t count) { shared_ += group * count; }
+    void add_box(uint32_t rays) {
+        shared_ += box;
+        alone_ += item * rays;
+    }
+    bool is_too_high() const { return shared_ > alone_; }
+
+private:
+    static constexpr uint32_t node = 3, group = 2, box = 1, nodes_of_each = 12, item = 4;
+
+    uint32_t shared_ = 0, alone_;
+};
+
 /// Rays that have been made a BundleTest share one walk, nearest first by all of them. visit(group, set, item) is for
-/// some rays of a group; it may put off to move their limits until settle() at the end of a leaf.
+/// some rays of a group; it may put off to move their limits until settle() at the end of a leaf. False if the rays
+/// turn out to have too little in common: then each is to begin again by itself, with the limit that it has.
 template <class Visit, class Settle, class Fetch>
-void rays_together(const OctreeNode* nodes, uint32_t root, BundleTest& test, const Visit& visit, const Settle& settle,
-                   const Fetch& fetch) {
-    if (test.limit() < 0) return;
+bool rays_together(const OctreeNode* nodes, uint32_t root, BundleTest& test, uint32_t count, const Visit& visit,
+                   const Settle& settle, const Fetch& fetch) {
+    if (test.limit() < 0) return true;
     KeyedChild stack[stack_size];
     int size = 0;
     uint32_t ref = root;
+    SharedCost cost(count);
     for (;;) {
         const OctreeNode& node = node_at(nodes, ref);
         Float8 keys;
         Found found;
         found.hits = test.hits(node.boxes, keys) & lanes_of(node);
         store(found.keys, keys);
+        cost.add_node();
         if (found.hits != 0 && !is_leaf(ref)) {
             const int base = size;
             size = push_nearest_last(stack, size, node.child, found, false);
@@ -188,6 +214,7 @@ void rays_together(const OctreeNode* nodes, uint32_t root, BundleTest& test, con
         }
         if (found.hits != 0) {
             const uint64_t met = test.hits_of_groups(node.boxes);
+            cost.add_groups((count + 7) / 8);
             constexpr uint64_t lane_of_groups = 0x0101010101010101;
             for (uint32_t rest = found.hits; rest != 0; rest &= rest - 1) fetch(node.child[__builtin_ctz(rest)]);
             KeyedChild ordered[8 + pushed_beyond];
@@ -196,14 +223,16 @@ void rays_together(const OctreeNode* nodes, uint32_t root, BundleTest& test, con
                 for (uint64_t rest = met >> lane & lane_of_groups; rest != 0; rest &= rest - 1) {
                     const auto group = static_cast<uint32_t>(__builtin_ctzll(rest)) / 8;
                     const uint32_t set = test.rays(group, node.boxes, lane);
+                    cost.add_box(static_cast<uint32_t>(__builtin_popcount(set)));
                     if (set != 0) visit(group, set, node.child[lane]);
                 }
             }
             settle();
             test.set_limits();
         }
+        if (cost.is_too_high()) return false;
         do {
-            if (size == 0) return;
+            if (size == 0) return true;
             --size;
         } while (!(key_of(stack[size]) <= test.limit()));
         ref = child_of(stack[size]);
