@@ -31,7 +31,7 @@ SOLVER_PAGE = """# Figures of the solver
 
 {machine}
 
-Written by `./bench.sh solver --peers --docs`. A row is a case moved by a method in so many substeps a 60 Hz frame (iterations, of Bullet and Jakobsen). A frame is the median of processor time, by the clock for cases of threads, where `2_apart` are two threads with a solver of their own each, what both make together: two that have nothing to tell each other; strain is by how much rigid links are too long (rms: or too short), over the whole run for those that begin in free space. [solver.md](solver.md) says what the cases are. `free_...` are particles that rain on boxes: all fly, land, or lie, and the mean of three seconds; their error is how deep the deepest is in a box or the ground at the end. `drape_within_2_percent` is `drape_over_mesh` with `max_strain` set to 2 %, over ten seconds: the mean of all frames, or the longest of them, beside the substeps that they took on average, or at most.
+Written by `./bench.sh solver --peers --docs`. A row is a case moved by a method in so many substeps a 60 Hz frame (iterations, of Bullet and Jakobsen). A frame is the median of processor time, by the clock for cases of threads, where `2_apart` are two threads with a solver of their own each, what both make together: two that have nothing to tell each other; stretch and compression are by how much rigid links are too long and too short, over the whole run for those that begin in free space. [solver.md](solver.md) says what the cases are. `free_...` are particles that rain on boxes: all fly, land, or lie, and the mean of three seconds; their error is how deep the deepest is in a box or the ground at the end. `drape_within_2_percent` is `drape_over_mesh` with `max_strain` set to 2 %, over ten seconds: the mean of all frames, or the longest of them, beside the substeps that they took on average, or at most.
 
 """
 
@@ -109,10 +109,10 @@ def solver_page(directory):
 
     with (directory / "solver.csv").open(newline="") as file:
         rows = [[f"`{row['case']}`", row["method"], row["substeps"], number(float(row["ms"])),
-                 percent(row["strain_max"]), percent(row["strain_rms"]), row["position_error"]]
+                 percent(row["strain_max"]), percent(row["compression_max"]), percent(row["strain_rms"]), row["position_error"]]
                 for row in csv.DictReader(file)]
     machine = "  \n".join((directory / "machine.txt").read_text().splitlines())
-    head = ["case", "method", "substeps", "ms a frame", "largest strain", "rms", "error, m"]
+    head = ["case", "method", "substeps", "ms a frame", "largest stretch", "largest compression", "rms strain", "error, m"]
     return SOLVER_PAGE.format(machine=machine) + table(head, rows).rstrip() + "\n"
 
 

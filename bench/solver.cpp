@@ -125,17 +125,30 @@ double distance(gphys_vec3 a, gphys_vec3 b) {
     return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y, static_cast<double>(a.z) - b.z);
 }
 
-/// Largest stretch of rigid links, and the root of its mean square.
-std::pair<double, double> stretch(const System& system, const std::vector<gphys_vec3>& positions) {
-    double most = 0, squares = 0, count = 0;
+/// Of rigid links: the largest stretch and compression, and the root mean square of both.
+struct Strain {
+    double stretch = 0, compression = 0, rms = 0;
+
+    void widen(const Strain& other) {
+        stretch = std::max(stretch, other.stretch);
+        compression = std::max(compression, other.compression);
+        rms = std::max(rms, other.rms);
+    }
+};
+
+Strain strain_of(const System& system, const std::vector<gphys_vec3>& positions) {
+    Strain result;
+    double squares = 0, count = 0;
     for (const Link& link : system.links) {
         if (link.compliance > 0) continue;
         const double strain = distance(positions[link.a], positions[link.b]) / link.rest - 1;
-        most = std::max(most, strain);
+        result.stretch = std::max(result.stretch, strain);
+        result.compression = std::max(result.compression, -strain);
         squares += strain * strain;
         ++count;
     }
-    return {most, std::sqrt(squares / count)};
+    result.rms = std::sqrt(squares / count);
+    return result;
 }
 
 /// Joules, without what compliant links hold.
@@ -249,7 +262,8 @@ public:
     Table(const std::string& path, std::vector<std::string> wanted)
         : file_(std::fopen(path.c_str(), "w")), wanted_(std::move(wanted)) {
         if (!file_) throw std::runtime_error("cannot write " + path);
-        std::fputs("suite,case,method,substeps,ms,strain_max,strain_rms,energy_gain,position_error\n", file_);
+        std::fputs("suite,case,method,substeps,ms,strain_max,strain_rms,energy_gain,position_error,compression_max\n",
+                   file_);
     }
     ~Table() { std::fclose(file_); }
 
@@ -304,7 +318,7 @@ public:
             const double ms = result.seconds * 1e3, each = ms * 1e6 / static_cast<double>(rain.particles.size());
             std::printf("%-18s %-10s %5u %9.3f ms   %s, %.1f ns a particle, %.2g m deep\n", name.c_str(), method_name,
                         1, ms, result.when, each, depth);
-            std::fprintf(file_, "solver,%s_%s,%s,1,%.4g,,,,%.3g\n", name.c_str(), result.when, method_name, ms, depth);
+            std::fprintf(file_, "solver,%s_%s,%s,1,%.4g,,,,%.3g,\n", name.c_str(), result.when, method_name, ms, depth);
         }
         std::fflush(stdout);
     }
@@ -315,12 +329,13 @@ public:
         const std::unique_ptr<Method> method = make(drape, effort);
         const double ms = measure_drape(*method, seconds) * 1e3;
         const std::vector<gphys_vec3> positions = method->positions();
-        const auto [most, rms] = stretch(drape.sheet, positions);
+        const Strain strain = strain_of(drape.sheet, positions);
         const double depth = depth_in_ball(positions);
-        std::printf("%-18s %-10s %5u %9.3f ms   strain %9.3g max %9.3g rms at the end, %.2g m deep\n", name,
-                    method_name, effort, ms, most, rms, depth);
+        std::printf("%-18s %-10s %5u %9.3f ms   %s at the end, %.2g m deep\n", name, method_name, effort, ms,
+                    described(strain).c_str(), depth);
         std::fflush(stdout);
-        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,,%.3g\n", name, method_name, effort, ms, most, rms, depth);
+        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,,%.3g,%.4g\n", name, method_name, effort, ms,
+                     strain.stretch, strain.rms, depth, strain.compression);
     }
 
     /// With a target of strain: rows with the mean of all frames and with the longest one, both beside the largest
@@ -328,19 +343,18 @@ public:
     void run_drape_within(const std::string& name, const Drape& drape, double seconds, float max_strain,
                           uint32_t max_substeps) {
         if (!wants(name)) return;
-        double most = 0, rms = 0, depth = 0;
+        Strain strain;
+        double depth = 0;
         const auto see = [&](const std::vector<gphys_vec3>& positions) {
-            const auto [frame_most, frame_rms] = stretch(drape.sheet, positions);
-            most = std::max(most, frame_most);
-            rms = std::max(rms, frame_rms);
+            strain.widen(strain_of(drape.sheet, positions));
             depth = std::max(depth, depth_in_ball(positions));
         };
         const DrapeFrames frames = measure_drape_within(drape, max_strain, max_substeps, seconds, see);
         const auto put = [&](const char* which, double substeps, double taken) {
-            std::printf("%-18s %-10s %5.1f %9.3f ms   %s frame, strain %9.3g max %9.3g rms, %.2g m deep\n",
-                        name.c_str(), "gamephys", substeps, taken * 1e3, which, most, rms, depth);
-            std::fprintf(file_, "solver,%s_%s,gamephys,%.1f,%.4g,%.4g,%.4g,,%.3g\n", name.c_str(), which, substeps,
-                         taken * 1e3, most, rms, depth);
+            std::printf("%-18s %-10s %5.1f %9.3f ms   %s frame, %s, %.2g m deep\n", name.c_str(), "gamephys", substeps,
+                        taken * 1e3, which, described(strain).c_str(), depth);
+            std::fprintf(file_, "solver,%s_%s,gamephys,%.1f,%.4g,%.4g,%.4g,,%.3g,%.4g\n", name.c_str(), which, substeps,
+                         taken * 1e3, strain.stretch, strain.rms, depth, strain.compression);
         };
         put("mean", frames.substeps, frames.mean);
         put("longest", frames.most_substeps, frames.longest);
@@ -349,7 +363,9 @@ public:
 
 private:
     struct Row {
-        double ms, most, rms, gain;
+        double ms;
+        Strain strain;
+        double gain;
         std::string error;
     };
 
@@ -359,14 +375,12 @@ private:
         const std::unique_ptr<Method> method = contender.make(system, effort);
         const double before = energy(system, *method);
         std::vector<double> times;
-        double most = 0, rms = 0;
+        Strain strain;
         for (int i = 0; i < std::lround(seconds / frame); ++i) {
             const double start = now();
             method->step();
             times.push_back(now() - start);
-            const auto [frame_most, frame_rms] = stretch(system, method->positions());
-            most = std::max(most, frame_most);
-            rms = std::max(rms, frame_rms);
+            strain.widen(strain_of(system, method->positions()));
         }
         // What there is to gain or lose: all masses falling as far as the system is long.
         double weight = 0, size = 0;
@@ -384,15 +398,22 @@ private:
             std::snprintf(text, sizeof text, "%.3g", std::sqrt(squares / static_cast<double>(truth.size())));
             error = text;
         }
-        return {median(times) * 1e3, most, rms, gain, error};
+        return {median(times) * 1e3, strain, gain, error};
     }
 
     void print(const char* name, const Contender& contender, uint32_t effort, const Row& row) {
-        std::printf("%-18s %-10s %5u %9.3f ms   strain %9.3g max %9.3g rms   energy %+9.2g   error %s\n", name,
-                    contender.name, effort, row.ms, row.most, row.rms, row.gain, row.error.c_str());
+        std::printf("%-18s %-10s %5u %9.3f ms   %s   energy %+9.2g   error %s\n", name, contender.name, effort, row.ms,
+                    described(row.strain).c_str(), row.gain, row.error.c_str());
         std::fflush(stdout);
-        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,%.4g,%s\n", name, contender.name, effort, row.ms, row.most,
-                     row.rms, row.gain, row.error.c_str());
+        std::fprintf(file_, "solver,%s,%s,%u,%.4g,%.4g,%.4g,%.4g,%s,%.4g\n", name, contender.name, effort, row.ms,
+                     row.strain.stretch, row.strain.rms, row.gain, row.error.c_str(), row.strain.compression);
+    }
+
+    static std::string described(const Strain& strain) {
+        char text[96];
+        std::snprintf(text, sizeof text, "stretch %9.3g compression %9.3g rms %9.3g", strain.stretch,
+                      strain.compression, strain.rms);
+        return text;
     }
 
     std::FILE* file_;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
+#include <tuple>
 
 #include "solver.h"
 
@@ -155,7 +156,8 @@ std::unique_ptr<Method> make_gamephys_rain(const Rain& rain) {
     world->add(GPHYS_SHAPE_PLANE, &ground);
     for (size_t first = 0; first < rain.particles.size(); first += cloud_size) {
         gphys_body_id body = 0;
-        check(gphys_solver_add_particles(world->solver, nullptr, &rain.particles[first], 0, cloud_size, &body));
+        check(gphys_solver_add_particles(world->solver, nullptr, &rain.particles[first], sizeof rain.particles[0],
+                                         cloud_size, &body));
         world->bodies.emplace_back(body, cloud_size);
     }
     return world;
@@ -189,7 +191,27 @@ std::unique_ptr<Method> make_gamephys_drape(const Drape& drape, uint32_t substep
     return drape_in(std::make_unique<GamephysInScene>(substeps), drape);
 }
 
+/// Throws unless the particles of a method are where those of the rain are, each at a place of its own.
+static void check_input(const Rain& rain, const Method& method) {
+    std::vector<gphys_vec3> positions = method.positions();
+    const auto less = [](const gphys_vec3& a, const gphys_vec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    };
+    const auto same = [](const gphys_vec3& a, const gphys_vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    std::vector<gphys_vec3> given = rain.particles;
+    if (!std::equal(given.begin(), given.end(), positions.begin(), positions.end(), same)) {
+        throw std::runtime_error("the particles are not where the rain has them");
+    }
+    std::sort(positions.begin(), positions.end(), less);
+    // Some coincide by chance, as their coordinates are floats.
+    const auto distinct = std::unique(positions.begin(), positions.end(), same) - positions.begin();
+    if (static_cast<double>(distinct) < 0.99 * static_cast<double>(given.size())) {
+        throw std::runtime_error("particles of the rain lie in the same place");
+    }
+}
+
 std::vector<RainResult> measure_rain(const Rain& rain, Method& method, double& depth) {
+    check_input(rain, method);
     const std::vector<double> times = time_steps(method, 3);
     // Clouds are 6 to 22 m above the ground and fall for 0.5 to 2.1 s.
     const auto between = [&](double from, double to) {

@@ -129,6 +129,10 @@ static void test_adding_bodies(void** state) {
     assert_int_equal(gphys_solver_add_particles(f->solver, NULL, NULL, 12, 4, &body), BAD);
     assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 8, 4, &body), BAD);
     assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 13, 4, &body), BAD);
+    /* Several particles at one place: a forgotten stride. */
+    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 0, 2, &body), BAD);
+    assert_int_equal(gphys_solver_add_rope(f->solver, NULL, points, 0, 2, 0, &body), BAD);
+    assert_int_equal(gphys_solver_set_positions(f->solver, f->rope, 0, 2, points, 0), BAD);
     assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 12, 0, &body), BAD);
     assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 12, 4, NULL), BAD);
     assert_int_equal(gphys_solver_add_rope(NULL, NULL, points, 12, 4, 0, &body), BAD);
@@ -190,7 +194,7 @@ static void test_ids_and_lists(void** state) {
     gphys_solver_stats stats;
     gphys_contact contact;
     uint32_t total = 0;
-    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 0, 3, &second), GPHYS_OK);
+    assert_int_equal(gphys_solver_add_particles(f->solver, NULL, points, 12, 3, &second), GPHYS_OK);
     assert_int_not_equal(second, f->removed);
     assert_int_equal(gphys_solver_get_bodies(f->solver, bodies, 1, &total), GPHYS_INCOMPLETE);
     assert_int_equal(total, 2);
@@ -258,7 +262,7 @@ static void test_vectors(void** state) {
     assert_int_equal(gphys_solver_get_positions(f->solver, f->rope, 0, 4, values, 12), GPHYS_OK);
     assert_memory_equal(values, points, sizeof values);
     values[0].x = 5;
-    assert_int_equal(gphys_solver_set_positions(f->solver, f->rope, 1, 2, values, 0), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_positions(f->solver, f->rope, 2, 1, values, 0), GPHYS_OK);
     assert_int_equal(gphys_solver_get_positions(f->solver, f->rope, 2, 1, values, 12), GPHYS_OK);
     assert_true(values[0].x == 5);
 }

@@ -60,6 +60,10 @@ inline bool is_bool(int32_t value) { return value == 0 || value == 1; }
 inline bool valid_stride(uint32_t stride, size_t element) {
     return stride % 4 == 0 && (stride == 0 || stride >= element);
 }
+/// Several particles at one place are a mistake, so 0 does not repeat a position.
+inline bool valid_position_stride(uint32_t stride, uint32_t count) {
+    return valid_stride(stride, sizeof(gphys_vec3)) && (stride != 0 || count <= 1);
+}
 inline bool valid_out_stride(uint32_t stride, size_t element) { return stride % 4 == 0 && stride >= element; }
 
 /// Copy the caller's desc over the defaults of this release. `first_size` is sizeof the desc in

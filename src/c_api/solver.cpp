@@ -65,8 +65,8 @@ gphys_status check_count(uint64_t count, uint32_t least) {
 
 gphys_status check_positions(const gphys_vec3* positions, uint32_t stride, uint32_t count) {
     GPHYS_REQUIRE(positions, "positions is null");
-    GPHYS_REQUIRE(valid_stride(stride, sizeof(gphys_vec3)),
-                  "position_stride: must be 0 or a multiple of 4, 12 at least");
+    GPHYS_REQUIRE(valid_position_stride(stride, count),
+                  "position_stride: must be a multiple of 4, 12 at least; 0 is for one particle only");
     const Strided<gphys_vec3> position(positions, stride);
     for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(position[i]);
     return GPHYS_OK;

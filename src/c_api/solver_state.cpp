@@ -65,6 +65,8 @@ gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_i
 gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                         const gphys_vec3* positions, uint32_t stride) {
     GPHYS_TRY(check_range(solver, body, first, count));
+    GPHYS_REQUIRE(valid_position_stride(stride, count),
+                  "stride: must be a multiple of 4, 12 at least; 0 is for one particle only");
     GPHYS_TRY(check_array(positions, stride, count, is_vector));
     set_positions(unwrap(solver)->edit(body), first, count, positions, stride);
     return GPHYS_OK;
