@@ -120,12 +120,14 @@ public:
     /// arithmetic rounded outward: a superset of what the frustum sees.
     /// The lowest `capacity` ids, ascending; returns how many there are. Beyond them `out` is scratch.
     uint32_t cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const;
-    /// Candidates: models whose world box touches the box, and all unbounded ones. visit(id).
+    /// Candidates: models whose world box touches the box, and planes that touch it. visit(id).
     template <class Visit>
     void for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const;
 
     // One model, in world space; the id is valid.
 
+    /// Whether the shape itself has a point in the box; a mesh is asked through its tree.
+    bool touches_box(gphys_model_id model, const Box& box) const;
     bool sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const;
     /// Where to push a point to. normal: unit, outward of a solid, towards the point's side of a
     /// surface. signed_distance: < 0 inside a solid, and `out` is the nearest point of its surface.
@@ -338,7 +340,9 @@ void Scene::for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) cons
         if (models_[slot].layers & layers) visit(ids_.id(slot));
         return true;
     };
-    for (const uint32_t slot : unbounded_) offer(slot);
+    for (const uint32_t slot : unbounded_) {
+        if (touches_box(ids_.id(slot), box)) offer(slot);
+    }
     octree_.overlap_box(
         box, [&](uint32_t slot, bool) { return offer(slot); }, model_memory(), model_memory());
 }

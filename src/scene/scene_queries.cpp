@@ -49,6 +49,11 @@ Box box_around(const Frustum& frustum) {
 
 }  // namespace
 
+bool Scene::touches_box(gphys_model_id model, const Box& box) const {
+    const Shape query = Aabb{{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
+    return with_shape(IdTable::slot_of(model), [&](const auto& shape) { return overlaps_shape(shape, query); });
+}
+
 /// Those of a list that meet a query: Aabbs by ask_eight(quads, first_quad), others by ask(slot).
 template <class AskEight, class Ask>
 void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, uint32_t layers,
