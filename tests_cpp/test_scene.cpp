@@ -129,7 +129,9 @@ TEST_CASE("equal hits go to the lower id") {
     for (int i = 0; i < 40; ++i) ids.push_back(s.add_box(at(0, 0, 5)));
     CHECK(s.first_on_ray({0, 0, 0}, {0, 0, 1}) == ids[0]);
     REQUIRE(gphys_scene_remove(s.scene, ids[0]) == GPHYS_OK);
-    s.add_box(at(0, 0, 5));  // its slot, but a higher generation
+    for (int i = 0; i < 1023; ++i) REQUIRE(gphys_scene_remove(s.scene, s.add_box(at(0, 0, 5))) == GPHYS_OK);
+    const gphys_model_id later = s.add_box(at(0, 0, 5));  // its slot, but a higher generation
+    CHECK(((later ^ ids[0]) & 0xffffff) == 0);
     CHECK(s.first_on_ray({0, 0, 0}, {0, 0, 1}) == ids[1]);
 }
 
@@ -379,9 +381,61 @@ TEST_CASE("clearing a scene makes all its ids stale, also when the slots are use
     REQUIRE(gphys_scene_clear(s.scene) == GPHYS_OK);
     CHECK(s.sound());
     CHECK(s.in_sphere({0, 0, 0}, 1e6f).empty());
-    for (int i = 0; i < 51; ++i) s.add_box(at(0, 0, 0));
-    for (const gphys_model_id id : old) CHECK(gphys_scene_has(s.scene, id) == GPHYS_ERROR_INVALID_ID);
+    for (int round = 0; round < 2; ++round) {
+        for (int i = 0; i < 1100; ++i) s.add_box(at(0, 0, 0));
+        for (const gphys_model_id id : old) CHECK(gphys_scene_has(s.scene, id) == GPHYS_ERROR_INVALID_ID);
+        CHECK(s.sound());
+        REQUIRE(gphys_scene_clear(s.scene) == GPHYS_OK);
+    }
+}
+
+TEST_CASE("a removed model's id names no other for 100 000 additions, one by one or in batches") {
+    SceneFixture s;
+    for (int i = 0; i < 100; ++i) s.add_box(at(4.f * static_cast<float>(i), 0, 0));
+    const uint32_t batch = GENERATE(1u, 7u);
+    const gphys_aabb box{{-1, -1, -1}, {1, 1, 1}};
+    std::vector<gphys_model_id> first(batch), again(batch);
+    const auto add = [&](std::vector<gphys_model_id>& ids) {
+        return gphys_scene_add_batch(s.scene, GPHYS_SHAPE_AABB, &box, 0, nullptr, 0, batch, nullptr, ids.data());
+    };
+    REQUIRE(add(first) == GPHYS_OK);
+    REQUIRE(gphys_scene_remove_batch(s.scene, first.data(), batch) == GPHYS_OK);
+    bool stale = false, works = true;
+    size_t early_bytes = 0;
+    for (uint32_t additions = 0; additions < 100000; additions += batch) {
+        works &= add(again) == GPHYS_OK;
+        for (const gphys_model_id id : first) stale |= gphys_scene_has(s.scene, id) != GPHYS_ERROR_INVALID_ID;
+        works &= gphys_scene_remove_batch(s.scene, again.data(), batch) == GPHYS_OK;
+        if (additions < 2000) early_bytes = s.memory.live_bytes;
+    }
+    CHECK(works);
+    CHECK_FALSE(stale);
+    CHECK(s.memory.live_bytes == early_bytes);
     CHECK(s.sound());
+}
+
+TEST_CASE("room that was reserved for models is enough for others in their places") {
+    test::CountedMemory memory;
+    const gphys_allocator hooks = memory.hooks();
+    gphys_scene_desc desc;
+    gphys_scene_desc_init(&desc, sizeof desc);
+    desc.allocator = &hooks;
+    desc.reserve_models = 100;
+    gphys_scene* scene = nullptr;
+    REQUIRE(gphys_scene_create(&desc, &scene) == GPHYS_OK);
+    // Planes are in no octree.
+    const gphys_plane floor{{0, 1, 0}, 0};
+    gphys_model_id id = 0;
+    for (int i = 0; i < 100; ++i) {
+        REQUIRE(gphys_scene_add(scene, GPHYS_SHAPE_PLANE, &floor, nullptr, nullptr, &id) == GPHYS_OK);
+    }
+    const size_t bytes = memory.live_bytes;
+    for (int i = 0; i < 3000; ++i) {
+        REQUIRE(gphys_scene_remove(scene, id) == GPHYS_OK);
+        REQUIRE(gphys_scene_add(scene, GPHYS_SHAPE_PLANE, &floor, nullptr, nullptr, &id) == GPHYS_OK);
+    }
+    CHECK(memory.live_bytes == bytes);
+    gphys_scene_destroy(scene);
 }
 
 TEST_CASE("removing many is all or none, and a model that stands twice is refused") {

@@ -3,6 +3,7 @@
 namespace gphys {
 
 const char* IdTable::defect() const {
+    if (slots() > capacity) return "there are more slots than ids can name";
     uint32_t live_slots = 0;
     for (uint32_t slot = 0; slot < slots(); ++slot) {
         if ((entries_[slot] & ~slot_mask) == 0) return "an id has generation 0";
@@ -12,7 +13,8 @@ const char* IdTable::defect() const {
     uint32_t slot = oldest_;
     for (uint32_t i = 0; i < free_; ++i) {
         if (slot >= slots() || live(slot)) return "the queue of free slots holds one that is not free";
-        if (i + 1 == free_ && slot != newest_) return "the queue of free slots does not end where it should";
+        // A queue that came back to a slot would come to its end more than once.
+        if ((i + 1 == free_) != (slot == newest_)) return "the queue of free slots does not end where it should";
         slot = slot_of(entries_[slot]);
     }
     return nullptr;

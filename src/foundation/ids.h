@@ -1,8 +1,15 @@
 // Ids of things that come and go: slot in the low 24 bits, generation in the high 8. A generation
-// is never 0, so no id is 0; it advances when a slot is freed, so a stale id never finds the next
-// tenant. Freed slots queue up and the longest free one is taken first, which keeps an old id
-// invalid for as long as possible.
+// is never 0, so no id is 0; it advances when a slot is freed, so a stale id never names the next
+// one in its slot until all 255 generations have been used.
+//
+// Freed slots wait in a queue, and the one that has been free for longest is taken first, but only
+// while `least_free` slots are free; else a new slot is made. After the first time that a slot is taken
+// from the queue, 1023 others are always there before it is taken again: a stale id names something
+// after 254 * 1024 = 260 096 additions at the earliest. The price is up to 1023 slots more than were
+// ever in use at a time. Only where no slot can be added, with almost 2^24 in use, is the queue used up.
 #pragma once
+
+#include <algorithm>
 
 #include "foundation/memory.h"
 
@@ -11,20 +18,28 @@ namespace gphys {
 class IdTable {
 public:
     static constexpr uint32_t capacity = (1u << 24) - 1;
+    /// Free slots without which none is used again.
+    static constexpr uint32_t least_free = 1024;
     static constexpr uint32_t slot_of(uint32_t id) { return id & slot_mask; }
 
     explicit IdTable(std::pmr::memory_resource* memory) : entries_(memory) {}
 
+    /// At most so many slots are there while up to `live` are in use.
+    static constexpr uint32_t slots_for(uint32_t live) {
+        return live > capacity - (least_free - 1) ? capacity : live + (least_free - 1);
+    }
+
     /// Make room so that the next `count` calls of add cannot throw. False beyond `capacity`.
     bool reserve(uint32_t count) {
         if (count > capacity - live_) return false;
-        if (count > free_) reserve_more(entries_, count - free_);
+        const uint32_t added = std::min(count - std::min(count, ready()), capacity - slots());
+        if (added > 0) reserve_more(entries_, added);
         return true;
     }
 
     uint32_t add() {
         ++live_;
-        if (free_ == 0) {
+        if (ready() == 0) {
             const uint32_t id = first_generation | slots();
             entries_.push_back(id);
             return id;
@@ -35,12 +50,17 @@ public:
         return entries_[slot] = (entries_[slot] & ~slot_mask) | slot;
     }
 
-    /// The slots that the next `count` calls of add will take.
+    /// The slots that the next `count` calls of add will take, if there is room for them.
     void next_slots(uint32_t count, uint32_t* out) const {
+        const uint32_t used_again = std::min(count, ready()), added = std::min(count - used_again, capacity - slots());
         uint32_t slot = oldest_;
         for (uint32_t i = 0; i < count; ++i) {
-            out[i] = i < free_ ? slot : slots() + (i - free_);
-            if (i < free_) slot = slot_of(entries_[slot]);
+            if (i >= used_again && i < used_again + added) {
+                out[i] = slots() + (i - used_again);
+            } else {
+                out[i] = slot;
+                slot = slot_of(entries_[slot]);
+            }
         }
     }
 
@@ -83,6 +103,12 @@ public:
 private:
     static constexpr uint32_t slot_mask = (1u << 24) - 1;  // as a slot: none, for capacity is below it
     static constexpr uint32_t first_generation = 1u << 24;
+
+    /// How many free slots will be used before one is added.
+    uint32_t ready() const {
+        if (slots() == capacity) return free_;
+        return free_ < least_free ? 0 : free_ - (least_free - 1);
+    }
 
     // A live entry is the id itself; a free one has the generation of its next tenant and the next
     // free slot, which is never the slot itself.

@@ -24,9 +24,10 @@ void grow(Vector<T>& by_slot, size_t size) {
 Scene::Scene(const gphys_allocator* hooks, uint32_t reserve_models, uint32_t worker_count,
              const gphys_task_runner* task_runner)
     : memory(hooks), workers_(worker_count, task_runner, &memory) {
-    ids_.reserve(reserve_models);
-    models_.reserve(reserve_models);
-    tags_.reserve(reserve_models);
+    const uint32_t slots = reserve_models == 0 ? 0 : IdTable::slots_for(reserve_models);
+    ids_.reserve(slots);
+    models_.reserve(slots);
+    tags_.reserve(slots);
 }
 
 Scene::~Scene() { clear(); }
@@ -67,7 +68,6 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     Vector<uint32_t> slots(count, &memory);
     Vector<Box> boxes(count, &memory);
     ids_.next_slots(count, slots.data());
-    // New slots are numbered upwards, reused ones lie below them.
     const size_t slots_needed = *std::max_element(slots.begin(), slots.end()) + size_t{1};
     grow(models_, slots_needed);
     grow(tags_, slots_needed);

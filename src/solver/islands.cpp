@@ -45,7 +45,9 @@ void Solver::unite_near_bodies(Sets& sets, double dt) {
 void Solver::unite_bodies(const Scene* scene, double dt) {
     const uint32_t slots = state_.ids.slots();
     Sets sets(set_of_, slots);
-    for (uint32_t slot = 0; slot < slots; ++slot) state_.bodies[slot].joined = false;
+    for (uint32_t slot = 0; slot < slots; ++slot) {
+        if (state_.ids.live(slot)) state_.bodies[slot].joined = false;
+    }
     for (uint32_t slot = 0; slot < state_.joint_ids.slots(); ++slot) {
         if (!state_.joint_ids.live(slot)) continue;
         const Joint& joint = state_.joints[slot];
