@@ -69,7 +69,8 @@ inline bool raycast(const PlacedModel& model, const Ray& ray, Hit& hit) {
     bool found = false;
     for (uint32_t i = 0; i < mesh.triangle_count(); ++i) {
         Hit candidate;
-        if (!gphys::raycast(mesh.triangle(i), local, candidate) || (found && candidate.t >= hit.t)) continue;
+        if (!gphys::raycast(mesh.triangle(i), local, candidate)) continue;
+        if (found && reported(candidate.t) >= reported(hit.t)) continue;
         hit = candidate;
         hit.triangle = i;
         found = true;
@@ -90,7 +91,7 @@ inline bool sweep(const PlacedModel& model, const Sphere& moving, Vec3 displacem
         Hit candidate;
         if (!gphys::sweep(mesh.triangle(i), local, model.world.inverse_apply_to_vector(displacement), candidate))
             continue;
-        if (found && candidate.t >= hit.t) continue;
+        if (found && reported(candidate.t) >= reported(hit.t)) continue;
         hit = candidate;
         hit.triangle = i;
         found = true;
@@ -112,8 +113,8 @@ inline bool overlaps(const PlacedModel& model, const Shape& query) {
     return false;
 }
 
-/// Squared distance, the point and the triangle.
-inline double closest_point(const PlacedModel& model, Vec3 point, Vec3& out, uint32_t& triangle) {
+/// The distance, as a double, the point and the triangle; infinity if none is within `most`.
+inline double closest_point(const PlacedModel& model, Vec3 point, double most, Vec3& out, uint32_t& triangle) {
     triangle = GPHYS_NO_TRIANGLE;
     if (const Shape* shape = std::get_if<Shape>(&model.shape)) {
         std::visit(
@@ -121,20 +122,21 @@ inline double closest_point(const PlacedModel& model, Vec3 point, Vec3& out, uin
                 if constexpr (!std::is_same_v<std::decay_t<decltype(s)>, Frustum>) out = gphys::closest_point(s, point);
             },
             *shape);
-        return length_squared(out - point);
+        const double squared = length_squared(out - point);
+        return squared > most * most ? infinity : std::sqrt(squared);
     }
     const MeshSource& mesh = *std::get<1>(model.shape);
     const Vec3 local = model.world.inverse_apply(point);
     double least = infinity;
     for (uint32_t i = 0; i < mesh.triangle_count(); ++i) {
-        const Vec3 candidate = gphys::closest_point(mesh.triangle(i), local);
-        if (length_squared(candidate - local) >= least) continue;
-        least = length_squared(candidate - local);
+        const Vec3 candidate = model.world.apply(gphys::closest_point(mesh.triangle(i), local));
+        const double squared = length_squared(candidate - point);
+        if (squared > most * most || reported(std::sqrt(squared)) >= reported(least)) continue;
+        least = std::sqrt(squared);
         out = candidate;
         triangle = i;
     }
-    out = model.world.apply(out);
-    return length_squared(out - point);
+    return least;
 }
 
 class RandomScene {

@@ -92,7 +92,7 @@ std::vector<Hit> hits_one_by_one(const Mesh& mesh, const Ray& ray) {
 Hit first_of(const std::vector<Hit>& hits) {
     Hit first;
     for (const Hit& hit : hits) {
-        if (hit.t < first.t) first = hit;
+        if (first.triangle == GPHYS_NO_TRIANGLE || reported(hit.t) < reported(first.t)) first = hit;
     }
     return first;
 }
@@ -368,12 +368,12 @@ TEST_CASE("the closest point of a mesh is, bit for bit, that of all triangles") 
             std::feclearexcept(FE_ALL_EXCEPT);
             const bool found = mesh->closest_point(point, limit, out, triangle);
             REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
-            double least = infinity;
+            float least = std::numeric_limits<float>::infinity();
             for (uint32_t k = 0; k < mesh->triangle_count(); ++k) {
                 const Vec3 candidate = closest_point(mesh->triangle(k), point);
                 const double squared = length_squared(candidate - point);
-                if (squared < least && squared <= limit * limit) {
-                    least = squared;
+                if (reported(std::sqrt(squared)) < least && squared <= limit * limit) {
+                    least = reported(std::sqrt(squared));
                     expected = k;
                     expected_point = candidate;
                 }
@@ -405,7 +405,7 @@ TEST_CASE("a sphere swept against a mesh meets, bit for bit, the first of all tr
                 Hit each;
                 if (!sweep(mesh->triangle(k), moving, displacement, each)) continue;
                 each.triangle = k;
-                if (each.t < expected.t) expected = each;
+                if (expected.t == infinity || reported(each.t) < reported(expected.t)) expected = each;
             }
             REQUIRE(found == (expected.triangle != GPHYS_NO_TRIANGLE));
             if (found) REQUIRE(same_bits(hit, expected));

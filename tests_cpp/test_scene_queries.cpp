@@ -45,7 +45,8 @@ bool expected_first(const RandomScene& world, const Ray& ray, uint32_t layers, g
     const PlacedModel* winner = nullptr;
     for (const PlacedModel& model : world.models) {
         Hit hit;
-        if (!seen(model, layers) || !raycast(model, ray, hit) || (winner && hit.t >= first.t)) continue;
+        if (!seen(model, layers) || !raycast(model, ray, hit)) continue;
+        if (winner && reported(hit.t) >= reported(first.t)) continue;
         first = hit;
         winner = &model;
     }
@@ -160,15 +161,13 @@ bool nearest_agrees(RandomScene& world) {
     const uint32_t layers = random_layers(world);
     const float within = world.random.index(2) ? INFINITY : world.size(4);
     gphys_nearest expected{}, found{};
-    double least = double{within} * within;
     for (const PlacedModel& model : world.models) {
         Vec3 closest;
         uint32_t triangle;
         if (!seen(model, layers)) continue;
-        const double square = closest_point(model, widen(point), closest, triangle);
-        if (square > least || (expected.model != 0 && square == least)) continue;
-        least = square;
-        expected = to_nearest(closest, std::sqrt(square), triangle, model.id, model.tag);
+        const double distance = closest_point(model, widen(point), within, closest, triangle);
+        if (distance == infinity || (expected.model != 0 && reported(distance) >= expected.distance)) continue;
+        expected = to_nearest(closest, distance, triangle, model.id, model.tag);
     }
     const gphys_status status = gphys_scene_nearest(world.scene, &point, within, layers, &found);
     return status == (expected.model ? GPHYS_OK : GPHYS_NO_HIT) && same_bits(expected, found);
@@ -179,12 +178,10 @@ bool sweep_agrees(RandomScene& world) {
     const gphys_vec3 displacement = world.random.index(20) ? world.point(20) : gphys_vec3{};
     const uint32_t layers = random_layers(world);
     gphys_hit expected{}, found{};
-    Hit first;
     for (const PlacedModel& model : world.models) {
         Hit hit;
         if (!seen(model, layers) || !sweep(model, widen(sphere), widen(displacement), hit)) continue;
-        if (expected.model != 0 && hit.t >= first.t) continue;
-        first = hit;
+        if (expected.model != 0 && reported(hit.t) >= expected.t) continue;
         expected = to_hit(hit, model.id, model.tag);
     }
     const gphys_status status = gphys_scene_sweep_sphere(world.scene, &sphere, &displacement, layers, &found);

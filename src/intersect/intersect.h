@@ -8,6 +8,7 @@
 // Shapes are closed sets; solids are solid. Inputs are valid (shapes.h: defect).
 #pragma once
 
+#include "foundation/reported.h"
 #include "shapes/shapes.h"
 
 namespace gphys {
@@ -27,14 +28,13 @@ struct Hit {
 inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
     constexpr double largest = std::numeric_limits<float>::max();
     constexpr Vec3 corner{largest, largest, largest};
-    const float t = static_cast<float>(std::min(hit.t, largest));
     const float u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
     const Vec3 point = min(max(hit.point, -corner), corner);
-    return {model, tag, t, narrow(point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
+    return {model, tag, reported(hit.t), narrow(point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
 }
 inline gphys_nearest to_nearest(Vec3 point, double distance, uint32_t triangle = GPHYS_NO_TRIANGLE, uint32_t model = 0,
                                 uint32_t tag = 0) {
-    return {model, tag, narrow(point), static_cast<float>(distance), triangle};
+    return {model, tag, narrow(point), reported(distance), triangle};
 }
 
 enum class Side { outside = GPHYS_SIDE_OUTSIDE, crossing = GPHYS_SIDE_CROSSING, inside = GPHYS_SIDE_INSIDE };

@@ -49,15 +49,15 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     NearestCrossing nearest;
     float limit = prepared.limit;
     walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
-        const double before = nearest.crossing.t;
+        const float before = nearest.t;
         for_each_lane(lanes, [&](int lane) {
             TriangleCrossing crossing;
             if (crosses(packet.triangle(lane), prepared.sheared, crossing)) {
-                nearest.take(crossing, packet, static_cast<uint32_t>(lane));
+                nearest.take(crossing, reported(crossing.t), packet, static_cast<uint32_t>(lane));
             }
             return true;
         });
-        if (nearest.crossing.t != before) limit = prepared.along.limit(nearest.crossing.t);
+        if (nearest.t != before) limit = prepared.along.limit(limit_of_ties<double>(nearest.t));
         return limit;
     });
     return hit_at(nearest, prepared.sheared, hit);
@@ -108,44 +108,28 @@ bool Mesh::raycast_any(const Ray& ray) const {
 }
 
 bool Mesh::closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) const {
-    if (packets_.empty()) return false;
-    const PointProbe probe(point, bounds());
-    double least = max_distance * max_distance;
-    uint32_t nearest = GPHYS_NO_TRIANGLE;
-    Vec3 nearest_point;
-    octree_.nearest(point, max_distance, [&](uint32_t number, double& bound) {
-        const TrianglePacket& packet = packets_[number];
-        for_each_lane(kernels_.lanes_near(packet, probe, probe.limit(bound)), [&](int lane) {
-            const Vec3 candidate = gphys::closest_point(packet.triangle(lane), point);
-            const double squared = length_squared(candidate - point);
-            if (squared < least || (squared == least && packet.index[lane] < nearest)) {
-                least = squared;
-                nearest = packet.index[lane];
-                nearest_point = candidate;
-                bound = std::sqrt(least);
-            }
-            return true;
-        });
-    });
-    if (nearest == GPHYS_NO_TRIANGLE) return false;
-    out = nearest_point;
-    triangle = nearest;
-    return true;
+    return closest_point(
+        point, max_distance, [](Vec3, double squared) { return reported(std::sqrt(squared)); },
+        [](double distance) { return limit_of_ties(distance); }, out, triangle);
 }
 
-bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const {
+bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) const {
     if (packets_.empty()) return false;
     const RayProbe probe(moving.center, displacement, moving.radius, bounds());
+    const bool as_reported = ties == Ties::as_reported;
     Hit first;
+    double first_t = infinity;
     octree_.sweep(moving.center, displacement, moving.radius, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
         for_each_lane(kernels_.lanes_along(packet, probe, probe.limit(t_max)), [&](int lane) {
             Hit candidate;
             if (!gphys::sweep(packet.triangle(lane), moving, displacement, candidate)) return true;
             candidate.triangle = packet.index[lane];
-            if (candidate.t < first.t || (candidate.t == first.t && candidate.triangle < first.triangle)) {
+            const double t = as_reported ? reported(candidate.t) : candidate.t;
+            if (t < first_t || (t == first_t && candidate.triangle < first.triangle)) {
                 first = candidate;
-                t_max = first.t;
+                first_t = t;
+                t_max = std::min(t_max, as_reported ? limit_of_ties(t) : t);
             }
             return true;
         });

@@ -3,7 +3,7 @@
 //
 // The tree's items are packets of up to eight triangles. All queries are in the mesh's own
 // coordinates and agree with asking each triangle in turn: tree and packets only leave out triangles
-// that cannot matter (box8.h, triangle_probe.h). Equal results go to the lower index.
+// that cannot matter (box8.h, triangle_probe.h). Results that are reported as equal go to the lower index.
 #pragma once
 
 #include <atomic>
@@ -58,7 +58,12 @@ public:
     void raycast_all(const Ray& ray, Visit&& visit) const;
     /// False if no triangle is within max_distance.
     bool closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) const;
-    bool sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const;
+    /// The same, compared by distance_of(point of a triangle, its squared distance in the mesh), a float or a double.
+    /// What is beyond limit_of(distance) in the mesh does not tie with it. A distance that is infinite is none.
+    template <class DistanceOf, class LimitOf>
+    bool closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
+                       Vec3& out, uint32_t& triangle) const;
+    bool sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties = Ties::as_reported) const;
     bool overlaps(const Shape& shape) const;
     bool overlaps(const Mesh& other) const;
     /// Every triangle that shares a point with the shape: visit(triangle) returns whether to go on.
@@ -119,6 +124,33 @@ void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
         });
         return prepared.limit;
     });
+}
+
+template <class DistanceOf, class LimitOf>
+bool Mesh::closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
+                         Vec3& out, uint32_t& triangle) const {
+    if (packets_.empty()) return false;
+    const PointProbe probe(point, bounds());
+    auto least = std::numeric_limits<decltype(distance_of(point, 0.0))>::infinity();
+    uint32_t nearest = GPHYS_NO_TRIANGLE;
+    octree_.nearest(point, max_distance, [&](uint32_t number, double& bound) {
+        const TrianglePacket& packet = packets_[number];
+        for_each_lane(kernels_.lanes_near(packet, probe, probe.limit(bound)), [&](int lane) {
+            const Vec3 candidate = gphys::closest_point(packet.triangle(lane), point);
+            const double squared = length_squared(candidate - point);
+            if (squared > bound * bound) return true;
+            const auto distance = distance_of(candidate, squared);
+            if (distance < least || (distance == least && packet.index[lane] < nearest)) {
+                least = distance;
+                nearest = packet.index[lane];
+                out = candidate;
+                bound = std::min(bound, limit_of(least));
+            }
+            return true;
+        });
+    });
+    triangle = nearest;
+    return nearest != GPHYS_NO_TRIANGLE;
 }
 
 template <class Visit>

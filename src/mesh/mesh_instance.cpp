@@ -78,10 +78,10 @@ bool raycast_any(const MeshInstance& instance, const Ray& ray) {
     return !misses(local, instance.mesh.bounds()) && instance.mesh.raycast_any(local);
 }
 
-bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit) {
+bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) {
     const Transform& world = instance.world;
     const Sphere local{world.inverse_apply(moving.center), moving.radius / world.scale};
-    if (!instance.mesh.sweep(local, world.inverse_apply_to_vector(displacement), hit)) return false;
+    if (!instance.mesh.sweep(local, world.inverse_apply_to_vector(displacement), hit, ties)) return false;
     out_of_mesh(hit, world);
     return true;
 }
@@ -90,16 +90,30 @@ bool overlaps(const MeshInstance& instance, const Shape& shape) {
     return instance.mesh.overlaps(inverse_transformed(shape, instance.world));
 }
 
-bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle) {
+bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,
+                   Ties ties) {
     const Transform& world = instance.world;
     const Vec3 local = world.inverse_apply(point);
     // The limit must not lose to rounding a point that lies exactly at it: the way there and back is
     // at most 16 roundings of 2^-53 of the coordinates and of the distance itself.
-    const double slack = 0x1p-48 * (magnitude(local, world) + max_distance);
-    Vec3 found;
-    if (!instance.mesh.closest_point(local, (max_distance + slack) / world.scale, found, triangle)) return false;
-    out = world.apply(found);
-    return true;
+    const double coordinates = magnitude(local, world);
+    const auto within = [&](double distance) { return (distance + 0x1p-48 * (coordinates + distance)) / world.scale; };
+    // What is reported is the distance in the world.
+    const auto as_reported = [&](Vec3 candidate, double) {
+        const double squared = length_squared(world.apply(candidate) - point);
+        const bool near = squared <= max_distance * max_distance;
+        return near ? reported(std::sqrt(squared)) : std::numeric_limits<float>::infinity();
+    };
+    const auto limit_of_reported = [&](double distance) { return within(limit_of_ties(distance)); };
+    const auto as_computed = [](Vec3, double squared) { return squared; };
+    const auto limit_of_computed = [](double squared) { return std::sqrt(squared) * (1 + 0x1p-50); };
+    const auto find = [&](const auto& distance_of, const auto& limit_of) {
+        return instance.mesh.closest_point(local, within(max_distance), distance_of, limit_of, out, triangle);
+    };
+    const bool found =
+        ties == Ties::as_reported ? find(as_reported, limit_of_reported) : find(as_computed, limit_of_computed);
+    if (found) out = world.apply(out);
+    return found;
 }
 
 }  // namespace gphys

@@ -16,9 +16,11 @@ struct MeshInstance {
 Box bounds(const MeshInstance& instance);
 bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit);
 bool raycast_any(const MeshInstance& instance, const Ray& ray);
-bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit);
+bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit,
+           Ties ties = Ties::as_reported);
 bool overlaps(const MeshInstance& instance, const Shape& shape);
-/// False if no triangle is within max_distance (or, by rounding, barely beyond it).
-bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle);
+/// False if no triangle is within max_distance (as computed: or, by rounding, barely beyond it).
+bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,
+                   Ties ties = Ties::as_reported);
 
 }  // namespace gphys

@@ -89,7 +89,7 @@ public:
             const Crossings8 crossings(pairs_, rays_);
             for (uint32_t yes = crossings.yes & open; yes != 0; yes &= yes - 1) {
                 const auto i = static_cast<uint32_t>(__builtin_ctz(yes));
-                if (take(i, crossings[i])) limits_[pairs_.ray[i]] = crossings.limit[i];
+                if (take(i, crossings[i], crossings.rounded_t[i])) limits_[pairs_.ray[i]] = crossings.limit[i];
             }
             open &= ~(crossings.no | crossings.yes);
         }
@@ -97,16 +97,16 @@ public:
             const auto i = static_cast<uint32_t>(__builtin_ctz(open));
             const PreparedRay& ray = rays_[pairs_.ray[i]];
             TriangleCrossing crossing;
-            if (exact_(ray, *pairs_.packet[i], pairs_.lane[i], crossing) && take(i, crossing)) {
-                limits_[pairs_.ray[i]] = ray.along.limit(crossing.t);
+            if (exact_(ray, *pairs_.packet[i], pairs_.lane[i], crossing) && take(i, crossing, reported(crossing.t))) {
+                limits_[pairs_.ray[i]] = ray.along.limit(limit_of_ties(crossing.t));
             }
         }
         pairs_.count = 0;
     }
 
 private:
-    bool take(uint32_t i, const TriangleCrossing& crossing) {
-        return nearest_[pairs_.ray[i]].take(crossing, *pairs_.packet[i], pairs_.lane[i]);
+    bool take(uint32_t i, const TriangleCrossing& crossing, float t) {
+        return nearest_[pairs_.ray[i]].take(crossing, t, *pairs_.packet[i], pairs_.lane[i]);
     }
 
     const PreparedRay* rays_;

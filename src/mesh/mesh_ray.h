@@ -26,11 +26,13 @@ struct PreparedRay {
 /// Where a ray first crosses a mesh, as far as it is known. Asked for is always the ray as given: comparing
 /// crossings, not cutting the ray short, makes the answer independent of their order.
 struct NearestCrossing {
-    /// Whether this one comes before; of equal ones that of the lower index.
-    [[gnu::always_inline]] bool take(const TriangleCrossing& other, const TrianglePacket& of, uint32_t at) {
+    /// Whether this one, reported at `other_t`, comes before; of equal ones that of the lower index.
+    [[gnu::always_inline]] bool take(const TriangleCrossing& other, float other_t, const TrianglePacket& of,
+                                     uint32_t at) {
         const uint32_t index = of.index[at];
-        if (!(other.t < crossing.t || (other.t == crossing.t && index < triangle))) return false;
+        if (!(other_t < t || (other_t == t && index < triangle))) return false;
         crossing = other;
+        t = other_t;
         triangle = index;
         packet = &of;
         lane = at;
@@ -38,6 +40,7 @@ struct NearestCrossing {
     }
 
     TriangleCrossing crossing{infinity, 0, 0, 0};
+    float t = std::numeric_limits<float>::infinity();  // as it is reported
     uint32_t triangle = GPHYS_NO_TRIANGLE;
     uint32_t lane = 0;
     const TrianglePacket* packet = nullptr;

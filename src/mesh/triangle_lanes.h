@@ -42,8 +42,9 @@ struct RaysAndTriangles {
 struct Crossings8 {
     uint32_t no, yes;  // the others are open
     double t[8], u[8], v[8];
-    float limit[8];  // where the walk of the ray may end then
-    uint32_t back;   // from behind
+    float rounded_t[8];  // as it is reported
+    float limit[8];      // where the walk of the ray may end then
+    uint32_t back;       // from behind
 
     GPHYS_INLINE Crossings8(const RaysAndTriangles& pairs, const PreparedRay* rays) {
         const auto ray = [&](int i) -> const PreparedRay& { return rays[pairs.ray[i]]; };
@@ -95,7 +96,10 @@ struct Crossings8 {
         store(t, way);
         store(u, weight_b);
         store(v, weight_c);
-        gphys::GPHYS_ISA::store(limit, narrowed(ray_limit(way, course[0], course[1], course[2], course[3])));
+        constexpr double last = std::numeric_limits<float>::max();
+        gphys::GPHYS_ISA::store(rounded_t, narrowed(least(last, largest(way, 0.0))));
+        const Double8 end = limit_of_ties(way);
+        gphys::GPHYS_ISA::store(limit, narrowed(ray_limit(end, course[0], course[1], course[2], course[3])));
     }
     GPHYS_INLINE TriangleCrossing operator[](uint32_t i) const {
         return {t[i], u[i], v[i], (back >> i & 1) != 0 ? 1 : -1};

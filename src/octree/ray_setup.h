@@ -80,8 +80,7 @@ private:
 
 /// What box tests compare with, before it is rounded to a float; negative if the ray meets nothing.
 ///
-/// The 16u are for t_max itself: where two triangles meet, one test may put the hit a little further than
-/// the other, and both must be seen for the lower index to win.
+/// There is room for that rounding, and for those of tests that add to the limit in floats (triangle_test.h).
 template <class Number>
 [[gnu::always_inline]] inline Number ray_limit(Number t_max, Number slack, Number scale, Number start, Number span) {
     const Number end = least(t_max * scale - start, span) + slack;

@@ -86,7 +86,7 @@ bool find_contact(const Primitive& shape, Vec3 point, Contact& out) {
 bool find_contact(const MeshInstance& instance, Vec3 point, Contact& out) {
     Vec3 closest;
     uint32_t triangle;
-    if (!closest_point(instance, point, infinity, closest, triangle)) return false;
+    if (!closest_point(instance, point, infinity, closest, triangle, Ties::as_computed)) return false;
     out = contact_of_surface(transformed(instance.mesh.triangle(triangle), instance.world), closest, point);
     return true;
 }
@@ -117,8 +117,13 @@ void closest_point_triangle(const Triangle& triangle, Vec3 point, Vec3& out, Vec
 }
 
 bool Scene::sweep_model(gphys_model_id model, const Sphere& moving, Vec3 displacement, Hit& hit) const {
-    return with_shape(IdTable::slot_of(model),
-                      [&](const auto& shape) { return gphys::sweep(shape, moving, displacement, hit); });
+    return with_shape(IdTable::slot_of(model), [&](const auto& shape) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, MeshInstance>) {
+            return gphys::sweep(shape, moving, displacement, hit, Ties::as_computed);
+        } else {
+            return gphys::sweep(shape, moving, displacement, hit);
+        }
+    });
 }
 
 }  // namespace gphys

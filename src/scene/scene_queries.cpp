@@ -167,7 +167,7 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
 
 gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const {
     const QuickPoint quick_point(point);
-    Winner winner{max_distance * max_distance};
+    Winner winner;
     double reach = max_distance;
     Vec3 closest, candidate;
     uint32_t closest_triangle = GPHYS_NO_TRIANGLE, triangle = GPHYS_NO_TRIANGLE;
@@ -176,9 +176,11 @@ gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gp
     const auto ask = [&](uint32_t slot) {
         if (!(models_[slot].layers & layers) || !decide(slot, quick, exact)) return;
         const double square = length_squared(candidate - point);
-        if (square > winner.value || !winner.is_beaten_by(square, slot, ids_)) return;
-        winner = {square, slot};
-        reach = std::sqrt(square);
+        if (square > reach * reach) return;
+        const float distance = reported(std::sqrt(square));
+        if (!winner.is_beaten_by(distance, slot, ids_)) return;
+        winner = {distance, slot};
+        reach = std::min(max_distance, limit_of_ties<double>(distance));
         closest = candidate;
         closest_triangle = triangle;
     };
@@ -189,27 +191,30 @@ gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gp
     };
     octree_.nearest(point, reach, visit, model_memory());
     if (!winner.exists()) return GPHYS_NO_HIT;
-    out = to_nearest(closest, reach, closest_triangle, ids_.id(winner.slot), tags_[winner.slot]);
+    out = to_nearest(closest, winner.value, closest_triangle, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
 }
 
 gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
     Hit first, hit;
-    Winner winner{infinity};
+    Winner winner;
+    double end = 1;
     const auto exact = [&](const auto& shape) {
         hit = Hit();
         return gphys::sweep(shape, moving, displacement, hit);
     };
     const auto ask = [&](uint32_t slot) {
         if (!(models_[slot].layers & layers) || !with_shape(slot, exact)) return;
-        if (!winner.is_beaten_by(hit.t, slot, ids_)) return;
-        winner = {hit.t, slot};
+        const float t = reported(hit.t);
+        if (!winner.is_beaten_by(t, slot, ids_)) return;
+        winner = {t, slot};
+        end = std::min(1.0, limit_of_ties<double>(t));
         first = hit;
     };
     for (const uint32_t slot : unbounded_) ask(slot);
     const auto visit = [&](uint32_t slot, double& t_max) {
         ask(slot);
-        t_max = std::min(t_max, winner.value);
+        t_max = end;
     };
     octree_.sweep(moving.center, displacement, moving.radius, visit, model_memory());
     if (!winner.exists()) return GPHYS_NO_HIT;

@@ -59,17 +59,16 @@ public:
     bool ask(uint32_t slot, const Placed& shape) {
         Hit hit;
         return gphys::raycast(shape, *rest_, hit) &&
-               take(slot, hit.t, [&](uint32_t model, uint32_t tag) { return to_hit(hit, model, tag); });
+               take(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return to_hit(hit, model, tag); });
     }
-    /// A hit at t, as hit_of(id, tag) makes it.
+    /// A hit that is reported at t, as hit_of(id, tag) makes it.
     template <class HitOf>
-    bool take(uint32_t slot, double t, const HitOf& hit_of) {
+    bool take(uint32_t slot, float t, const HitOf& hit_of) {
         if (!winner_.is_beaten_by(t, slot, scene_->ids_)) return false;
         winner_ = {t, slot};
         *out_ = hit_of(scene_->ids_.id(slot), scene_->tags_[slot]);
-        // Shapes tell exactly what lies beyond t_max, while t is rounded (to 2^-50 of it at worst).
-        // The slack keeps those in whose rounded t is the same, for the lower id to win.
-        rest_->t_max = std::min(t_max_, t * (1 + 0x1p-40));
+        // Others may be reported at the same t, and have a lower id.
+        rest_->t_max = std::min(t_max_, limit_of_ties<double>(t));
         return true;
     }
 
@@ -79,7 +78,7 @@ private:
     const Scene* scene_;
     Ray* rest_;     // how far other models can still come before the hit
     double t_max_;  // of the ray as it was given
-    Winner winner_{infinity};
+    Winner winner_;
     gphys_hit* out_;
 };
 
@@ -245,7 +244,7 @@ void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* 
                     const Hits8::Rounded& hit = hits.rounded[k];
                     return gphys_hit{model, tag, hit.t, hit.point, hit.normal, GPHYS_NO_TRIANGLE, 0, 0, 0};
                 };
-                shorter |= uint32_t{first[numbers[k]]->take(slots[k], hits.t[k], hit_of)} << k;
+                shorter |= uint32_t{first[numbers[k]]->take(slots[k], hits.rounded[k].t, hit_of)} << k;
             });
         } else {
             open &= ~quick.ask(pairs).no;
