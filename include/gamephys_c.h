@@ -25,7 +25,8 @@
  * Rays       The direction may have any non-zero length; t counts in multiples of it, and a hit
  *            has 0 <= t <= t_max. A ray that starts inside a solid hits at t = 0 with
  *            GPHYS_HIT_INSIDE set and the normal opposite to the direction.
- * Ties       Equal t or equal distance: the lower id (as an unsigned number), then the lower
+ * Ties       Equal reported t or distance, that is equal floats in gphys_hit.t or
+ *            gphys_nearest.distance: the lower id (as an unsigned number), then the lower
  *            triangle index wins. Lists are in the order that their function states. The same
  *            inputs give the same bits.
  *
@@ -35,9 +36,9 @@
  *            The checks are the same in every build. The library never prints, aborts or throws.
  * Handles    gphys_mesh, gphys_scene, gphys_camera and gphys_solver belong to the caller:
  *            create / destroy; destroying NULL does nothing.
- * Ids        uint32_t, 0 is none. A removed id stays invalid: a slot is reused last-removed-last
- *            and with another generation, so an old id can come back only after its slot was
- *            reused 255 times.
+ * Ids        uint32_t, 0 is none. A removed id stays invalid for at least 260 000 additions: a
+ *            slot is reused only while 1024 or more are free, last-removed-last and with another
+ *            generation. Only an object with almost 2^24 - 1 ids in use reuses slots sooner.
  * Descs      Structs named *_desc start with struct_size. Fill one with its *_desc_init function,
  *            passing sizeof; then change fields. They grow at the end in later releases, old
  *            clients keep working. All other structs never change.
