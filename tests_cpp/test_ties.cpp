@@ -4,9 +4,11 @@
 // A linear scan gives what is expected: each model is asked alone, in a scene of its own, and the floats are
 // compared that it reports.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 
+#include "c_api/handles.h"
 #include "meshes.h"
 #include "scene_fixture.h"
 
@@ -447,6 +449,46 @@ TEST_CASE("meshes of a scene that touch and coincide give the lowest id, and eac
     CHECK(wrong_lists(models, rays) == 0);
     gphys_mesh_destroy(sheets);
     gphys_mesh_destroy(balls);
+}
+
+TEST_CASE("of the triangles of a placed mesh at equal distance in the scene the lowest is nearest") {
+    Random random(67);
+    const test::Arrays arrays = test::sphere(2);
+    Mesh* const mesh = arrays.make();
+    int tied = 0, wrong = 0, wrong_in_reach = 0;
+    for (const bool turned : {false, true}) {
+        const gphys_transform place = awkward_place(turned);
+        const Transform world = widen(place);
+        const SceneHolder scene = make_scene();
+        gphys_model_id id = 0;
+        REQUIRE(gphys_scene_add(scene.get(), GPHYS_SHAPE_MESH, wrap(mesh), &place, nullptr, &id) == GPHYS_OK);
+        for (int i = 0; i < 4000; ++i) {
+            // Above a vertex that triangles share, on it, or far away.
+            const gphys_vec3 vertex = arrays.vertices[random.index(static_cast<uint32_t>(arrays.vertices.size()))];
+            const float height = i % 4 == 0 ? 0 : i % 4 == 1 ? 900 : random.uniform_float(0, 2);
+            const gphys_vec3 point = placed(place, (1 + height) * vertex);
+            const Vec3 local = world.inverse_apply(widen(point));
+            gphys_nearest expected{}, found{}, in_reach{};
+            expected.distance = INFINITY;
+            int as_near = 0;
+            for (uint32_t triangle = 0; triangle < mesh->triangle_count(); ++triangle) {
+                const Vec3 closest = world.apply(closest_point(mesh->triangle(triangle), local));
+                const gphys_nearest one = to_nearest(closest, distance(closest, widen(point)), triangle, id, 0);
+                if (one.distance < expected.distance) expected = one, as_near = 0;
+                as_near += one.distance == expected.distance;
+            }
+            tied += as_near > 1;
+            gphys_scene_nearest(scene.get(), &point, INFINITY, GPHYS_ALL_LAYERS, &found);
+            wrong += !same_bits(found, expected);
+            const float reach = std::nextafter(expected.distance, INFINITY);
+            gphys_scene_nearest(scene.get(), &point, reach, GPHYS_ALL_LAYERS, &in_reach);
+            wrong_in_reach += !same_bits(in_reach, expected);
+        }
+    }
+    CHECK(tied > 4000);
+    CHECK(wrong == 0);
+    CHECK(wrong_in_reach == 0);
+    Mesh::release(mesh);
 }
 
 TEST_CASE("of triangles of a mesh at equal t or distance the lowest is met and nearest, on every processor") {
