@@ -120,10 +120,16 @@ Exact operator*(const Exact& a, const Exact& b) {
     return sum.result();
 }
 
-bool difference_is_exact(Vec3 a, Vec3 b, Vec3& out) {
+Vec3 difference(Vec3 a, Vec3 b, Vec3& rest) {
     const Split x = two_sum(a.x, -b.x), y = two_sum(a.y, -b.y), z = two_sum(a.z, -b.z);
-    out = {x.high, y.high, z.high};
-    return x.low == 0 && y.low == 0 && z.low == 0;
+    rest = {x.low, y.low, z.low};
+    return {x.high, y.high, z.high};
+}
+
+bool difference_is_exact(Vec3 a, Vec3 b, Vec3& out) {
+    Vec3 rest;
+    out = difference(a, b, rest);
+    return rest == Vec3{};
 }
 
 #ifdef __SIZEOF_INT128__

@@ -82,8 +82,25 @@ double value_of(const Polynomial& polynomial) {
     return quick.error <= 0x1p-45 * std::fabs(quick.value) ? quick.value : polynomial(Exact()).value();
 }
 
+/// a - b, rounded. Together with the rest it is exact.
+Vec3 difference(Vec3 a, Vec3 b, Vec3& rest);
 /// Whether a - b holds no rounding; out is a - b in any case.
 bool difference_is_exact(Vec3 a, Vec3 b, Vec3& out);
+/// value + rest, of which value is what rounding leaves.
+template <class N>
+N two_terms(double value, double rest);
+template <>
+inline double two_terms(double value, double) {
+    return value;
+}
+template <>
+inline Bounded two_terms(double value, double rest) {
+    return {value, std::fabs(rest)};
+}
+template <>
+inline Exact two_terms(double value, double rest) {
+    return rest == 0 ? Exact(value) : Exact(value) + Exact(rest);
+}
 
 /// dot(a, cross(b, c)) with its exact sign and a relative error of 2^-52, in 128-bit integers: many
 /// times faster than Exact. False if the components along one axis of b and c, or those of a as
@@ -96,6 +113,9 @@ struct VecOf {
     N x, y, z;
 
     static VecOf of(Vec3 v) { return {N(v.x), N(v.y), N(v.z)}; }
+    static VecOf two_terms(Vec3 v, Vec3 rest) {
+        return {gphys::two_terms<N>(v.x, rest.x), gphys::two_terms<N>(v.y, rest.y), gphys::two_terms<N>(v.z, rest.z)};
+    }
     static VecOf difference(Vec3 a, Vec3 b) { return {N(a.x) - N(b.x), N(a.y) - N(b.y), N(a.z) - N(b.z)}; }
 };
 template <class N>

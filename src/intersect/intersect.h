@@ -84,7 +84,8 @@ bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit);
 bool raycast(const Shape& shape, const Ray& ray, Hit& hit);
 /// The hit of a ray whose origin is in a solid: at once. Always true.
 bool started_inside(const Ray& ray, Hit& hit);
-inline Ray ray_along(const Segment& segment) { return {segment.a, segment.b - segment.a, 1.0}; }
+/// The segment as a ray that ends at t = 1: exactly, whatever b - a rounds away.
+Ray ray_along(const Segment& segment);
 
 /// A ray prepared for many triangles by Woop's shear (Woop, Benthin, Wald 2013), which takes its
 /// direction to an axis.

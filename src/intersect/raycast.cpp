@@ -17,11 +17,11 @@ double height(const Plane& plane, Vec3 origin, Vec3 point) {
     });
 }
 
-/// dot(a, b), with the exact sign.
-double accurate_dot(Vec3 a, Vec3 b) {
+/// dot(normal, direction), with the exact sign.
+double climb_along(Vec3 normal, const Ray& ray) {
     return value_of([&](auto number) {
         using V = VecOf<decltype(number)>;
-        return dot(V::of(a), V::of(b));
+        return dot(V::of(normal), V::two_terms(ray.direction, ray.rest));
     });
 }
 
@@ -31,30 +31,31 @@ bool is_beyond_end(const Plane& plane, const Ray& ray, double start) {
     const int end = sign_of([&](auto number) {
         using N = decltype(number);
         const auto normal = VecOf<N>::of(plane.normal);
-        return dot(normal, VecOf<N>::of(ray.origin)) + N(ray.t_max) * dot(normal, VecOf<N>::of(ray.direction)) -
-               N(plane.distance);
+        return dot(normal, VecOf<N>::of(ray.origin)) +
+               N(ray.t_max) * dot(normal, VecOf<N>::two_terms(ray.direction, ray.rest)) - N(plane.distance);
     });
     return start > 0 ? end > 0 : end < 0;
 }
 
 // --- Box ----------------------------------------------------------------------------------------
 
-/// The time (face - origin) / direction at which a ray crosses a face of a box.
+/// The time (face - origin) / (direction + rest) at which a ray crosses a face of a box.
 struct Crossing {
-    double face, origin, direction, t;
+    double face, origin, direction, rest, t;
 
-    Crossing(double face_, double origin_, double direction_)
-        : face(face_), origin(origin_), direction(direction_), t((face_ - origin_) / direction_) {}
+    Crossing(double face_, double origin_, double direction_, double rest_)
+        : face(face_), origin(origin_), direction(direction_), rest(rest_), t((face_ - origin_) / direction_) {}
 };
 
-/// Whether a is at or before b, exactly; both are 0 or later. The quotients are within two
-/// roundings each, so only those that differ by less than 2^-50 need the products.
+/// Whether a is at or before b, exactly; both are 0 or later. The quotients are within two roundings
+/// each, and a third of the direction, so only those that differ by less than 2^-50 need the products.
 bool at_or_before(const Crossing& a, const Crossing& b) {
     if (a.t <= b.t * (1 - 0x1p-50)) return true;
     if (a.t > b.t * (1 + 0x1p-50)) return false;
     const int order = sign_of([&](auto number) {
         using N = decltype(number);
-        return (N(a.face) - N(a.origin)) * N(b.direction) - (N(b.face) - N(b.origin)) * N(a.direction);
+        return (N(a.face) - N(a.origin)) * two_terms<N>(b.direction, b.rest) -
+               (N(b.face) - N(b.origin)) * two_terms<N>(a.direction, a.rest);
     });
     const bool flipped = (a.direction < 0) != (b.direction < 0);
     return flipped ? order >= 0 : order <= 0;
@@ -70,23 +71,23 @@ struct Entry {
 /// reciprocal, and with a direction of 0 apart, so that neither can turn a hit into a miss. Exact,
 /// as at_or_before is.
 bool enters_exactly(const Aabb& box, const Ray& ray, Entry& result) {
-    const Crossing end(ray.t_max, 0, 1);
-    Crossing entry(0, 0, 1), exit = end;
+    const Crossing end(ray.t_max, 0, 1, 0);
+    Crossing entry(0, 0, 1, 0), exit = end;
     int entry_axis = -1;
     for (int axis = 0; axis < 3; ++axis) {
-        const double origin = ray.origin[axis], direction = ray.direction[axis];
+        const double origin = ray.origin[axis], direction = ray.direction[axis], rest = ray.rest[axis];
         const double low = box.min[axis], high = box.max[axis];
         const bool below = origin<low, above = origin> high;
         if ((below && direction <= 0) || (above && direction >= 0)) return false;
         if (below || above) {
-            const Crossing enters(below ? low : high, origin, direction);
+            const Crossing enters(below ? low : high, origin, direction, rest);
             if (entry_axis < 0 || !at_or_before(enters, entry)) {
                 entry = enters;
                 entry_axis = axis;
             }
         }
         if (direction != 0) {
-            const Crossing leaves(direction > 0 ? high : low, origin, direction);
+            const Crossing leaves(direction > 0 ? high : low, origin, direction, rest);
             if (at_or_before(leaves, exit)) exit = leaves;
         }
     }
@@ -96,7 +97,7 @@ bool enters_exactly(const Aabb& box, const Ray& ray, Entry& result) {
 
 /// The same from rounded products with the reciprocal, which decide if the latest entry is clearly
 /// before or after the first exit, and after the entry on any other axis: each is within three
-/// roundings. Only t itself is divided for.
+/// roundings, and a fourth of the direction. Only t itself is divided for.
 bool enters(const Aabb& box, const Ray& ray, Entry& result) {
     constexpr double more = 1 + 0x1p-49;
     double latest = -infinity, second = -infinity, exit = ray.t_max;
@@ -124,7 +125,66 @@ bool enters(const Aabb& box, const Ray& ray, Entry& result) {
     return true;
 }
 
+// --- Frustum ------------------------------------------------------------------------------------
+
+/// A plane of a frustum and a ray: how far the origin is above the plane, and how fast the ray climbs.
+struct Approach {
+    double depth = 0, climb = 0;  // signs exact, within 2^-44 of themselves
+
+    double t() const { return -depth / climb; }
+};
+
+template <class N>
+N exact_depth(const Frustum& frustum, int i, const Ray& ray) {
+    const Plane& plane = frustum.planes[i];
+    using V = VecOf<N>;
+    return dot(V::of(plane.normal), V::difference(ray.origin, frustum.origin)) - N(plane.distance);
+}
+template <class N>
+N exact_climb(const Frustum& frustum, int i, const Ray& ray) {
+    using V = VecOf<N>;
+    return dot(V::of(frustum.planes[i].normal), V::two_terms(ray.direction, ray.rest));
+}
+
+/// Whether the ray comes in through plane `in` no later than it goes out through plane `out`, exactly.
+bool enters_before(const Frustum& frustum, int in, int out, const Ray& ray) {
+    return sign_of([&](auto number) {
+               using N = decltype(number);
+               return exact_depth<N>(frustum, in, ray) * exact_climb<N>(frustum, out, ray) -
+                      exact_depth<N>(frustum, out, ray) * exact_climb<N>(frustum, in, ray);
+           }) <= 0;
+}
+/// Whether it comes in through a plane before it ends, exactly; t_max is finite.
+bool enters_in_time(const Frustum& frustum, int in, const Ray& ray) {
+    return sign_of([&](auto number) {
+               using N = decltype(number);
+               return exact_depth<N>(frustum, in, ray) + N(ray.t_max) * exact_climb<N>(frustum, in, ray);
+           }) >= 0;
+}
+
+/// Whether the ray has come in through each plane that it starts outside of before it leaves by another
+/// or ends. Asked when the last entry and the first exit are too close to call.
+bool enters_exactly(const Frustum& frustum, const Approach (&approaches)[6], const Ray& ray, double entry) {
+    const double early = entry * (1 - 0x1p-38), late = entry * (1 + 0x1p-38);
+    for (int in = 0; in < 6; ++in) {
+        if (approaches[in].depth >= 0 || approaches[in].t() < early) continue;
+        if (ray.t_max < late && !enters_in_time(frustum, in, ray)) return false;
+        for (int out = 0; out < 6; ++out) {
+            const Approach& leaves = approaches[out];
+            if (leaves.depth < 0 || leaves.climb >= 0 || leaves.t() > late) continue;
+            if (!enters_before(frustum, in, out, ray)) return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
+
+Ray ray_along(const Segment& segment) {
+    Vec3 rest;
+    const Vec3 direction = difference(segment.b, segment.a, rest);
+    return {segment.a, direction, 1, rest, true};
+}
 
 bool started_inside(const Ray& ray, Hit& hit) {
     hit = Hit{};
@@ -154,8 +214,8 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
 /// In the box's own axes around its own centre, in double, nothing of a far origin is lost
 /// (Majercik et al. 2018).
 bool raycast(const Obb& box, const Ray& ray, Hit& hit) {
-    const Ray local{transpose_times(box.axes, ray.origin - box.center), transpose_times(box.axes, ray.direction),
-                    ray.t_max};
+    Ray local{transpose_times(box.axes, ray.origin - box.center), transpose_times(box.axes, ray.direction), ray.t_max};
+    if (ray.rest != Vec3{}) local.rest = transpose_times(box.axes, ray.rest);
     if (!raycast(Aabb{-box.half, box.half}, local, hit)) return false;
     if (hit.flags & GPHYS_HIT_INSIDE) return started_inside(ray, hit);
     hit.point = box.center + box.axes * hit.point;
@@ -166,7 +226,7 @@ bool raycast(const Obb& box, const Ray& ray, Hit& hit) {
 /// A ray in the plane meets it at once.
 bool raycast(const Plane& plane, const Ray& ray, Hit& hit) {
     const double start = height(plane, Vec3{}, ray.origin);
-    const double climb = accurate_dot(plane.normal, ray.direction);
+    const double climb = climb_along(plane.normal, ray);
     if (start != 0 && (start > 0 ? climb >= 0 : climb <= 0)) return false;
     double t = start == 0 ? 0 : -start / climb;
     const bool at_the_end = std::fabs(t - ray.t_max) <= 0x1p-40 * t;
@@ -186,19 +246,23 @@ bool raycast(const Plane& plane, const Ray& ray, Hit& hit) {
 bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit) {
     double entry = 0, exit = ray.t_max;
     const Plane* entered = nullptr;
-    for (const Plane& plane : frustum.planes) {
-        const double depth = height(plane, frustum.origin, ray.origin);
-        const double climb = accurate_dot(plane.normal, ray.direction);
-        if (depth < 0) {
-            if (climb <= 0) return false;
-            const double t = -depth / climb;
+    Approach approaches[6];
+    for (int i = 0; i < 6; ++i) {
+        const Plane& plane = frustum.planes[i];
+        Approach& approach = approaches[i];
+        approach = {height(plane, frustum.origin, ray.origin), climb_along(plane.normal, ray)};
+        if (approach.depth < 0) {
+            if (approach.climb <= 0) return false;
+            const double t = approach.t();
             if (!entered || t > entry) entry = t, entered = &plane;
-        } else if (climb < 0) {
-            exit = std::min(exit, depth / -climb);
+        } else if (approach.climb < 0) {
+            exit = std::min(exit, approach.t());
         }
     }
     if (!entered) return started_inside(ray, hit);
-    if (entry > exit) return false;
+    if (entry > exit * (1 + 0x1p-40)) return false;
+    if (entry > exit * (1 - 0x1p-40) && !enters_exactly(frustum, approaches, ray, entry)) return false;
+    entry = std::min(entry, ray.t_max);
     hit = Hit{};
     hit.t = entry;
     hit.point = ray.origin + ray.direction * entry;

@@ -1,6 +1,7 @@
 // Where a ray first meets a sphere or a capsule, without a false answer: what rounding could decide is
 // asked again in exact arithmetic (exact.h).
 #include "foundation/exact.h"
+#include "intersect/capsule_axis.h"
 #include "intersect/intersect.h"
 
 namespace gphys {
@@ -17,7 +18,7 @@ struct Quadratic {
 /// How far the numbers of a Quadratic<double> are off at most. With u = 2^-53, a component of a cross
 /// product of vectors p and q that carry e and f roundings is off by at most (2 + e + f) u |p| |q|, the
 /// whole vector by sqrt(3) of that; a dot product by (3 + e + f) u |p| |q|. Terms in u^2 are paid for
-/// by rounding the factors up.
+/// by rounding the factors up. The direction of a ray carries one rounding if it has a rest.
 struct Rounding {
     double b, c, discriminant;
 };
@@ -31,18 +32,19 @@ struct SphereCrossing {
 
     template <class N>
     Quadratic<N> operator()(N) const {
-        const auto from = VecOf<N>::difference(ray.origin, sphere.center), d = VecOf<N>::of(ray.direction);
+        const auto from = VecOf<N>::difference(ray.origin, sphere.center);
+        const auto d = VecOf<N>::two_terms(ray.direction, ray.rest);
         const auto moment = cross(from, d);
         const N dd = dot(d, d), radius_squared = N(sphere.radius) * N(sphere.radius);
         return {dd, -dot(from, d), dot(from, from) - radius_squared, radius_squared * dd - dot(moment, moment), N(1.0)};
     }
     Rounding rounding_of(const Quadratic<double>& q) const {
         const double from = reach(ray.origin - sphere.center), rr = sphere.radius * sphere.radius;
-        // moment: off by 3 sqrt(3) u |from| |d| =: e; its square by (2 |moment| + e) e, and its own sum.
-        const double product = from * reach(ray.direction), e = 6 * unit * product;
+        // moment: off by 4 sqrt(3) u |from| |d| =: e; its square by (2 |moment| + e) e, and its own sum.
+        const double product = from * reach(ray.direction), e = 7 * unit * product;
         const double moment = std::sqrt(std::max(rr * q.a - q.discriminant, 0.0));
-        return {5 * unit * product, unit * (6 * from * from + 3 * rr),
-                (2 * moment + e) * e + 4 * unit * moment * moment + 6 * unit * rr * q.a};
+        return {6 * unit * product, unit * (6 * from * from + 3 * rr),
+                (2 * moment + e) * e + 4 * unit * moment * moment + 9 * unit * rr * q.a};
     }
 };
 
@@ -55,7 +57,8 @@ struct SideCrossing {
     template <class N>
     Quadratic<N> operator()(N) const {
         const auto axis = VecOf<N>::difference(capsule.b, capsule.a);
-        const auto from = VecOf<N>::difference(ray.origin, capsule.a), d = VecOf<N>::of(ray.direction);
+        const auto from = VecOf<N>::difference(ray.origin, capsule.a);
+        const auto d = VecOf<N>::two_terms(ray.direction, ray.rest);
         const auto n = cross(d, axis), moment = cross(from, axis);
         const N nn = dot(n, n), apart = dot(from, n), aa = dot(axis, axis);
         const N radius_squared = N(capsule.radius) * N(capsule.radius);
@@ -64,10 +67,10 @@ struct SideCrossing {
     }
     Rounding rounding_of(const Quadratic<double>& q) const {
         const double from = reach(ray.origin - capsule.a), rr = capsule.radius * capsule.radius;
-        // n is off by 3 sqrt(3) u |d| |axis| =: e, the moment by 4 sqrt(3) u |from| |axis| =: g, apart by
+        // n is off by 4 sqrt(3) u |d| |axis| =: e, the moment by 4 sqrt(3) u |from| |axis| =: g, apart by
         // |from| e and 4 u |from| |n|, in all h; |n| <= |d| |axis|, |moment| <= |from| |axis|.
         const double axis = reach(capsule.b - capsule.a), d_axis = reach(ray.direction) * axis, from_axis = from * axis;
-        const double e = 6 * unit * d_axis, g = 8 * unit * from_axis, h = 11 * unit * from * d_axis;
+        const double e = 7 * unit * d_axis, g = 8 * unit * from_axis, h = 12 * unit * from * d_axis;
         const double apart = std::sqrt(std::max(rr * q.a - q.discriminant, 0.0));
         return {from_axis * e + d_axis * (g + 4 * unit * from_axis),
                 (2 * from_axis + g) * g + 4 * unit * from_axis * from_axis + 9 * unit * rr * q.stretch,
@@ -134,12 +137,26 @@ bool round_hit(Vec3 axis_point, double radius, const Ray& ray, double t, Hit& hi
     return true;
 }
 
+/// The hit at t on the side of a capsule, whose axis is nearest there at a + along (b - a).
+bool side_hit(const Capsule& capsule, double along, const Ray& ray, double t, Hit& hit) {
+    const Vec3 axis = capsule.b - capsule.a;
+    if (!is_coarse_along(capsule, ray.origin, capsule.radius)) {
+        return round_hit(capsule.a + axis * along, capsule.radius, ray, t, hit);
+    }
+    const Vec3 out = away_from_line(capsule, ray.origin) + across_line(capsule, ray.direction) * t;
+    hit = Hit{};
+    hit.t = t;
+    hit.normal = normalized(out != Vec3{} ? out : -ray.direction);
+    hit.point = ray.origin + ray.direction * t;
+    return true;
+}
+
 /// Whether the axis is nearest to the ray's line between its ends, exactly. They are not parallel.
 bool is_nearest_between_ends(const Capsule& capsule, const Ray& ray) {
     const auto beyond = [&](Vec3 end, Vec3 other) {
         return sign_of([&](auto number) {
                    using V = VecOf<decltype(number)>;
-                   const V d = V::of(ray.direction);
+                   const V d = V::two_terms(ray.direction, ray.rest);
                    return dot(cross(V::difference(ray.origin, end), d), cross(V::difference(other, end), d));
                }) < 0;
     };
@@ -171,7 +188,7 @@ bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit) {
         const double error = (0x1p-27 * std::fabs(way) + 0x1p-48 * std::fabs(start)) / axis_squared;
         along = (start + way) / axis_squared;
         if (along > error && along < 1 - error) {
-            return round_hit(capsule.a + axis * along, capsule.radius, ray, t, hit);
+            return side_hit(capsule, along, ray, t, hit);
         }
         at_joint = along >= -error && along <= 1 + error;
     }
@@ -181,7 +198,7 @@ bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit) {
     if (enters_a && (!enters_b || t_a <= t_b)) return round_hit(capsule.a, capsule.radius, ray, t_a, hit);
     if (enters_b) return round_hit(capsule.b, capsule.radius, ray, t_b, hit);
     return at_joint && is_nearest_between_ends(capsule, ray) &&
-           round_hit(capsule.a + axis * std::clamp(along, 0.0, 1.0), capsule.radius, ray, t, hit);
+           side_hit(capsule, std::clamp(along, 0.0, 1.0), ray, t, hit);
 }
 
 }  // namespace gphys

@@ -64,7 +64,7 @@ Meeting meeting_at(const Corner& corner, const ShearedRay& ray) {
     const double t = (to - from) / direction;
     const bool by_the_end = in_time(t, ray.t_max, direction, [&](auto number) {
         using N = decltype(number);
-        return N(to) - N(from) - N(ray.t_max) * N(direction);
+        return N(to) - N(from) - N(ray.t_max) * two_terms<N>(direction, ray.rest[ray.kz]);
     });
     return {t, corner.u, corner.v, by_the_end};
 }
@@ -80,7 +80,7 @@ Meeting meeting_between(const Corner& from, const Corner& to, const ShearedRay& 
     const bool by_the_end = in_time(t, ray.t_max, denominator, [&](auto number) {
         using N = decltype(number);
         using V = VecOf<N>;
-        const N slope = turn(V::of(ray.direction), V::difference(to.position, from.position), axis);
+        const N slope = turn(V::two_terms(ray.direction, ray.rest), V::difference(to.position, from.position), axis);
         return numerator(number) - N(ray.t_max) * slope;
     });
     const double weight = from.side / (from.side - to.side);
@@ -96,7 +96,7 @@ bool crosses_in_plane(const Triangle& triangle, const ShearedRay& ray, TriangleC
         for (Corner& corner : corners) {
             corner.side = value_of([&](auto number) {
                 using V = VecOf<decltype(number)>;
-                return turn(V::of(ray.direction), V::difference(corner.position, ray.origin), axis);
+                return turn(V::two_terms(ray.direction, ray.rest), V::difference(corner.position, ray.origin), axis);
             });
             turns = turns || corner.side != 0;
         }
@@ -132,7 +132,8 @@ bool crosses_in_plane(const Triangle& triangle, const ShearedRay& ray, TriangleC
 auto volume(const ShearedRay& ray, Vec3 p, Vec3 q) {
     return [&ray, p, q](auto number) {
         using V = VecOf<decltype(number)>;
-        return dot(V::of(ray.direction), cross(V::difference(p, ray.origin), V::difference(q, ray.origin)));
+        return dot(V::two_terms(ray.direction, ray.rest),
+                   cross(V::difference(p, ray.origin), V::difference(q, ray.origin)));
     };
 }
 
@@ -141,7 +142,7 @@ auto volume(const ShearedRay& ray, Vec3 p, Vec3 q) {
 double accurate_volume(const ShearedRay& ray, Vec3 p, Vec3 q) {
     Vec3 to_p, to_q;
     double value;
-    if (difference_is_exact(p, ray.origin, to_p) && difference_is_exact(q, ray.origin, to_q) &&
+    if (ray.rest == Vec3{} && difference_is_exact(p, ray.origin, to_p) && difference_is_exact(q, ray.origin, to_q) &&
         integer_determinant(ray.direction, to_p, to_q, value)) {
         return value;
     }
@@ -157,7 +158,8 @@ void accurate_parameters(const Triangle& triangle, const ShearedRay& ray, double
                        vector(number));
         });
     };
-    const double climb = along_normal([&](auto number) { return VecOf<decltype(number)>::of(ray.direction); });
+    const double climb =
+        along_normal([&](auto number) { return VecOf<decltype(number)>::two_terms(ray.direction, ray.rest); });
     t = along_normal([&](auto number) { return VecOf<decltype(number)>::difference(triangle.a, ray.origin); }) / climb;
     u = accurate_volume(ray, triangle.a, triangle.c) / -climb;
     v = accurate_volume(ray, triangle.b, triangle.a) / -climb;
@@ -197,8 +199,9 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
     const double volume_b = a.x * c.y - a.y * c.x;
     const double volume_c = b.x * a.y - b.y * a.x;
 
-    // With u = 2^-53: offset, product and slope each carry u, so a sheared coordinate is off by at
-    // most 2 u |offset| + 4 u |z| <= 4 u (|coordinate| + 2 |z|) =: e; 5 u covers the terms in u^2.
+    // With u = 2^-53: offset and product each carry u, the slope 3 u if the direction has a rest, so a
+    // sheared coordinate is off by at most 2 u |offset| + 6 u |z| <= 4 u (|coordinate| + 2 |z|) =: e;
+    // 5 u covers the terms in u^2.
     // A volume of coordinates up to r then is off by at most 4 r e + 2 e^2 + 6 u r^2 < 8 e (r + e).
     const Vec3 reach = max(abs(a), max(abs(b), abs(c)));
     const double r = std::max(reach.x, reach.y);
@@ -240,7 +243,8 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
         using N = decltype(number);
         using V = VecOf<N>;
         const auto normal = cross(V::difference(triangle.b, triangle.a), V::difference(triangle.c, triangle.a));
-        return dot(normal, V::difference(triangle.a, ray.origin)) - N(ray.t_max) * dot(normal, V::of(ray.direction));
+        return dot(normal, V::difference(triangle.a, ray.origin)) -
+               N(ray.t_max) * dot(normal, V::two_terms(ray.direction, ray.rest));
     });
     // In time, exactly: only rounding can put it beyond.
     crossing = {std::min(t, ray.t_max), u, v, facing};

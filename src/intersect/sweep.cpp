@@ -5,6 +5,7 @@
 // of a prism and a capsule around each edge. A grown box is taken in stretches between which the
 // nearest face, edge or corner changes. A frustum, which may be infinite, is approached step by step.
 #include "foundation/exact.h"
+#include "intersect/capsule_axis.h"
 #include "intersect/intersect.h"
 
 namespace gphys {
@@ -34,6 +35,21 @@ bool touches_at_start(const Shape& shape, const Sphere& moving, Vec3 displacemen
            contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
 }
 
+/// That of a contact at the start, where the nearest point of a long capsule is too coarse to lead from.
+void mend_normal(const Capsule& capsule, const Sphere& moving, Hit& hit) {
+    if (!is_coarse_along(capsule, moving.center, capsule.radius + moving.radius) || contains(capsule, moving.center, 0))
+        return;
+    const auto is_beside = [&](Vec3 end, Vec3 other) {
+        return sign_of([&](auto number) {
+                   using V = VecOf<decltype(number)>;
+                   return dot(V::difference(other, end), V::difference(moving.center, end));
+               }) > 0;
+    };
+    if (!is_beside(capsule.a, capsule.b) || !is_beside(capsule.b, capsule.a)) return;
+    const Vec3 out = away_from_line(capsule, moving.center);
+    if (out != Vec3{}) hit.normal = normalized(out);
+}
+
 /// The hit of the path with the grown shape becomes one of the sphere with the shape.
 template <class Shape>
 bool contact_on(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
@@ -56,9 +72,12 @@ bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& h
 
 bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(capsule, path(moving, displacement), hit);
-    if (touches_at_start(capsule, moving, displacement, hit)) return true;
-    return raycast(Capsule{capsule.a, capsule.b, capsule.radius + moving.radius}, path(moving, displacement), hit) &&
-           contact_on(capsule, moving, displacement, hit);
+    const Capsule grown{capsule.a, capsule.b, capsule.radius + moving.radius};
+    const bool meets =
+        touches_at_start(capsule, moving, displacement, hit) ||
+        (raycast(grown, path(moving, displacement), hit) && contact_on(capsule, moving, displacement, hit));
+    if (meets && hit.t == 0) mend_normal(capsule, moving, hit);
+    return meets;
 }
 
 /// The squared distance from the centre to the box is the sum of the squares by which it is outside

@@ -4,8 +4,13 @@ namespace gphys {
 
 namespace {
 
+/// A segment stays one whose ends are where the mesh has its own points.
 Ray into_mesh(const Ray& ray, const Transform& world) {
-    return {world.inverse_apply(ray.origin), world.inverse_apply_to_vector(ray.direction), ray.t_max};
+    const Vec3 origin = world.inverse_apply(ray.origin);
+    if (!ray.is_segment) return {origin, world.inverse_apply_to_vector(ray.direction), ray.t_max};
+    Ray local = ray_along({origin, world.inverse_apply(end_of(ray))});
+    local.t_max = ray.t_max;
+    return local;
 }
 
 /// Whether a ray certainly misses a box: seen along an axis of the box, or across both an axis and the

@@ -54,7 +54,11 @@ void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root,
         store_components([&](int i) { return &at(i).sheared.sx; }, rest);
         alignas(32) float limit[8];
         store(limit, limits);
-        for (int i = 0; i < 8; ++i) at(i).limit = limit[i];
+        for (int i = 0; i < 8; ++i) {
+            at(i).limit = limit[i];
+            at(i).sheared.rest = {};
+            at(i).sheared.is_segment = false;
+        }
     }
 }
 

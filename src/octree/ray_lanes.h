@@ -17,7 +17,7 @@ struct Rays8 {
     /// ray_at(i) is each of them.
     template <class RayAt>
     [[gnu::always_inline]] explicit Rays8(const RayAt& ray_at) {
-        static_assert(sizeof(Ray) == 7 * sizeof(double));
+        static_assert(offsetof(Ray, t_max) == 6 * sizeof(double));
         const auto at = [&](int i, int number) { return &ray_at(i).origin.x + number; };
         Double8 four[4];
         load_components([&](int i) { return at(i, 0); }, four);

@@ -74,11 +74,11 @@ Verdicts8 spheres(const RaysAndModels<Ray>& pairs, Hits8& hits) {
     const Double8 c = dot(from, from) - rr, discriminant = rr * a - dot(moment, moment);
     // SphereCrossing::rounding_of
     constexpr double unit = 0x1p-53;
-    const Double8 reach = sum(absolute(from)), product = reach * sum(absolute(ray.direction)), e = 6 * unit * product;
+    const Double8 reach = sum(absolute(from)), product = reach * sum(absolute(ray.direction)), e = 7 * unit * product;
     const Double8 length_of_moment = square_root(largest(rr * a - discriminant, 0.0));
-    const Double8 b_error = 5 * unit * product, c_error = unit * (6 * reach * reach + 3 * rr);
+    const Double8 b_error = 6 * unit * product, c_error = unit * (6 * reach * reach + 3 * rr);
     const Double8 discriminant_error =
-        (2 * length_of_moment + e) * e + 4 * unit * length_of_moment * length_of_moment + 6 * unit * rr * a;
+        (2 * length_of_moment + e) * e + 4 * unit * length_of_moment * length_of_moment + 9 * unit * rr * a;
 
     const Double8 root = square_root(largest(discriminant, 0.0)), way = b + root;
     const DoubleMask8 outside = c_error < c;

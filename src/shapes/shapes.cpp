@@ -49,9 +49,11 @@ bool is_surely_valid(const gphys_ray& ray) {
            any(beyond(last, some_direction));
 }
 
-/// Of a short normal: the plane itself is out of range, and answers could exceed the largest float.
+/// Of a short normal: the plane itself is out of range, and answers could exceed the largest float. A unit
+/// normal that was rounded to floats may be shorter than one by 2^-24 or so: that counts as one.
 bool is_far(const gphys_plane& plane) {
-    return std::fabs(static_cast<double>(plane.distance)) > double{GPHYS_MAX_COORDINATE} * length(widen(plane.normal));
+    constexpr double furthest = double{GPHYS_MAX_COORDINATE} * (1 + 0x1p-22);
+    return std::fabs(static_cast<double>(plane.distance)) > furthest * length(widen(plane.normal));
 }
 
 }  // namespace
@@ -295,6 +297,14 @@ Frustum moved(const Frustum& frustum, const Map& map) {
 
 }  // namespace
 
+Vec3 end_of(const Ray& segment) {
+    // Where the sum of origin and direction cancels it is exact, and so are the sums after it. Elsewhere
+    // the second one is off by less than 2^-103 of the end, which is a double.
+    Vec3 error;
+    const Vec3 sum = difference(segment.origin, -segment.direction, error);
+    return sum + (error + segment.rest);
+}
+
 Ray transformed(const Ray& ray, const Transform& t) {
     return {t.apply(ray.origin), t.apply_to_vector(ray.direction), ray.t_max};
 }
@@ -339,6 +349,7 @@ bool axis_parallel(const Mat3& axes) {
 }
 
 bool corners(const Frustum& frustum, Vec3 out[8]) {
+    constexpr double largest = std::numeric_limits<float>::max();
     constexpr int depth[2] = {GPHYS_FRUSTUM_NEAR, GPHYS_FRUSTUM_FAR};
     constexpr int around[4][2] = {{GPHYS_FRUSTUM_LEFT, GPHYS_FRUSTUM_BOTTOM},
                                   {GPHYS_FRUSTUM_RIGHT, GPHYS_FRUSTUM_BOTTOM},
@@ -352,6 +363,8 @@ bool corners(const Frustum& frustum, Vec3 out[8]) {
         Vec3 from_origin;
         if (!common_point(a, b, c, from_origin)) return false;
         found[i] = frustum.origin + from_origin;
+        // Planes that are almost parallel meet beyond all floats.
+        if (!(max_component(abs(found[i])) <= largest)) return false;
     }
     std::copy(found, found + 8, out);
     return true;

@@ -11,7 +11,13 @@ namespace gphys {
 struct Ray {
     Vec3 origin, direction;
     double t_max = infinity;
+    /// The exact direction is direction + rest: of a segment, b - a may not be a double.
+    Vec3 rest = {};
+    /// It was a segment: the end, at t = 1, is a point of doubles.
+    bool is_segment = false;
 };
+/// Where a segment ends.
+Vec3 end_of(const Ray& segment);
 
 struct Segment {
     Vec3 a, b;

@@ -1,8 +1,9 @@
 // Shapes, rays and points of which most are hard cases. Each case takes place in a world of its own
 // kind: whole numbers (where nearly everything touches, is coplanar, collinear or coincides), the same
 // scaled by a power of two, millimetres to 1e7 metres, far from the origin, stretched by powers of two
-// of its own along each axis (slivers to 1e6 : 1), or numbers below the smallest normal float. Then
-// some coordinates are moved by an ulp or two.
+// of its own along each axis (slivers to 1e6 : 1), numbers below the smallest normal float, or numbers
+// of very different size beside each other, whose differences are no doubles. Then some coordinates are
+// moved by an ulp or two.
 #pragma once
 
 #include <cfloat>
@@ -37,6 +38,31 @@ inline double ulp_of(double size) {
     return static_cast<double>(std::nextafterf(nearest, FLT_MAX)) - static_cast<double>(nearest);
 }
 
+/// A number of a world where sizes from the least to 2^20 stand beside each other: what sines and cosines of
+/// right angles leave in place of 0 (6.1e-17 and its multiples), simple fractions, powers of two.
+inline float mixed_number(Random& random) {
+    constexpr float least_cosine = 0x1.1a6264p-54f;  // of the double nearest to pi / 2, in float
+    const float sign = random.index(2) ? 1.0f : -1.0f;
+    const float small = static_cast<float>(1 + random.index(4));
+    switch (random.index(8)) {
+        case 0:
+            return 0;
+        case 1:
+        case 2:
+            return sign;
+        case 3:
+            return sign * (random.index(2) ? .5f : .25f);
+        case 4:
+            return sign * least_cosine;
+        case 5:
+            return sign * least_cosine * small;
+        case 6:
+            return sign * small * std::ldexp(1.0f, static_cast<int>(random.index(81)) - 60);
+        default:
+            return sign * small * std::numeric_limits<float>::denorm_min();
+    }
+}
+
 class Cases {
 public:
     explicit Cases(uint64_t seed) : random(seed_of_part(seed)) { next(); }
@@ -47,7 +73,7 @@ public:
 
     /// Begin another case, in another world.
     void next() {
-        kind_ = static_cast<Kind>(random.index(7));
+        kind_ = static_cast<Kind>(random.index(8));
         offset_ = {};
         stretch_ = {1, 1, 1};
         scale_ = 1;
@@ -70,6 +96,7 @@ public:
                 break;
             case Kind::lattice:
             case Kind::usual:
+            case Kind::mixed:
                 break;
         }
         whole_ = kind_ == Kind::lattice || kind_ == Kind::scaled_lattice || kind_ == Kind::subnormal ||
@@ -110,6 +137,7 @@ public:
     /// A length of the world's size; sometimes 0.
     float size() {
         if (one_in(12)) return 0;
+        if (kind_ == Kind::mixed) return std::fabs(mixed_number(random));
         const double full = whole_ ? 1 + random.index(3) : random.uniform(0, 1);
         float value = static_cast<float>(full * scale_);
         if (one_in(6)) nudge(value);
@@ -214,10 +242,14 @@ public:
     }
 
 private:
-    enum class Kind { lattice, scaled_lattice, usual, any_scale, far, stretched, subnormal };
+    enum class Kind { lattice, scaled_lattice, usual, any_scale, far, stretched, subnormal, mixed };
 
     Vec3 offset() {
         Vec3 v;
+        if (kind_ == Kind::mixed) {
+            for (int k = 0; k < 3; ++k) v[k] = mixed_number(random);
+            return v;
+        }
         for (int k = 0; k < 3; ++k) {
             const double unit = whole_ ? double(random.index(9)) - 4 : random.uniform(-1, 1);
             v[k] = unit * scale_ * stretch_[k];

@@ -121,15 +121,6 @@ auto with_simplex(const gphys_triangle& t, const Answer& answer) {
     if (first == last) return answer(first);
     return answer(Kernel::Segment_3(first, last));
 }
-/// The path of a ray: without end, up to t_max, or a point.
-template <class Answer>
-auto with_path(const gphys_ray& ray, const Answer& answer) {
-    const Point from = exact(ray.origin);
-    const Vector along = exact_vector(ray.direction);
-    if (std::isinf(ray.t_max)) return answer(Kernel::Ray_3(from, along));
-    if (ray.t_max == 0) return answer(from);
-    return answer(Kernel::Segment_3(from, from + along * Number(ray.t_max)));
-}
 
 // --- How far apart two convex shapes are ---------------------------------------------------------
 
