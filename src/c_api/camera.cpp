@@ -158,7 +158,8 @@ gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float height, f
                   "near_distance or far_distance is not finite or out of range");
     GPHYS_REQUIRE(static_cast<double>(far_distance) - near_distance >= smallest_extent,
                   "far_distance: must be at least 1e-6 above near_distance");
-    unwrap(camera)->set_orthographic(height, near_distance, far_distance);
+    GPHYS_REQUIRE(unwrap(camera)->set_orthographic(height, near_distance, far_distance),
+                  "height: with this viewport, the width is beyond twice GPHYS_MAX_COORDINATE");
     return GPHYS_OK;
 }
 
@@ -171,7 +172,8 @@ gphys_status gphys_camera_set_projection(gphys_camera* camera, const gphys_mat4*
 gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height) {
     GPHYS_REQUIRE(camera, "camera is null");
     GPHYS_REQUIRE(is_viewport(width) && is_viewport(height), "viewport sizes must be 1e-3 .. 1e6");
-    unwrap(camera)->set_viewport(width, height);
+    GPHYS_REQUIRE(unwrap(camera)->set_viewport(width, height),
+                  "width: what the orthographic camera sees would be wider than twice GPHYS_MAX_COORDINATE");
     return GPHYS_OK;
 }
 

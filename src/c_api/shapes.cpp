@@ -1,7 +1,7 @@
 // Single shapes: validity, bounds, placement, corners.
 #include "c_api/handles.h"
 #include "c_api/shape_input.h"
-#include "camera/clip_space.h"
+#include "camera/projection.h"
 #include "mesh/mesh.h"
 #include "shapes/halfspaces.h"
 
@@ -134,13 +134,15 @@ gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_
             GPHYS_REQUIRE(std::islessequal(std::fabs(element), GPHYS_MAX_COORDINATE),
                           "view_projection: an element is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
         }
-        const Mat4 matrix = widen(*view_projection);
-        Mat4 unused;
-        if (!inverse(matrix, unused)) return fail(GPHYS_ERROR_SINGULAR, "view_projection: has no inverse");
+        UserProjection projection{widen(*view_projection), {}};
+        if (!inverse(projection.to_clip, projection.from_clip))
+            return fail(GPHYS_ERROR_SINGULAR, "view_projection: has no inverse");
         Frustum frustum;
-        clip_planes(matrix, DepthRange(depth_range, reverse_z != 0), Window(), frustum.planes);
+        const DepthRange depths(depth_range, reverse_z != 0);
+        projection.planes(depths, Window(), frustum.planes);
         const gphys_frustum result = narrow(frustum);
-        if (defect(result)) return fail(GPHYS_ERROR_SINGULAR, "view_projection: what it shows has no volume");
+        if (defect(result) || !projection.has_near_corners(depths))
+            return fail(GPHYS_ERROR_SINGULAR, "view_projection: what it shows has no volume");
         *out_frustum = result;
         return GPHYS_OK;
     });

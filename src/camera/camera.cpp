@@ -43,8 +43,11 @@ void Camera::set_perspective(double fov_y, double near_distance, double far_dist
     projection_ = Perspective{half_height * aspect(), half_height, near_distance, far_distance};
 }
 
-void Camera::set_orthographic(double height, double near_distance, double far_distance) {
-    projection_ = Orthographic{0.5 * height * aspect(), 0.5 * height, near_distance, far_distance};
+bool Camera::set_orthographic(double height, double near_distance, double far_distance) {
+    const double half_width = 0.5 * height * aspect();
+    if (half_width > GPHYS_MAX_COORDINATE) return false;
+    projection_ = Orthographic{half_width, 0.5 * height, near_distance, far_distance};
+    return true;
 }
 
 gphys_status Camera::set_projection(const Mat4& projection) {
@@ -59,19 +62,24 @@ gphys_status Camera::set_projection(const Mat4& projection) {
             return fail(GPHYS_ERROR_INVALID_ARGUMENT,
                         "projection: a plane other than far lies at infinity (does it fit the camera's depth range?)");
         }
+        if (!at_infinity && std::fabs(planes[i].distance) > GPHYS_MAX_COORDINATE) {
+            return fail(GPHYS_ERROR_INVALID_ARGUMENT, "projection: a plane lies beyond GPHYS_MAX_COORDINATE");
+        }
     }
     projection_ = user;
     return GPHYS_OK;
 }
 
-void Camera::set_viewport(double width, double height) {
+bool Camera::set_viewport(double width, double height) {
+    auto* const orthographic = std::get_if<Orthographic>(&projection_);
+    if (orthographic && orthographic->half_height * (width / height) > GPHYS_MAX_COORDINATE) return false;
     width_ = width;
     height_ = height;
+    if (orthographic) orthographic->half_width = orthographic->half_height * aspect();
     if (auto* perspective = std::get_if<Perspective>(&projection_)) {
         perspective->half_width = perspective->half_height * aspect();
-    } else if (auto* orthographic = std::get_if<Orthographic>(&projection_)) {
-        orthographic->half_width = orthographic->half_height * aspect();
     }
+    return true;
 }
 
 // The position is rounded to float here, once, so that matrices, frustum, rays and
@@ -191,7 +199,11 @@ bool Camera::corners(Vec3 out[8]) const {
             [&](const auto& kind) { return kind.unproject(depth_range_, image, lens_corners[i]); }, projection_);
         if (!finite) return false;
     }
-    for (int i = 0; i < 8; ++i) out[i] = to_world(lens_corners[i]);
+    for (Vec3& corner : lens_corners) {
+        corner = to_world(corner);
+        if (!(max_component(abs(corner)) <= double{std::numeric_limits<float>::max()})) return false;
+    }
+    std::copy(lens_corners, lens_corners + 8, out);
     return true;
 }
 

@@ -19,10 +19,12 @@ public:
     Memory memory;
 
     void set_perspective(double fov_y, double near_distance, double far_distance);
-    void set_orthographic(double height, double near_distance, double far_distance);
+    /// False if it would see further than GPHYS_MAX_COORDINATE to the side.
+    bool set_orthographic(double height, double near_distance, double far_distance);
     /// From the camera's own axes to clip space.
     gphys_status set_projection(const Mat4& projection);
-    void set_viewport(double width, double height);
+    /// False as set_orthographic.
+    bool set_viewport(double width, double height);
 
     /// The rotation takes the camera's own axes to the world's.
     void set_transform(Vec3 position, const Mat3& rotation);
@@ -52,7 +54,7 @@ public:
     Frustum frustum(const Window& window = {}) const;
     /// What is seen in a rectangle of pixels whose corners come in any order.
     Frustum frustum_of_pixels(double x0, double y0, double x1, double y1) const;
-    /// In the order of gphys_frustum_corners; false with an infinite far plane.
+    /// In the order of gphys_frustum_corners; false with an infinite far plane, or a corner beyond all floats.
     bool corners(Vec3 out[8]) const;
 
     /// Pixels are (x, y, depth). False if the point has no image, or no finite one.

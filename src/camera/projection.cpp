@@ -143,6 +143,17 @@ bool UserProjection::cast(const DepthRange& depth_range, double x, double y, Ray
     return true;
 }
 
+bool UserProjection::has_near_corners(const DepthRange& depth_range) const {
+    for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) {
+            Vec3 corner;
+            if (!unproject(depth_range, {x, y, depth_range.near_depth}, corner)) return false;
+            if (!(max_component(abs(corner)) <= double{std::numeric_limits<float>::max()})) return false;
+        }
+    }
+    return true;
+}
+
 void UserProjection::planes(const DepthRange& depth_range, const Window& window, Plane out[6]) const {
     clip_planes(to_clip, depth_range, window, out);
 }

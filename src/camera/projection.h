@@ -45,6 +45,9 @@ struct UserProjection {
     bool unproject(const DepthRange& depth_range, Vec3 image, Vec3& point) const;
     bool cast(const DepthRange& depth_range, double x, double y, Ray& ray) const;
     void planes(const DepthRange& depth_range, const Window& window, Plane out[6]) const;
+    /// Whether the four corners of the image lie in front of the camera on the near plane, within the range of
+    /// floats: what the matrix shows begins somewhere.
+    bool has_near_corners(const DepthRange& depth_range) const;
 };
 
 }  // namespace gphys

@@ -39,6 +39,11 @@ gphys_status link(Body& body, uint32_t a, uint32_t b, double compliance) {
     return add_constraint(body, {a, b, -1, compliance, 0, 0}, ignored);
 }
 
+/// How many edges a grid has in the direction (du, dv), as link_grid makes them.
+uint64_t grid_edges(uint32_t columns, uint32_t rows, uint32_t du, uint32_t dv) {
+    return uint64_t{columns - std::min(columns, du)} * (rows - std::min(rows, dv));
+}
+
 /// The edges of a grid in the direction (columns, rows) = (du, dv).
 gphys_status link_grid(Body& body, uint32_t columns, uint32_t rows, uint32_t du, int dv, double compliance) {
     const uint32_t down = dv < 0 ? static_cast<uint32_t>(-dv) : 0, up = dv > 0 ? static_cast<uint32_t>(dv) : 0;
@@ -90,6 +95,13 @@ gphys_status Solver::add_rope(const gphys_body_desc& desc, const gphys_vec3* pos
 
 gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 edge_u, Vec3 edge_v, uint32_t columns,
                                uint32_t rows, gphys_body_id& out) {
+    // Before millions of particles are made in vain.
+    const bool shears = desc.cloth_flags & GPHYS_CLOTH_SHEAR, bends = desc.cloth_flags & GPHYS_CLOTH_BEND;
+    const uint64_t edges = grid_edges(columns, rows, 0, 1) + grid_edges(columns, rows, 1, 0) +
+                           (shears ? 2 * grid_edges(columns, rows, 1, 1) : 0) +
+                           (bends ? grid_edges(columns, rows, 0, 2) + grid_edges(columns, rows, 2, 0) : 0);
+    if (edges > IdTable::capacity) return too_many();
+
     Body body = make_body(GPHYS_BODY_CLOTH, desc, columns * rows, &memory);
     for (uint32_t row = 0; row < rows; ++row) {
         for (uint32_t column = 0; column < columns; ++column) {
