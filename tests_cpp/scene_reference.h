@@ -64,8 +64,12 @@ struct PlacedModel {
 inline bool raycast(const PlacedModel& model, const Ray& ray, Hit& hit) {
     if (const Shape* shape = std::get_if<Shape>(&model.shape)) return gphys::raycast(*shape, ray, hit);
     const MeshSource& mesh = *std::get<1>(model.shape);
-    const Ray local{model.world.inverse_apply(ray.origin), model.world.inverse_apply_to_vector(ray.direction),
-                    ray.t_max};
+    Ray local{model.world.inverse_apply(ray.origin), model.world.inverse_apply_to_vector(ray.direction), ray.t_max};
+    if (ray.is_segment) {
+        // Both ends are where the mesh has its own points.
+        local = ray_along({local.origin, model.world.inverse_apply(end_of(ray))});
+        local.t_max = ray.t_max;
+    }
     bool found = false;
     for (uint32_t i = 0; i < mesh.triangle_count(); ++i) {
         Hit candidate;

@@ -8,12 +8,9 @@
 namespace gphys {
 
 /// Whether a point on the axis, computed as a + along (b - a), may be off by more than 2^-30 of a radius
-/// that is not 0. It goes through some four roundings of 2^-53 of the coordinates from the axis's end and
-/// of its length.
-inline bool is_coarse_along(const Capsule& capsule, Vec3 from, double radius) {
-    const Vec3 axis = capsule.b - capsule.a, offset = from - capsule.a;
-    return radius > 0 && max_component(abs(capsule.a) + abs(axis) + abs(offset)) > radius * 0x1p21;
-}
+/// that is not 0. It goes through some four roundings of 2^-53 of `size`: of the coordinates of a, of those
+/// that the query counts from there, and of the axis.
+constexpr bool is_coarse(double size, double radius) { return radius > 0 && size > radius * 0x1p21; }
 
 /// The part of v, from `start` to `end`, that is perpendicular to the axis, which has a length:
 /// (axis x v) x axis / |axis|^2. The inner product loses nothing to cancellation, and the outer one is of

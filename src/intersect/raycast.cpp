@@ -19,6 +19,12 @@ double height(const Plane& plane, Vec3 origin, Vec3 point) {
 
 /// dot(normal, direction), with the exact sign.
 double climb_along(Vec3 normal, const Ray& ray) {
+    if (!ray.is_segment) {
+        return value_of([&](auto number) {
+            using V = VecOf<decltype(number)>;
+            return dot(V::of(normal), V::of(ray.direction));
+        });
+    }
     return value_of([&](auto number) {
         using V = VecOf<decltype(number)>;
         return dot(V::of(normal), V::two_terms(ray.direction, ray.rest));
@@ -215,7 +221,7 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
 /// (Majercik et al. 2018).
 bool raycast(const Obb& box, const Ray& ray, Hit& hit) {
     Ray local{transpose_times(box.axes, ray.origin - box.center), transpose_times(box.axes, ray.direction), ray.t_max};
-    if (ray.rest != Vec3{}) local.rest = transpose_times(box.axes, ray.rest);
+    if (ray.is_segment) local.rest = transpose_times(box.axes, ray.rest);
     if (!raycast(Aabb{-box.half, box.half}, local, hit)) return false;
     if (hit.flags & GPHYS_HIT_INSIDE) return started_inside(ray, hit);
     hit.point = box.center + box.axes * hit.point;

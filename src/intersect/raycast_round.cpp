@@ -137,11 +137,11 @@ bool round_hit(Vec3 axis_point, double radius, const Ray& ray, double t, Hit& hi
     return true;
 }
 
-/// The hit at t on the side of a capsule, whose axis is nearest there at a + along (b - a).
-bool side_hit(const Capsule& capsule, double along, const Ray& ray, double t, Hit& hit) {
-    const Vec3 axis = capsule.b - capsule.a;
-    if (!is_coarse_along(capsule, ray.origin, capsule.radius)) {
-        return round_hit(capsule.a + axis * along, capsule.radius, ray, t, hit);
+/// The hit at t on the side of a capsule, whose axis is nearest there at a + along (b - a). `size`: of the axis
+/// and of where the ray comes from, counted from a.
+bool side_hit(const Capsule& capsule, double along, double size, const Ray& ray, double t, Hit& hit) {
+    if (!is_coarse(reach(capsule.a) + size, capsule.radius)) {
+        return round_hit(capsule.a + (capsule.b - capsule.a) * along, capsule.radius, ray, t, hit);
     }
     const Vec3 out = away_from_line(capsule, ray.origin) + across_line(capsule, ray.direction) * t;
     hit = Hit{};
@@ -149,6 +149,30 @@ bool side_hit(const Capsule& capsule, double along, const Ray& ray, double t, Hi
     hit.normal = normalized(out != Vec3{} ? out : -ray.direction);
     hit.point = ray.origin + ray.direction * t;
     return true;
+}
+
+/// Where the axis of a capsule is nearest to a point.
+enum class Place { beside, beyond, open };  // between its ends, at one of them, too close to call
+
+/// The point of the ray at t, from products that lose nothing to cancellation: t may be far smaller than what
+/// rounding leaves of coordinates.
+Place place_on_axis(const Capsule& capsule, const Ray& ray, double t) {
+    const auto along_axis = [&](auto vector) {  // vector(number): what to multiply with the axis
+        return value_of([&](auto number) {
+            using V = VecOf<decltype(number)>;
+            return dot(V::difference(capsule.b, capsule.a), vector(number));
+        });
+    };
+    const auto from = [&](Vec3 end) {
+        return along_axis([&](auto number) { return VecOf<decltype(number)>::difference(ray.origin, end); });
+    };
+    const double way =
+        t * along_axis([&](auto number) { return VecOf<decltype(number)>::two_terms(ray.direction, ray.rest); });
+    const double from_a = from(capsule.a), from_b = from(capsule.b);
+    const double error = 0x1p-27 * std::fabs(way);
+    const double error_a = error + 0x1p-42 * std::fabs(from_a), error_b = error + 0x1p-42 * std::fabs(from_b);
+    if (from_a + way < -error_a || from_b + way > error_b) return Place::beyond;
+    return from_a + way > error_a && from_b + way < -error_b ? Place::beside : Place::open;
 }
 
 /// Whether the axis is nearest to the ray's line between its ends, exactly. They are not parallel.
@@ -179,26 +203,29 @@ bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit) {
     if (contains(capsule, ray.origin, 0)) return started_inside(ray, hit);
     if (ray.direction == Vec3{}) return false;
     const Vec3 axis = capsule.b - capsule.a;
-    double t, along = 0;
+    double t, along = 0, size = 0;
     bool at_joint = false;
     if (enters(SideCrossing{capsule, ray}, ray.t_max, t)) {
-        const double start = dot(ray.origin - capsule.a, axis), way = t * dot(ray.direction, axis);
-        const double axis_squared = length_squared(axis);
-        // Off by the 2^-28 of t, which outweighs all else, and by a few roundings.
-        const double error = (0x1p-27 * std::fabs(way) + 0x1p-48 * std::fabs(start)) / axis_squared;
+        const Vec3 from = ray.origin - capsule.a;
+        const double start = dot(from, axis), way = t * dot(ray.direction, axis), axis_squared = length_squared(axis);
+        // Off by the 2^-28 of t, and each product by a few roundings of what it is summed from.
+        const double from_size = reach(from), axis_size = reach(axis);
+        const double terms = (from_size + t * reach(ray.direction)) * axis_size;
+        const double error = (0x1p-27 * std::fabs(way) + 0x1p-49 * terms) / axis_squared;
+        size = from_size + axis_size;
         along = (start + way) / axis_squared;
-        if (along > error && along < 1 - error) {
-            return side_hit(capsule, along, ray, t, hit);
-        }
-        at_joint = along >= -error && along <= 1 + error;
+        if (along > error && along < 1 - error) return side_hit(capsule, along, size, ray, t, hit);
+        const Place place = along < -error || along > 1 + error ? Place::beyond : place_on_axis(capsule, ray, t);
+        along = std::clamp(along, 0.0, 1.0);
+        if (place == Place::beside) return side_hit(capsule, along, size, ray, t, hit);
+        at_joint = place == Place::open;
     }
     double t_a = infinity, t_b = infinity;
     const bool enters_a = enters(Sphere{capsule.a, capsule.radius}, ray, t_a);
     const bool enters_b = enters(Sphere{capsule.b, capsule.radius}, ray, t_b);
     if (enters_a && (!enters_b || t_a <= t_b)) return round_hit(capsule.a, capsule.radius, ray, t_a, hit);
     if (enters_b) return round_hit(capsule.b, capsule.radius, ray, t_b, hit);
-    return at_joint && is_nearest_between_ends(capsule, ray) &&
-           side_hit(capsule, std::clamp(along, 0.0, 1.0), ray, t, hit);
+    return at_joint && is_nearest_between_ends(capsule, ray) && side_hit(capsule, along, size, ray, t, hit);
 }
 
 }  // namespace gphys

@@ -37,8 +37,8 @@ bool touches_at_start(const Shape& shape, const Sphere& moving, Vec3 displacemen
 
 /// That of a contact at the start, where the nearest point of a long capsule is too coarse to lead from.
 void mend_normal(const Capsule& capsule, const Sphere& moving, Hit& hit) {
-    if (!is_coarse_along(capsule, moving.center, capsule.radius + moving.radius) || contains(capsule, moving.center, 0))
-        return;
+    const double size = max_component(abs(capsule.a) + abs(moving.center - capsule.a) + abs(capsule.b - capsule.a));
+    if (!is_coarse(size, capsule.radius + moving.radius) || contains(capsule, moving.center, 0)) return;
     const auto is_beside = [&](Vec3 end, Vec3 other) {
         return sign_of([&](auto number) {
                    using V = VecOf<decltype(number)>;

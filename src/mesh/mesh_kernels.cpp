@@ -54,11 +54,10 @@ void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root,
         store_components([&](int i) { return &at(i).sheared.sx; }, rest);
         alignas(32) float limit[8];
         store(limit, limits);
-        for (int i = 0; i < 8; ++i) {
-            at(i).limit = limit[i];
-            at(i).sheared.rest = {};
-            at(i).sheared.is_segment = false;
-        }
+        for (int i = 0; i < 8; ++i) at(i).limit = limit[i];
+        // Of is_segment nothing asks once a ray is sheared.
+        const Double8 no_rest[4] = {goes.w, 0, 0, 0};
+        store_components([&](int i) { return &at(i).sheared.t_max; }, no_rest);
     }
 }
 

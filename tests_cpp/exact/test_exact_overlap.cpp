@@ -14,7 +14,8 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
 Kernel::Point_3 exact(Vec3 v) { return {v.x, v.y, v.z}; }
 
-/// Corners on a grid of 5^3 points, and every few cases moved by an ulp.
+/// Corners on a grid of 5^3 points, every few cases moved by an ulp, or with a number of another size among
+/// their coordinates.
 Vec3 grid_point(test::Random& random) {
     Vec3 p;
     for (int k = 0; k < 3; ++k) p[k] = double(random.index(5)) - 2;
@@ -22,6 +23,7 @@ Vec3 grid_point(test::Random& random) {
         const int k = int(random.index(3));
         p[k] = std::nextafterf(static_cast<float>(p[k]), random.index(2) ? 9.0f : -9.0f);
     }
+    if (random.index(8) == 0) p[int(random.index(3))] = test::mixed_number(random);
     return p;
 }
 /// Or anywhere, near the plane of three others.
@@ -230,6 +232,10 @@ gphys_frustum grid_frustum(test::Random& random) {
         do plane.normal = {small(3, -1), small(3, -1), small(3, -1)};
         while (widen(plane.normal) == Vec3{});
         plane.distance = small(4, -2);
+        if (random.index(8) == 0) plane.normal.y = test::mixed_number(random);
+        if (random.index(8) == 0) plane.distance = test::mixed_number(random);
+        // Not so far out that it is refused.
+        if (gphys_shape_validate(GPHYS_SHAPE_PLANE, &plane) != GPHYS_OK) plane = {{0, 1, 0}, small(4, -2)};
     }
     if (random.index(4) == 0) f.planes[GPHYS_FRUSTUM_FAR] = {{}, -1};
     return f;

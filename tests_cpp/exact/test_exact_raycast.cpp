@@ -473,9 +473,10 @@ TEST_CASE("segments meet capsules when they do, but for 2^-48 of the distance, a
                 score.answer(given, expected.is, capsule, segment);
                 if (given) score.error(ulps(hit.t, expected.t), capsule, segment);
             } else {
-                score.answer(given, truth(capsule, Line(segment), band).is, !truth(capsule, Line(segment), -band).is,
-                             capsule, segment);
-                score.answer(given_back, given, capsule, segment);
+                const bool may_meet = truth(capsule, Line(segment), band).is,
+                           may_miss = !truth(capsule, Line(segment), -band).is;
+                score.answer(given, may_meet, may_miss, capsule, segment);
+                score.answer(given_back, may_meet, may_miss, capsule, segment);
             }
         }
         return score;
@@ -511,7 +512,7 @@ TEST_CASE("segments meet rotated boxes when they do, but for 2^-40 of the distan
           late_segment<gphys_obb>);
 }
 
-TEST_CASE("rays and segments meet frusta exactly when they do, at t", "[segment]") {
+TEST_CASE("segments meet frusta exactly when they do, at t", "[segment]") {
     const auto examine_frusta = [](SegmentTest<gphys_frustum> test, long count) {
         Cases c(77);
         Score score("segment frustum", 1, "ulp of t");
