@@ -301,6 +301,7 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         record(body, particle, impact);
     }
     body.position[particle] = at;
+    keep_in_range(body.position[particle], body.velocity[particle]);
 }
 
 Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to, double margin) {

@@ -14,8 +14,8 @@ constexpr int most_iterations = 4;
 // Coincident particles part along x. Beside any other difference of coordinates it is lost, and its
 // square is still a double.
 constexpr double aside = 1e-150;
-// GPHYS_MAX_COORDINATE.
-constexpr double farthest = 1e15;
+// GPHYS_MAX_COORDINATE, which is a float: where a node that leaves the range of coordinates stops.
+constexpr double farthest = 1e15f;
 
 template <class Value>
 struct Symmetric3 {

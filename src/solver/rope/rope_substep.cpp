@@ -146,6 +146,8 @@ void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const Time
         solve_directly(body, step);
         let_go_touching(body);
         collide_again(body, around, quiet, {step, scheme.next / scheme.h});
+        // What a shape at the border pushes out, and what hangs on it, may have left the range.
+        for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
     }
     if (!body.attachments.empty()) give_tensions(body, around, scheme);
     body.earlier_step = body.touched || captured ? 0 : scheme.advance;
