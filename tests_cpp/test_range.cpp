@@ -215,3 +215,86 @@ TEST_CASE("a cloth of too many particles or links is refused at once") {
     }
     gphys_solver_destroy(solver);
 }
+
+namespace {
+
+/// Bodies as large as the range of coordinates, moved beside and inside of a sphere that is.
+struct FarWorld {
+    gphys_scene* scene = nullptr;
+    gphys_solver *solver = nullptr, *other = nullptr;
+    gphys_body_id body = 0;
+
+    explicit FarWorld(test::Random& random) {
+        REQUIRE(gphys_scene_create(nullptr, &scene) == GPHYS_OK);
+        REQUIRE(gphys_solver_create(nullptr, &solver) == GPHYS_OK);
+        REQUIRE(gphys_solver_create(nullptr, &other) == GPHYS_OK);
+        const gphys_sphere ball{random.point(1e15f), random.index(2) ? 1e15f : 1e14f};
+        gphys_model_id model;
+        REQUIRE(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, nullptr, nullptr, &model) == GPHYS_OK);
+        gphys_body_desc desc;
+        gphys_body_desc_init(&desc, sizeof desc);
+        desc.cloth_flags = random.index(4);
+        desc.radius = random.index(2) ? .01f : 1e14f;
+        desc.compliance = random.index(4) ? 0 : 1e15f;
+        switch (random.index(4)) {
+            case 0:
+            case 1: {
+                gphys_vec3 places[8];
+                for (gphys_vec3& place : places) {
+                    place = random.point(1e15f);
+                    if (random.index(2)) place.x = random.index(2) ? 1e15f : -1e15f;
+                }
+                const bool rope = random.index(2) != 0;
+                const gphys_status status =
+                    rope ? gphys_solver_add_rope(solver, &desc, places, sizeof places[0], 8, 0, &body)
+                         : gphys_solver_add_particles(solver, &desc, places, sizeof places[0], 8, &body);
+                REQUIRE(status == GPHYS_OK);
+                break;
+            }
+            case 2: {
+                const gphys_vec3 corner{-1e15f, -1e15f, random.uniform_float(-1e15f, 9e14f)}, u{1e15f, 1e14f, 0},
+                    v{0, 1e15f, 1e13f};
+                REQUIRE(gphys_solver_add_cloth(solver, &desc, &corner, &u, &v, 5, 5, &body) == GPHYS_OK);
+                break;
+            }
+            default: {
+                const float vertices[] = {-1e15f, -1e15f, -1e15f, 1e15f, -1e15f, -1e15f, 0, 1e15f, -1e15f, 0, 0, 1e15f};
+                const uint32_t indices[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+                gphys_mesh* mesh = nullptr;
+                REQUIRE(gphys_mesh_create(nullptr, vertices, 12, 4, indices, 12, &mesh) == GPHYS_OK);
+                REQUIRE(gphys_solver_add_cloth_mesh(solver, &desc, mesh, nullptr, &body) == GPHYS_OK);
+                gphys_mesh_destroy(mesh);
+                REQUIRE(gphys_solver_set_volume(solver, body, -1, 0) == GPHYS_OK);
+            }
+        }
+    }
+    ~FarWorld() {
+        gphys_solver_destroy(solver);
+        gphys_solver_destroy(other);
+        gphys_scene_destroy(scene);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("bodies as large as the range stay in it, and their snapshots come back") {
+    std::vector<uint32_t> words(100000);
+    for (uint64_t seed = 0; seed < 300; ++seed) {
+        test::Random random(seed);
+        FarWorld world(random);
+        for (int step = 0; step < 4; ++step) {
+            const gphys_vec3 push = random.point(1e15f);
+            if (random.index(3) == 0) gphys_solver_set_velocities(world.solver, world.body, 0, 1, &push, sizeof push);
+            REQUIRE(gphys_solver_step(world.solver, world.scene, random.index(2) ? 1 / 60.f : .5f) == GPHYS_OK);
+            gphys_vec3 place;
+            REQUIRE(gphys_solver_get_positions(world.solver, world.body, 0, 1, &place, sizeof place) == GPHYS_OK);
+            CAPTURE(seed, step, place.x, place.y, place.z);
+            REQUIRE(max_component(abs(widen(place))) <= GPHYS_MAX_COORDINATE);
+            uint32_t count = 0;
+            REQUIRE(gphys_solver_get_snapshot(world.solver, words.data(), 100000, &count) == GPHYS_OK);
+            const gphys_status status = gphys_solver_restore(world.other, words.data(), count);
+            CAPTURE(gphys_last_error());
+            REQUIRE(status == GPHYS_OK);
+        }
+    }
+}

@@ -6,6 +6,8 @@ namespace {
 bool in_range(double value) { return std::fabs(value) <= GPHYS_MAX_COORDINATE; }
 bool in_range(Vec3 value) { return in_range(value.x) && in_range(value.y) && in_range(value.z); }
 bool is_amount(double value) { return value >= 0 && value <= GPHYS_MAX_COORDINATE; }
+/// Between places in range, or the volume among them.
+bool is_finite_amount(double value) { return value >= 0 && std::isfinite(value); }
 bool finite(double value) { return std::isfinite(value); }
 bool finite(Vec3 value) { return finite(value.x) && finite(value.y) && finite(value.z); }
 // Crossing all coordinates in the shortest substep, 2e15 m in 1e-9 s, takes 2e24 m/s; beyond this,
@@ -95,7 +97,7 @@ bool plan_fine(const Body& body) {
     return (plan.method == GPHYS_SOLVE_FREE || direct || graph) && plan.compliance.size() == plan.rest.size() &&
            plan.damping.size() == plan.rest.size() && plan.limit.size() == plan.rest.size() &&
            (!direct || plan.tension.size() == plan.rest.size()) && all(plan.particles, is_particle) &&
-           all(plan.chains, in_arrays) && all(plan.rest, is_amount) && all(plan.compliance, is_amount) &&
+           all(plan.chains, in_arrays) && all(plan.rest, is_finite_amount) && all(plan.compliance, is_amount) &&
            all(plan.damping, is_amount) && all(plan.limit, [](uint32_t limit) { return limit <= 1; }) &&
            all(plan.tension, [](double tension) { return finite(tension); }) && all(plan.reach_limits, fine_limit) &&
            std::is_sorted(plan.families.begin(), plan.families.end()) &&
@@ -151,7 +153,7 @@ const char* defect(const Body& body) {
     }
     if (!particles_fine(body)) return "words: a particle's state is out of range";
     const Volume& volume = body.volume;
-    if (!is_amount(volume.rest) || !is_amount(volume.compliance) || !finite(volume.pressure)) {
+    if (!is_finite_amount(volume.rest) || !is_amount(volume.compliance) || !finite(volume.pressure)) {
         return "words: a volume is none";
     }
     if (!impulses_fine(body)) return "words: an impulse is none";
