@@ -1,5 +1,6 @@
 #include "camera/camera.h"
 
+#include "foundation/elementary.h"
 #include "foundation/status.h"
 
 namespace gphys {
@@ -39,7 +40,7 @@ Camera::Camera(const gphys_allocator* hooks, const gphys_camera_desc& desc)
 }
 
 void Camera::set_perspective(double fov_y, double near_distance, double far_distance) {
-    const double half_height = std::tan(0.5 * fov_y);
+    const double half_height = tan(0.5 * fov_y);
     projection_ = Perspective{half_height * aspect(), half_height, near_distance, far_distance};
 }
 

@@ -1,5 +1,7 @@
 #include "camera/orbit.h"
 
+#include "foundation/elementary.h"
+
 namespace gphys {
 
 Orbit::Orbit(const gphys_orbit& settings, double right_sign)
@@ -60,10 +62,10 @@ gphys_orbit Orbit::settings() const {
 // Straight from the angles: they know the way when the view is parallel to up, which a look-at
 // construction does not.
 Mat3 Orbit::axes() const {
-    const double sine = std::sin(pitch_), cosine = std::cos(pitch_);
-    const Vec3 level = yaw_zero_ * std::cos(yaw_) + yaw_quarter_ * std::sin(yaw_);
-    const Vec3 right = yaw_quarter_ * std::cos(yaw_) - yaw_zero_ * std::sin(yaw_);
-    return {right, level * sine + up_ * cosine, level * cosine - up_ * sine};
+    const SinCos pitch = sin_cos(pitch_), yaw = sin_cos(yaw_);
+    const Vec3 level = yaw_zero_ * yaw.cos + yaw_quarter_ * yaw.sin;
+    const Vec3 right = yaw_quarter_ * yaw.cos - yaw_zero_ * yaw.sin;
+    return {right, level * pitch.sin + up_ * pitch.cos, level * pitch.cos - up_ * pitch.sin};
 }
 
 Vec3 Orbit::position() const { return target_ - axes().z * distance_; }

@@ -1,5 +1,6 @@
 #include "octree/box8.h"
 
+#include "foundation/elementary.h"
 #include "octree/ray_setup.h"
 
 namespace gphys {
@@ -71,7 +72,7 @@ RayBundling::RayBundling(const Box& root, uint32_t items) {
     const Vec3 low{root.min[0], root.min[1], root.min[2]}, high{root.max[0], root.max[1], root.max[2]};
     centre_ = (low + high) * 0.5;
     radius_ = distance(high, centre_);
-    leaf_size_ = 2 * radius_ / std::cbrt(1.0 + items);
+    leaf_size_ = 2 * radius_ / cbrt(1.0 + items);
 }
 
 RayBundling::Corridor RayBundling::corridor_of(const Ray& ray) const {

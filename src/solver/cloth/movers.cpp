@@ -26,14 +26,14 @@ void find_movers(Body& body, const Surroundings& around) {
         mover.model = before.model;
         mover.before = before.world;
         mover.bounded = way_of(*around.scene, before, mover.way);
-        // Of unit quaternions, up to their rounding: |q - p| = 2 sin(angle / 4).
+        // Of unit quaternions, up to their rounding: |q - p| = 2 sin(angle / 4), and their product is the cosine of
+        // half the angle.
         const Quat p = normalized(widen(before.world.rotation)), q = normalized(widen(after.rotation));
-        const double cosine = std::fabs(p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w);
-        const double half = std::acos(std::min(1.0, cosine));  // the angle's
-        mover.turn = 2 * std::sin(half) + 1e-6;                // and the rounding of an angle near 0
+        const double cosine = std::min(1.0, std::fabs(p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w));
+        mover.turn = 2 * std::sqrt(1 - cosine * cosine) + 1e-6;  // and the rounding of an angle near 0
         // Towards the middle of the circle 1 - cos(angle / 2), and less than that along the way, where the arc is
         // not passed evenly.
-        mover.bulge = 2 * (1 - std::cos(half));
+        mover.bulge = 2 * (1 - cosine);
         mover.is_rigid = before.world.scale == after.scale && mover.turn < most_turn;
         movers.push_back(mover);
     }

@@ -85,13 +85,13 @@ namespace {
 /// (|x - c| (w^2 + w' + 2 w s' / s + 2 (s' / s)^2) + 2 |x' - c'| (w + s' / s)) / s,
 /// and of n parts none is further from its chord than that over 8 n^2. A fourth of the radius is little enough:
 /// what the center passes through, its sphere then meets on the chord.
-uint32_t parts_of_path(const Transform& begin, const Transform& end, Vec3 from, Vec3 displacement, double turn,
+uint32_t parts_of_path(const Transform& begin, const Transform& end, Vec3 from, Vec3 displacement, double tangent,
                        double radius, double& bulge) {
     constexpr uint32_t most = 64;  // of points, which have no radius
     const Vec3 relative = displacement - (end.position - begin.position);
     const double least = std::min(begin.scale, end.scale), growth = std::fabs(end.scale - begin.scale) / least;
     const double away = length(from - begin.position) + length(relative);
-    const double tangent = std::tan(turn / 4), speed = 4 * tangent, change = 16 * tangent * tangent * tangent;
+    const double speed = 4 * tangent, change = 16 * tangent * tangent * tangent;
     bulge = (away * (speed * speed + change + 2 * speed * growth + 2 * growth * growth) +
              2 * length(relative) * (speed + growth)) /
             (8 * least);
@@ -100,11 +100,12 @@ uint32_t parts_of_path(const Transform& begin, const Transform& end, Vec3 from, 
     return bulge < most * most * most_bulge ? static_cast<uint32_t>(std::sqrt(bulge / most_bulge)) + 1 : most;
 }
 
-/// Radians between two rotations.
-double angle_between(const Mat3& a, const Mat3& b) {
-    // |a.x - b.x|^2 + ... = 4 (1 - cos)
+/// tan(angle / 4) of the angle between two rotations: sin(angle / 2) / (1 + cos(angle / 2)).
+double quarter_tangent(const Mat3& a, const Mat3& b) {
+    // |a.x - b.x|^2 + ... = 4 (1 - cos). Beside 1 the rounding of equal rotations is gone.
     const double square = length_squared(a.x - b.x) + length_squared(a.y - b.y) + length_squared(a.z - b.z);
-    return std::acos(std::max(-1.0, 1 - square / 4));
+    const double cosine = std::max(-1.0, 1 - square / 4);
+    return std::sqrt((1 - cosine) / 2) / (1 + std::sqrt((1 + cosine) / 2));
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 
     Vec3 from = now.apply(at_begin.inverse_apply(moving.center));
     double bulge = 0;
     const uint32_t parts = parts_of_path(at_begin, at_end, moving.center, displacement,
-                                         angle_between(at_begin.rotation, at_end.rotation), moving.radius, bulge);
+                                         quarter_tangent(at_begin.rotation, at_end.rotation), moving.radius, bulge);
     Box box;
     const bool bounded = around_.scene->bounds(before.model, box);
     const Sphere widest{from, moving.radius + bulge * now.scale};

@@ -1,23 +1,20 @@
 // The exact flight of a particle: motion under a constant acceleration and linear drag.
 #pragma once
 
+#include "foundation/elementary.h"
 #include "foundation/math.h"
 
 namespace gphys {
 
-// The integrals of exp(-z t) that the solution is made of, by their series where the closed form
-// would cancel: to z^5, after which the next term is below 1e-15.
-constexpr double small_drag = 0.01;
+// The integrals of exp(-z t) that the solution is made of. `lost` is 1 - exp(-z).
 
 /// (1 - exp(-z)) / z
-inline double phi1(double z) {
-    if (z < small_drag) return 1 - z / 2 * (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6))));
-    return -std::expm1(-z) / z;
-}
-/// (z - 1 + exp(-z)) / z^2
-inline double phi2(double z) {
+inline double phi1(double z, double lost) { return z > 0 ? lost / z : 1; }
+/// (z - 1 + exp(-z)) / z^2. Where that would cancel, its series: to z^5, after which the next term is below 1e-15.
+inline double phi2(double z, double lost) {
+    constexpr double small_drag = 0.01;
     if (z < small_drag) return (1 - z / 3 * (1 - z / 4 * (1 - z / 5 * (1 - z / 6 * (1 - z / 7))))) / 2;
-    return (z + std::expm1(-z)) / (z * z);
+    return (z - lost) / (z * z);
 }
 
 /// What some seconds do, to whatever flies under the same drag.
@@ -28,9 +25,10 @@ struct FlightTime {
     FlightTime() = default;
     FlightTime(double damping, double seconds) {
         const double z = damping * seconds;
-        if (z > 0) kept = std::exp(-z);
-        reach = seconds * phi1(z);
-        fall = seconds * seconds * phi2(z);
+        const Decay whole = decay(z);
+        kept = whole.kept;
+        reach = seconds * phi1(z, whole.lost);
+        fall = seconds * seconds * phi2(z, whole.lost);
     }
 };
 
