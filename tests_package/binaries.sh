@@ -46,3 +46,28 @@ well_behaved() {
     objdump -d "$1" >code.txt
     expect_no_match "instruction that changes the floating-point mode" -E '\b(ldmxcsr|fldcw|fldenv|msr +fpcr)\b' code.txt
 }
+
+# What C libraries compute alike: what IEEE 754 wants correctly rounded, and what is exact.
+exact_functions='(ceil|copysign|fabs|floor|fma|fmax|fmin|fmod|frexp|ilogb|ldexp|l?lrint|l?lround|logb|modf|nan|nearbyint|nextafter|remainder|rint|round|scalbl?n|sqrt|trunc)f?'
+
+# no_function_of_libm LIBRARY: none, that is, whose results differ by C library or by processor.
+no_function_of_libm() {
+    local libm
+    libm=$("$CC" -print-file-name=libm.so.6)
+    nm -D --defined-only "$libm" | sed -n 's/.* [TiW] \([a-z0-9_]*\)@.*/\1/p' | sort -u >libm.txt
+    grep -qx exp libm.txt || fail "no functions found in $libm"
+    { nm -u "$1"; nm -D -u "$1" 2>no_dynamic.txt || true; } | sed -n 's/^ *[Uw] \([a-z0-9_]*\).*/\1/p' | sort -u >needed.txt
+    [ -s needed.txt ] || fail "$1 needs nothing: it cannot be looked at"
+    comm -12 libm.txt needed.txt >of_libm.txt
+    expect_no_match "functions of the C library that differ by machine" -vxE "$exact_functions" of_libm.txt
+}
+
+# no_call_of_libm FOLDER: nor do sources call one; a compiler that knows the argument computes it itself.
+no_call_of_libm() {
+    local ours='tan|cbrt' others='exp|exp2|expm1|log|log2|log10|log1p|sin|cos|sincos|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|pow|hypot|erf|erfc|tgamma|lgamma'
+    find "$1" -name '*.cpp' -o -name '*.h' | sort >sources.txt
+    [ -s sources.txt ] || fail "no sources in $1"
+    while read -r file; do sed "s|//.*||; s|^|${file#"$1"/}: |" "$file"; done <sources.txt >code_lines.txt
+    expect_no_match "calls of functions that differ by machine" -E \
+        "(std::|[^A-Za-z0-9_:]::|__builtin_)($ours|$others)[fl]?\(|[^A-Za-z0-9_.>:]($others)[fl]?\(" code_lines.txt
+}

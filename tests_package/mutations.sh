@@ -79,6 +79,18 @@ if [ -f "$fast_math" ]; then
     refused fast_math 'floating-point mode' well_behaved fast_math.so
 fi
 
+# A function that the C library computes, found in the binary, and in sources where the compiler computes it.
+no_function_of_libm good.so
+{ cat good.so.c && echo 'double exp(double); double gphys_decay(double z) { return exp(-z); }'; } >takes_exp.so.c
+link takes_exp.so.c -lm -o takes_exp.so
+refused takes_exp '^functions of the C library that differ by machine: exp$' no_function_of_libm takes_exp.so
+for call in 'std::sin(0.1)' '__builtin_tan(0.1)' 'pow(2, 0.5f)' '::cbrt(2)' 'std::expf(x)'; do
+    rm -rf sources
+    mkdir sources
+    sed "s/^double cbrt(double x) {/&\n    static const double value = $call;/" "$SOURCE/src/foundation/elementary_cbrt.cpp" >sources/changed.cpp
+    refused call 'changed.cpp: .*value = ' no_call_of_libm "$PWD/sources"
+done
+
 # The header: what only C++ takes, only C, only later standards, or only once.
 # extended NAME COMPILER LINE: the line is refused by the compiler.
 extended() {

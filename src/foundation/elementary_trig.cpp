@@ -27,16 +27,16 @@ struct WideSinCos {
 struct Table {
     static constexpr int size = 14;
     WideSinCos wide[size];
-    U128 sin[size], cos[size];
+    U128 sines[size], cosines[size];
     U128 right_angles[4];  // in units of 2^-126, modulo 4
 
-    constexpr Table() : wide(), sin(), cos(), right_angles() {
+    constexpr Table() : wide(), sines(), cosines(), right_angles() {
         wide[0] = {Wide{}, one};
         for (int i = 1; i < size; ++i) {
             const WideSinCos& last = wide[i - 1];
             wide[i] = {last.sin * cos_step + last.cos * sin_step, last.cos * cos_step - last.sin * sin_step};
-            sin[i] = wide[i].sin.fraction();
-            cos[i] = wide[i].cos.fraction();
+            sines[i] = wide[i].sin.fraction();
+            cosines[i] = wide[i].cos.fraction();
         }
         for (uint64_t i = 0; i < 4; ++i) right_angles[i] = scaled(half_pi * Wide::of(i, 0), -2).fraction();
     }
@@ -123,7 +123,7 @@ ApproximateSinCos approximate_sin_cos(const Angle& x) {
     const uint64_t q = high_product(h68, h68), s = series(q, odd), v = series(q, even);
     const U128 sin_of_h = fraction - (product(fraction.high, s) >> 8);
     if (x.entry == 0) return {{sin_of_h, exponent}, {(U128{0, 1} << 127) - (U128{0, v} << 55), 1}};
-    const U128 sin = table.sin[x.entry], cos = table.cos[x.entry], sin_h = sin_of_h << exponent;
+    const U128 sin = table.sines[x.entry], cos = table.cosines[x.entry], sin_h = sin_of_h << exponent;
     const U128 sin_cos_h = sin - (product(sin.high, v) >> 8), cos_cos_h = cos - (product(cos.high, v) >> 8);
     const U128 cos_sin_h = high_product(cos, sin_h), sin_sin_h = high_product(sin, sin_h);
     if (x.before) return {{sin_cos_h - cos_sin_h, 0}, {cos_cos_h + sin_sin_h, 0}};
