@@ -9,7 +9,8 @@
 #include <cstdlib>
 #include <vector>
 
-#include "foundation/fixed_point.h"
+#include "foundation/elementary_rounding.h"
+#include "foundation/elementary_wide.h"
 #include "test.h"
 
 using namespace gphys;
@@ -45,7 +46,8 @@ double of_any_size(test::Random& random, int low, int high) {
     return std::ldexp(random.uniform(1, 2), low + static_cast<int>(random.index(static_cast<uint32_t>(high - low))));
 }
 
-/// Of the exponential: of all sizes, evenly, and where results are below the smallest normal double.
+/// Of the exponential: of all sizes, evenly, up to the first entries of the table, and where results are below the
+/// smallest normal double.
 double time_constant(test::Random& random) {
     switch (random.index(4)) {
         case 0:
@@ -286,6 +288,80 @@ TEST_CASE("elementary functions are the same in every rounding mode") {
         }
     }
     SUCCEED();
+}
+
+namespace {
+
+constexpr mpfr_prec_t wide_bits = 300;
+
+/// From 64-bit halves of its limbs, as they are.
+void set(mpfr_ptr to, const Wide& from) {
+    mpfr_set_ui(to, 0, MPFR_RNDN);
+    for (int i = 7; i >= 0; --i) {
+        mpfr_mul_2ui(to, to, 32, MPFR_RNDN);
+        mpfr_add_ui(to, to, from.limb[i], MPFR_RNDN);
+    }
+    mpfr_div_2ui(to, to, 224, MPFR_RNDN);
+}
+
+struct Precise {
+    mpfr_t value;
+    Precise() { mpfr_init2(value, wide_bits); }
+    Precise(const Precise&) = delete;
+    Precise& operator=(const Precise&) = delete;
+    ~Precise() { mpfr_clear(value); }
+    /// Of the difference, as a power of two.
+    double off(const Wide& from) const {
+        Precise other;
+        set(other.value, from);
+        mpfr_sub(other.value, other.value, value, MPFR_RNDN);
+        return std::fabs(mpfr_get_d(other.value, MPFR_RNDN));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("constants of the elementary functions are right to their last bit") {
+    Precise x;
+    mpfr_const_log2(x.value, MPFR_RNDN);
+    mpfr_div_ui(x.value, x.value, 32, MPFR_RNDN);
+    REQUIRE(x.off(wide::ln2_32) < 0x1p-224);
+    mpfr_neg(x.value, x.value, MPFR_RNDN);
+    mpfr_exp(x.value, x.value, MPFR_RNDN);
+    REQUIRE(x.off(wide::root_of_half) < 0x1p-224);
+    mpfr_const_pi(x.value, MPFR_RNDN);
+    mpfr_div_ui(x.value, x.value, 2, MPFR_RNDN);
+    REQUIRE(x.off(wide::half_pi) < 0x1p-224);
+    mpfr_set_d(x.value, 1.0 / 16, MPFR_RNDN);
+    mpfr_sin(x.value, x.value, MPFR_RNDN);
+    REQUIRE(x.off(wide::sin_16th) < 0x1p-224);
+    mpfr_set_d(x.value, 1.0 / 16, MPFR_RNDN);
+    mpfr_cos(x.value, x.value, MPFR_RNDN);
+    REQUIRE(x.off(wide::cos_16th) < 0x1p-224);
+}
+
+TEST_CASE("the second phase of the elementary functions is right to 200 bits") {
+    test::Random random(11);
+    Precise truth, turned;
+    for (int i = 0; i < 3000; ++i) {
+        const double z = of_any_size(random, -54, 9);
+        const wide::Steps steps(z);
+        mpfr_set_d(truth.value, -z, MPFR_RNDN);
+        mpfr_exp(truth.value, truth.value, MPFR_RNDN);
+        mpfr_mul_2si(truth.value, truth.value, steps.halvings, MPFR_RNDN);
+        REQUIRE(truth.off(wide::kept(parts_of(z).wide(), steps)) < 0x1p-200);
+        const double x = i % 2 == 0 ? random.uniform(0, 4) : of_any_size(random, -27, 2);
+        const int quarters = static_cast<int>(x / (pi / 2) + 0.5);
+        const wide::SinCos found = wide::sin_cos(parts_of(x).wide(), quarters);
+        mpfr_const_pi(turned.value, MPFR_RNDN);
+        mpfr_mul_d(turned.value, turned.value, quarters * 0.5, MPFR_RNDN);
+        mpfr_d_sub(turned.value, x, turned.value, MPFR_RNDN);
+        mpfr_abs(turned.value, turned.value, MPFR_RNDN);
+        mpfr_sin(truth.value, turned.value, MPFR_RNDN);
+        REQUIRE(truth.off(found.sin) < 0x1p-200);
+        mpfr_cos(truth.value, turned.value, MPFR_RNDN);
+        REQUIRE(truth.off(found.cos) < 0x1p-200);
+    }
 }
 
 TEST_CASE("products of 64 bits are the same from halves") {

@@ -23,7 +23,7 @@ double cbrt(double x) {
     const U128 cube = (product(square.high, r.integer) << (64 - shift)) + (product(square.low, r.integer) >> shift);
     const U128 cubed = U128{0, whole.integer} << (whole.exponent + 124);
     const double left = cubed < cube ? -to_double(cube - cubed) : to_double(cubed - cube);
-    const double nearest = rounded(sum(root, left * 0x1p-124 / (3 * root * root)), 90, [&](Parts middle) {
+    const double nearest = rounded(sum(root, left * 0x1p-124 / (3 * root * root)), 66, [&](Parts middle) {
         const Wide c = middle.wide();
         return c * c * c < whole.wide();
     });

@@ -1,48 +1,25 @@
 // exp(-z) = 2^-k 2^(-i/32) exp(-h) with 1 <= i <= 32 and 0 <= h < 2^-5.5, by a table and a series (Tang 1989).
 #include "foundation/elementary.h"
 #include "foundation/elementary_rounding.h"
+#include "foundation/elementary_wide.h"
 
 namespace gphys {
 namespace {
 
-// ln 2 / 32 and 2^(-1/32), the first 224 bits.
-constexpr Wide step{{0x6c5068ba, 0x3394c5b1, 0x7a079a19, 0xc01f97b5, 0x5e4f1d9c, 0xbe8e7bcd, 0x058b90bf, 0}};
-constexpr Wide kept_in_step{{0x4844b29b, 0xa95d14dc, 0x8006fe21, 0x315d7fcc, 0x7c25bb14, 0x722a033a, 0xfa83b2db, 0}};
-constexpr Wide one{{0, 0, 0, 0, 0, 0, 0, 1}};
-
 /// What is kept in 1 to 32 steps.
 struct Powers {
-    Wide wide[33];
+    Wide all[33];
     U128 fraction[33];
 
-    constexpr Powers() : wide(), fraction() {
-        wide[0] = one;
+    constexpr Powers() : all(), fraction() {
+        all[0] = wide::one;
         for (int i = 1; i <= 32; ++i) {
-            wide[i] = wide[i - 1] * kept_in_step;
-            fraction[i] = wide[i].fraction();
+            all[i] = all[i - 1] * wide::root_of_half;
+            fraction[i] = all[i].fraction();
         }
     }
 };
 constexpr Powers powers;
-
-/// z as so many whole steps and a rest; of the steps, 1 to 32 are in the table and the others are halvings.
-struct Steps {
-    int count, halvings, entry;
-
-    // A part of 2^-40 less than the true quotient, so that the rest is not negative.
-    explicit Steps(double z)
-        : count(static_cast<int>(z * (46.166241308446829 * (1 - 0x1p-40)))),
-          halvings(count == 0 ? 0 : (count - 1) / 32),
-          entry(count - 32 * halvings) {}
-};
-
-/// The second phase: exp(-z) 2^halvings within 2^-205. The series ends where h^29 / 29! < 2^-260.
-Wide wide_kept(Parts z, const Steps& steps) {
-    const Wide h = z.wide() - step * Wide::of(static_cast<uint64_t>(steps.count), 0);
-    Wide sum = one;
-    for (uint32_t n = 28; n >= 1; --n) sum = one - h * sum / n;
-    return powers.wide[steps.entry] * sum;
-}
 
 /// s with 1 - exp(-h) = h (1 - s), times 2^69, within 2^-67; h < 2^-5.5 is given times 2^69.
 /// s = h/2! - h^2/3! + ...; the first term left out is h^9/10! < 2^-71. Odd and even powers are summed apart, which
@@ -59,15 +36,27 @@ uint64_t series(uint64_t h) {
     return high_product(h, first - (high_product(h, second) >> 5));
 }
 
+using wide::Steps;
+
 double rounded_kept(Approximation kept, int accuracy, Parts z, const Steps& steps) {
-    return rounded(kept, accuracy, [&](Parts middle) { return middle.wide(steps.halvings) < wide_kept(z, steps); });
+    return rounded(kept, accuracy,
+                   [&](Parts middle) { return middle.wide(steps.halvings) < wide::kept(z.wide(), steps); });
 }
 double rounded_lost(Approximation lost, int accuracy, Parts z, const Steps& steps) {
-    return rounded(lost, accuracy,
-                   [&](Parts middle) { return middle.wide() < one - scaled(wide_kept(z, steps), -steps.halvings); });
+    return rounded(lost, accuracy, [&](Parts middle) {
+        return middle.wide() < wide::one - scaled(wide::kept(z.wide(), steps), -steps.halvings);
+    });
 }
 
 }  // namespace
+
+// The series ends where h^29 / 29! < 2^-260.
+Wide wide::kept(const Wide& z, const Steps& steps) {
+    const Wide h = z - ln2_32 * Wide::of(static_cast<uint64_t>(steps.count), 0);
+    Wide sum = one;
+    for (uint32_t n = 28; n >= 1; --n) sum = one - h * sum / n;
+    return powers.all[steps.entry] * sum;
+}
 
 Decay decay(double z) {
     // Half of the last bit of 1 is kept, or more; 1 - exp(-z) = z - z^2/2 + ... is nearest to z.
@@ -85,9 +74,9 @@ Decay decay(double z) {
     }
     // The rest modulo 1; the last bit of z is at least 2^-58.
     const uint64_t count = static_cast<uint64_t>(steps.count);
-    constexpr U128 step_fraction = step.fraction();
-    const U128 h = (U128{0, parts.integer} << (128 + parts.exponent)) - product(step_fraction.low, count) -
-                   U128{step_fraction.high * count, 0};
+    constexpr U128 step = wide::ln2_32.fraction();
+    const U128 h =
+        (U128{0, parts.integer} << (128 + parts.exponent)) - product(step.low, count) - U128{step.high * count, 0};
     const uint64_t h69 = (h >> 59).low;
     const U128 lost_in_rest = h - (product(h69, series(h69)) >> 10);
     const U128 table = powers.fraction[steps.entry], kept = table - high_product(table, lost_in_rest);

@@ -4,41 +4,34 @@
 
 #include "foundation/elementary.h"
 #include "foundation/elementary_rounding.h"
+#include "foundation/elementary_wide.h"
 #include "foundation/math.h"
 
 namespace gphys {
 namespace {
 
-// The first 224 bits behind the point of pi / 2, and of sin and cos of 1/16.
-constexpr Wide half_pi{{0x04177d4c, 0x14cf98e8, 0x52049c11, 0x01b839a2, 0x898cc517, 0x42d18469, 0x921fb544, 1}};
-constexpr Wide sin_step{{0xc2fd5380, 0xb9cbf2d7, 0xfb074dfb, 0x692d4aca, 0x5d259b2f, 0x76a76d5a, 0x0ffd5577, 0}};
-constexpr Wide cos_step{{0xfff062e6, 0x5a2928bd, 0xf80466e8, 0x4de215b8, 0x070f7328, 0x4fa69a65, 0xff800aaa, 0}};
-constexpr Wide one{{0, 0, 0, 0, 0, 0, 0, 1}};
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest_angle = 4;
 // Below, sin x, tan x and x are nearest to x, and cos x is nearest to 1: x^2 / 2 is below 2^-54.
 constexpr double smallest_angle = 0x1p-27;
 
-struct WideSinCos {
-    Wide sin, cos;
-};
-
 /// Of 0, 1/16, 2/16, ... up to more than pi / 4.
 struct Table {
     static constexpr int size = 14;
-    WideSinCos wide[size];
+    wide::SinCos all[size];
     U128 sines[size], cosines[size];
     U128 right_angles[4];  // in units of 2^-126, modulo 4
 
-    constexpr Table() : wide(), sines(), cosines(), right_angles() {
-        wide[0] = {Wide{}, one};
+    constexpr Table() : all(), sines(), cosines(), right_angles() {
+        all[0] = {Wide{}, wide::one};
         for (int i = 1; i < size; ++i) {
-            const WideSinCos& last = wide[i - 1];
-            wide[i] = {last.sin * cos_step + last.cos * sin_step, last.cos * cos_step - last.sin * sin_step};
-            sines[i] = wide[i].sin.fraction();
-            cosines[i] = wide[i].cos.fraction();
+            const wide::SinCos& last = all[i - 1];
+            all[i] = {last.sin * wide::cos_16th + last.cos * wide::sin_16th,
+                      last.cos * wide::cos_16th - last.sin * wide::sin_16th};
+            sines[i] = all[i].sin.fraction();
+            cosines[i] = all[i].cos.fraction();
         }
-        for (uint64_t i = 0; i < 4; ++i) right_angles[i] = scaled(half_pi * Wide::of(i, 0), -2).fraction();
+        for (uint64_t i = 0; i < 4; ++i) right_angles[i] = scaled(wide::half_pi * Wide::of(i, 0), -2).fraction();
     }
 };
 constexpr Table table;
@@ -46,28 +39,8 @@ constexpr Table table;
 /// So many right angles that at most 45 degrees are left. 0 <= x <= 4.
 int quarters_of(double x) { return static_cast<int>(x * 0.63661977236758134 + 0.5); }
 
-/// The second phase: of what is left, within 2^-200. It is an entry of the table and a difference h of at most
-/// 1/32 (and a little more beside the middle); the series end where h^30 / 30! < 2^-250.
-WideSinCos wide_sin_cos(const Wide& x, int quarters) {
-    const Wide turned = half_pi * Wide::of(static_cast<uint64_t>(quarters), 0),
-               rest = x < turned ? turned - x : x - turned;
-    const uint32_t entry = (rest.limb[6] + (1U << 27)) >> 28;
-    const Wide place = Wide::of(entry, -4);
-    const bool before = rest < place;
-    const Wide h = before ? place - rest : rest - place, square = h * h;
-    Wide sin_sum = one, cos_sum = one;
-    for (uint32_t n = 28; n >= 2; n -= 2) {
-        sin_sum = one - square * sin_sum / (n * (n + 1));
-        cos_sum = one - square * cos_sum / (n * (n - 1));
-    }
-    sin_sum = h * sin_sum;
-    const auto& [sin, cos] = table.wide[entry];
-    if (before) return {sin * cos_sum - cos * sin_sum, cos * cos_sum + sin * sin_sum};
-    return {sin * cos_sum + cos * sin_sum, cos * cos_sum - sin * sin_sum};
-}
-
-/// The same for the first phase, in units of 2^-126: no double up to 4 comes closer to a multiple of pi / 2 than
-/// 2^-54, but for 0.
+/// How far it is from them, for the first phase in units of 2^-126: no double up to 4 comes closer to a multiple of pi
+/// / 2 than 2^-54, but for 0.
 struct Angle {
     Parts parts;
     int quarters;
@@ -90,7 +63,7 @@ struct Angle {
         before = rest < place;
         difference = {before ? place - rest : rest - place, 2};
     }
-    WideSinCos wide() const { return wide_sin_cos(parts.wide(), quarters); }
+    wide::SinCos exact() const { return wide::sin_cos(parts.wide(), quarters); }
 
     // Which functions of the rest, with which signs, are sin and cos of the whole.
     bool exchanged() const { return (quarters & 1) != 0; }
@@ -134,14 +107,34 @@ double negated_if(double size, bool negative) { return negative ? -size : size; 
 
 }  // namespace
 
+// What is left is an entry of the table and a difference h of at most 1/32 (and a little more beside the middle).
+// The series end where h^30 / 30! < 2^-250.
+wide::SinCos wide::sin_cos(const Wide& x, int quarters) {
+    const Wide turned = half_pi * Wide::of(static_cast<uint64_t>(quarters), 0),
+               rest = x < turned ? turned - x : x - turned;
+    const uint32_t entry = (rest.limb[6] + (1U << 27)) >> 28;
+    const Wide place = Wide::of(entry, -4);
+    const bool before = rest < place;
+    const Wide h = before ? place - rest : rest - place, square = h * h;
+    Wide sin_sum = one, cos_sum = one;
+    for (uint32_t n = 28; n >= 2; n -= 2) {
+        sin_sum = one - square * sin_sum / (n * (n + 1));
+        cos_sum = one - square * cos_sum / (n * (n - 1));
+    }
+    sin_sum = h * sin_sum;
+    const auto& [sin, cos] = table.all[entry];
+    if (before) return {sin * cos_sum - cos * sin_sum, cos * cos_sum + sin * sin_sum};
+    return {sin * cos_sum + cos * sin_sum, cos * cos_sum - sin * sin_sum};
+}
+
 SinCos sin_cos(double x) {
     const double size = std::fabs(x);
     if (!(size <= largest_angle)) return {nan, nan};
     if (size < smallest_angle) return {x, 1};
     const Angle angle(size);
     const ApproximateSinCos first = approximate_sin_cos(angle);
-    const double sin = rounded(first.sin, 68, [&](Parts middle) { return middle.wide() < angle.wide().sin; });
-    const double cos = rounded(first.cos, 68, [&](Parts middle) { return middle.wide() < angle.wide().cos; });
+    const double sin = rounded(first.sin, 68, [&](Parts middle) { return middle.wide() < angle.exact().sin; });
+    const double cos = rounded(first.cos, 68, [&](Parts middle) { return middle.wide() < angle.exact().cos; });
     const bool exchange = angle.exchanged();
     return {negated_if(exchange ? cos : sin, angle.sin_negative() != (x < 0)),
             negated_if(exchange ? sin : cos, angle.cos_negative())};
@@ -165,7 +158,7 @@ double tan(double x) {
     Approximation result = sum(quotient, change);
     result.exponent += above.exponent - below.exponent;
     const double tangent = rounded(result, 67, [&](Parts middle) {
-        const WideSinCos second = angle.wide();
+        const wide::SinCos second = angle.exact();
         const Wide& dividend = exchange ? second.cos : second.sin;
         const Wide product = (exchange ? second.sin : second.cos) * Wide::of(middle.integer, -54);
         const int exponent = middle.exponent + 54;  // the side that it makes larger stays below 2
