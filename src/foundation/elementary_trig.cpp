@@ -1,5 +1,4 @@
-// sin and cos by a table of every sixteenth and the series of the rest; tan is
-// their quotient.
+// sin and cos by a table of every sixteenth and the series of the rest; tan is their quotient.
 #include <limits>
 
 #include "foundation/elementary.h"
@@ -39,8 +38,8 @@ constexpr Table table;
 /// So many right angles that at most 45 degrees are left. 0 <= x <= 4.
 int quarters_of(double x) { return static_cast<int>(x * 0.63661977236758134 + 0.5); }
 
-/// How far it is from them, for the first phase in units of 2^-126: no double up to 4 comes closer to a multiple of pi
-/// / 2 than 2^-54, but for 0.
+/// How far it is from them, for the first phase. In units of 2^-126, as no double up to 4 but 0 comes closer to a
+/// multiple of pi / 2 than 2^-54.
 struct Angle {
     Parts parts;
     int quarters;
