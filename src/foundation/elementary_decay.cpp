@@ -59,7 +59,8 @@ Wide wide::kept(const Wide& z, const Steps& steps) {
 }
 
 Decay decay(double z) {
-    // Half of the last bit of 1 is kept, or more; 1 - exp(-z) = z - z^2/2 + ... is nearest to z.
+    // exp(-z) = 1 - z + z^2/2 - ... is above 1 - 2^-54, the middle below 1, and z^2/2 is below half of the last bit of
+    // z.
     if (z <= 0x1p-54) return {1, z};
     if (!(z < 746)) return {0, 1};  // below half of the smallest double
     const Parts parts = parts_of(z);
