@@ -3,6 +3,7 @@
 // length of their steps' effect (damping).
 #include "solver/body.h"
 #include "solver/contact/impulses.h"
+#include "solver/joints/elimination_order.h"
 #include "solver/joints/joints.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_kernels.h"
@@ -15,6 +16,9 @@ namespace {
 constexpr int most_iterations = 4;
 constexpr int most_limited_iterations = 16;  // as for chains: which limits hold is found out as well
 constexpr double settled = 1e-9;
+// Of eight joints at no distance. Up to as many, the tensions that end at a node couple to a few hundred entries at
+// most.
+constexpr uint32_t most_late_links = 24;
 // Between pins too far apart tensions have no bound but this compliance, and geometric stiffness with such
 // tensions throws particles aside. A tension that would move a particle by more than 10^4 lengths of its link
 // in a substep is none: then all links give way with a ten thousandth of the inverse masses, and share the stretch.
@@ -52,33 +56,57 @@ void JointSystem::plan() {
     for (const uint32_t node : order) ordered.push_back(nodes_[node]);
     nodes_.swap(ordered);
     for (Link& link : links_) link.a = place[link.a], link.b = place[link.b];
-    // The tension of a link comes right after the later of its ends, whose mass keeps its pivot from zero.
-    const auto later = [](const Link& link) { return std::max(link.a, link.b); };
-    std::stable_sort(links_.begin(), links_.end(), [&](const Link& a, const Link& b) { return later(a) < later(b); });
+
+    // The tension of a link comes right after the later of its ends, whose mass keeps its pivot from zero. But
+    // to eliminate a node couples all tensions that come after it: with n links to a hub, n^2 entries. Those of a hub
+    // come after their earlier ends. If such an end does not move, the pivot is the regularisation alone, which acts
+    // as a stiff spring: that loses digits, which Newton's next iteration finds.
+    Vector<uint32_t> ending(count, 0u, memory);
+    for (const Link& link : links_) ++ending[link.later()];
+    for (Link& link : links_) link.early = ending[link.later()] > most_late_links;
+    const auto after = [](const Link& link) { return link.early ? link.earlier() : link.later(); };
+    std::stable_sort(links_.begin(), links_.end(), [&](const Link& a, const Link& b) { return after(a) < after(b); });
+    Vector<uint32_t> by_end(memory);  // links, by the later end
+    for (uint32_t l = 0; l < links_.size(); ++l) by_end.push_back(l);
+    std::stable_sort(by_end.begin(), by_end.end(),
+                     [&](uint32_t a, uint32_t b) { return links_[a].later() < links_[b].later(); });
 
     Vector<uint32_t> column_begin(1, 0, memory), rows(memory);
     uint32_t scalar = 0;
-    size_t first = 0;
+    size_t next_end = 0, next_link = 0;
     for (uint32_t i = 0; i < count; ++i) {
         nodes_[i].scalar = scalar;
-        size_t end = first;
-        uint32_t rank = 0;
-        while (end < links_.size() && later(links_[end]) == i) {
-            if (links_[end].axis == along) links_[end].rank = rank++;
-            ++end;
+        const size_t first_end = next_end;
+        while (next_end < by_end.size() && links_[by_end[next_end]].later() == i) ++next_end;
+        // Of each column: couplings to nodes before, tensions before, and what is above its own diagonal.
+        uint32_t rank = 0, pulls = 0;
+        for (size_t e = first_end; e < next_end; ++e) {
+            Link& link = links_[by_end[e]];
+            if (link.axis == along) link.rank = rank++;
+        }
+        for (size_t e = first_end; e < next_end; ++e) {
+            Link& link = links_[by_end[e]];
+            if (link.early) link.pull = 3 * rank + pulls++;
         }
         for (uint32_t k = 0; k < 3; ++k, ++scalar) {
-            for (size_t l = first; l < end; ++l) {
-                if (links_[l].axis != along) continue;
-                const uint32_t before = nodes_[std::min(links_[l].a, links_[l].b)].scalar;
+            for (size_t e = first_end; e < next_end; ++e) {
+                const Link& link = links_[by_end[e]];
+                if (link.axis != along) continue;
+                const uint32_t before = nodes_[link.earlier()].scalar;
                 rows.insert(rows.end(), {before, before + 1, before + 2});
+            }
+            for (size_t e = first_end; e < next_end; ++e) {
+                const Link& link = links_[by_end[e]];
+                if (link.early) rows.push_back(link.scalar);
             }
             for (uint32_t above = 0; above < k; ++above) rows.push_back(nodes_[i].scalar + above);
             column_begin.push_back(static_cast<uint32_t>(rows.size()));
         }
-        for (; first < end; ++first, ++scalar) {
-            links_[first].scalar = scalar;
-            for (const uint32_t node : {links_[first].a, links_[first].b}) {
+        for (; next_link < links_.size() && after(links_[next_link]) == i; ++next_link, ++scalar) {
+            Link& link = links_[next_link];
+            link.scalar = scalar;
+            for (const uint32_t node : {link.a, link.b}) {
+                if (link.early && node != i) continue;
                 for (uint32_t k = 0; k < 3; ++k) rows.push_back(nodes_[node].scalar + k);
             }
             column_begin.push_back(static_cast<uint32_t>(rows.size()));
@@ -202,13 +230,21 @@ void JointSystem::assemble() {
         const Node &a = nodes_[link.a], &b = nodes_[link.b];
         diagonal_[link.scalar] = s.acts ? -s.softness : -1;
         solution_[link.scalar] = s.acts ? -s.error : 0;
+        const Node& later = nodes_[link.later()];
         double* const ends = column_begin(link.scalar);
-        for (int k = 0; k < 3; ++k) {
-            ends[k] = a.free ? -s.direction[k] : 0;
-            ends[3 + k] = b.free ? s.direction[k] : 0;
+        for (uint32_t k = 0; k < 3; ++k) {
+            const double of_a = a.free ? -s.direction[static_cast<int>(k)] : 0;
+            const double of_b = b.free ? s.direction[static_cast<int>(k)] : 0;
+            if (link.early) {
+                const bool a_first = link.a < link.b;
+                ends[k] = a_first ? of_a : of_b;
+                column_begin(later.scalar + k)[link.pull] = a_first ? of_b : of_a;
+            } else {
+                ends[k] = of_a;
+                ends[3 + k] = of_b;
+            }
         }
         if (s.stiffness == 0) continue;
-        const Node& later = nodes_[std::max(link.a, link.b)];
         for (uint32_t column = 0; column < 3; ++column) {
             const Vec3 axis = axes[column];
             const Vec3 k = (axis - s.direction * s.direction[static_cast<int>(column)]) * s.stiffness;

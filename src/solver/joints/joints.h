@@ -48,8 +48,13 @@ public:
         int axis = along;              // of a joint at no distance
         uint32_t scalar = 0;           // its tension
         uint32_t rank = 0;             // among the links from the later end to nodes before
+        bool early = false;            // its tension comes right after the earlier end, not the later one,
+        uint32_t pull = 0;             // and is there in the columns of the later one
         double rest = 0, compliance = 0, tension = 0;
         bool limit = false;  // it pulls and never pushes
+
+        uint32_t earlier() const { return std::min(a, b); }
+        uint32_t later() const { return std::max(a, b); }
     };
     static constexpr int along = -1;
     static constexpr uint32_t of_joint = 0xffffffff;
@@ -60,6 +65,8 @@ public:
     void add_link(const Link& link) { links_.push_back(link); }
     /// Order the nodes and find out what elimination will fill. Throws std::bad_alloc.
     void plan();
+    /// Entries of the factor below the diagonal, once it is planned.
+    size_t fill() const { return matrix_.fill(); }
 
     uint32_t node_count() const { return static_cast<uint32_t>(nodes_.size()); }
     const Node& node(uint32_t i) const { return nodes_[i]; }

@@ -1,55 +1,6 @@
 #include "solver/joints/sparse_ldl.h"
 
-#include <queue>
-
 namespace gphys {
-
-void order_by_degree(uint32_t nodes, const Vector<Edge>& edges, Vector<uint32_t>& order) {
-    std::pmr::memory_resource* memory = order.get_allocator().resource();
-    Vector<Vector<uint32_t>> neighbours(nodes, memory);
-    for (const Edge& edge : edges) {
-        neighbours[edge.a].push_back(edge.b);
-        neighbours[edge.b].push_back(edge.a);
-    }
-    struct Candidate {
-        size_t degree;
-        uint32_t node;
-
-        bool operator<(const Candidate& other) const {
-            return degree != other.degree ? degree > other.degree : node > other.node;
-        }
-    };
-    std::priority_queue<Candidate, Vector<Candidate>> next(std::less<Candidate>{}, Vector<Candidate>(memory));
-    for (uint32_t node = 0; node < nodes; ++node) {
-        Vector<uint32_t>& list = neighbours[node];
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-        next.push({list.size(), node});
-    }
-    Vector<uint8_t> eliminated(nodes, 0, memory);
-    Vector<uint32_t> merged(memory);
-    order.clear();
-    while (!next.empty()) {
-        const Candidate candidate = next.top();
-        const uint32_t node = candidate.node;
-        next.pop();
-        if (eliminated[node] || candidate.degree != neighbours[node].size()) continue;  // an outdated one
-        eliminated[node] = 1;
-        order.push_back(node);
-        // Its neighbours become each other's.
-        for (const uint32_t other : neighbours[node]) {
-            Vector<uint32_t>& list = neighbours[other];
-            merged.clear();
-            std::set_union(list.begin(), list.end(), neighbours[node].begin(), neighbours[node].end(),
-                           std::back_inserter(merged));
-            const auto gone = [&](uint32_t n) { return n == node || n == other; };
-            merged.erase(std::remove_if(merged.begin(), merged.end(), gone), merged.end());
-            list = merged;
-            next.push({list.size(), other});
-        }
-        neighbours[node].clear();
-    }
-}
 
 void SparseLdl::analyse(const Vector<uint32_t>& column_begin, const Vector<uint32_t>& rows) {
     const uint32_t n = static_cast<uint32_t>(column_begin.size()) - 1;

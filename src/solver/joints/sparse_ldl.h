@@ -9,13 +9,6 @@
 
 namespace gphys {
 
-/// An order in which to eliminate the nodes of a graph that leaves few entries behind: the node with the
-/// fewest neighbours first (Tinney & Walker 1967), of those alike the lowest. Edges may occur twice.
-struct Edge {
-    uint32_t a, b;
-};
-void order_by_degree(uint32_t nodes, const Vector<Edge>& edges, Vector<uint32_t>& order);
-
 class SparseLdl {
 public:
     explicit SparseLdl(std::pmr::memory_resource* memory)
@@ -35,6 +28,8 @@ public:
     /// entries at the same place add up. Throws std::bad_alloc.
     void analyse(const Vector<uint32_t>& column_begin, const Vector<uint32_t>& rows);
     uint32_t size() const { return static_cast<uint32_t>(parent_.size()); }
+    /// Entries of L beside its diagonal.
+    size_t fill() const { return factor_rows_.size(); }
     /// The first entry of a column.
     uint32_t column_begin(uint32_t column) const { return column_begin_[column]; }
 
