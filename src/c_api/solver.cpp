@@ -189,6 +189,8 @@ gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_body_desc*
         GPHYS_REQUIRE(columns >= 2 && rows >= 2, "columns and rows: must be at least 2");
         GPHYS_TRY(check_count(uint64_t{columns} * rows, 4));
         const Vec3 c = widen(*corner), u = widen(*edge_u), v = widen(*edge_v);
+        // Products of floats are exact in double, so this is 0 for parallel edges and for no others.
+        GPHYS_REQUIRE(cross(u, v) != Vec3{}, "edge_u and edge_v: the cloth has no area");
         GPHYS_TRY(check_placed(c + u));
         GPHYS_TRY(check_placed(c + v));
         GPHYS_TRY(check_placed(c + u + v));

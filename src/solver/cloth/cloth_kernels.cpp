@@ -16,6 +16,9 @@ constexpr float regularisation = 1e-6f;
 constexpr float least_pivot = 1e-20f;
 // Coincident particles part along x. Beside any other difference of coordinates it is lost.
 constexpr float aside = 1e-18f;
+// Below this a square is lost, and so is the difference of coordinates that takes `aside` away again: such a link
+// has no direction, and pulls with nothing.
+constexpr float least_length = 1e-19f;
 // Particles stop at the border of the world and at three times the speed of light, so that no square
 // here leaves the range of floats.
 constexpr float farthest = 2e15f, fastest = 1e9f;
@@ -28,7 +31,7 @@ struct Direction {
 inline Direction direction(const Quads8& a, const Quads8& b) {
     const Float8 x = b.x - a.x + splat(aside), y = b.y - a.y, z = b.z - a.z;
     const Float8 length = sqrt(x * x + y * y + z * z);
-    const Float8 inverse = splat(1) / length;
+    const Float8 inverse = splat(1) / max(length, splat(least_length));
     return {x * inverse, y * inverse, z * inverse, length};
 }
 
@@ -360,7 +363,7 @@ void limit_each(float* at, const ClothLimits& limits, uint32_t count, Moved&& mo
         const Float8 x = p.x - anchor.x + splat(aside), y = p.y - anchor.y, z = p.z - anchor.z;
         const Float8 square = x * x + y * y + z * z, most = load(limits.distances + i);
         if (bits(square <= most * most) == 0xff) continue;
-        const Float8 back = min(most / sqrt(square), splat(1)) - splat(1);
+        const Float8 back = min(most / max(sqrt(square), splat(least_length)), splat(1)) - splat(1);
         p.x = p.x + x * back;
         p.y = p.y + y * back;
         p.z = p.z + z * back;

@@ -202,10 +202,10 @@ JointSystem::Stretch JointSystem::stretch(const Link& link) const {
         out.error = between[link.axis];
         return out;
     }
-    const double length = gphys::length(between), scale = std::max(length, link.rest);
+    const double length = gphys::length(between), scale = std::max({length, link.rest, rope_shortest});
     out.direction = length > 0 ? between / length : axes[0];
     out.error = length - link.rest;
-    if (link.tension > 0 && scale > 0) out.stiffness = link.tension / scale;
+    if (link.tension > 0) out.stiffness = link.tension / scale;
     // As rope_direct.cpp: a limit is there while a tension would hold it.
     if (link.limit && link.tension * mobility + out.error <= 0) return Stretch{};
     return out;

@@ -1,6 +1,7 @@
 // Joints come and go, and which systems of equations they make.
 #include "solver/joints/joints.h"
 
+#include "solver/rope/rope_kernels.h"
 #include "solver/solver.h"
 
 namespace gphys {
@@ -13,6 +14,7 @@ gphys_status Solver::join(gphys_body_id body_a, uint32_t particle_a, gphys_body_
     interrupt(a);
     interrupt(b);
     if (rest < 0) rest = distance(a.position[particle_a], b.position[particle_b]);
+    if (rest < rope_shortest) rest = 0;
     out = state_.joint_ids.add();
     const uint32_t slot = IdTable::slot_of(out);
     if (slot == state_.joints.size()) state_.joints.emplace_back();

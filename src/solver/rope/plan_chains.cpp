@@ -1,6 +1,7 @@
 // Finding chains among constraints: the ones that a rope or a tree consists of, for direct solving, or the
 // families of straight lines that cover a cloth.
 #include "solver/body.h"
+#include "solver/rope/rope_kernels.h"
 
 namespace gphys {
 namespace {
@@ -88,6 +89,7 @@ void note_kinds(Body& body) {
 }
 
 void complete_direct(Plan& plan) {
+    for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
     plan.damped_rest = plan.rest;
     plan.damped_compliance = plan.compliance;
     plan.target = plan.rest;

@@ -68,8 +68,8 @@ struct ChainView {
         if (plan.limit[index] && plan.tension[index] * inverse_masses + out.error <= 0) return Link{};
         out.softness = plan.damped_compliance[index] * inverse_step_squared + rope_regularisation * inverse_masses;
         // A link that is short at the moment must not become infinitely stiff sideways.
-        const double scale = std::max(length, plan.target[index]);
-        if (plan.tension[index] > 0 && scale > 0) out.stiffness = plan.tension[index] / scale;
+        const double scale = std::max({length, plan.target[index], rope_shortest});
+        if (plan.tension[index] > 0) out.stiffness = plan.tension[index] / scale;
         return out;
     }
 };

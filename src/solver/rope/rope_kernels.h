@@ -92,6 +92,9 @@ struct RopeKernels {
 /// the constraints leave open (a straight chain between two pins). A link then stretches by
 /// this * t (w_a + w_b), which is 1e-10 of how far one substep's forces could move it.
 constexpr double rope_regularisation = 1e-10;
+/// A nanometre, as far as particles stay off models. A shorter link is one without a length, and one that is shorter
+/// at the moment is as stiff sideways as one of this length: tension / length would leave the range of doubles.
+constexpr double rope_shortest = 1e-9;
 // A link is settled within this part of its length: float32 output rounds coordinates of its size by as much.
 constexpr double rope_settled = 1e-7;
 // One that is off by more than this part of its length when the iterations are over has not been found: where

@@ -5,9 +5,6 @@ namespace gphys::GPHYS_ISA {
 
 namespace {
 
-// A link that is to be shorter is as stiff sideways as one of this length.
-constexpr double shortest = 1e-9;
-
 /// The numbers at each rope's index(lane), `count` of them one behind the other.
 template <int count, int lanes, class Array, class Index>
 [[gnu::always_inline]] inline void load_each(const RopeArrays (&ropes)[lanes], Array RopeArrays::*array,
@@ -38,7 +35,7 @@ void complete_link(RopeNode<lanes>& node, const Doubles<lanes>& inverse_masses, 
     const Value target = load(node.target), hair = all_of<lanes>(2 * rope_settled);
     store(node.present, select(present, one, none));
     store(node.target, select(present, target, none));
-    store(node.inverse_target, select(present, one / largest(target, all_of<lanes>(shortest)), one));
+    store(node.inverse_target, select(present, one / largest(target, all_of<lanes>(rope_shortest)), one));
     store(node.compliance, select(present, load(node.compliance), none));
     store(node.regularisation, select(present, all_of<lanes>(rope_regularisation) * inverse_masses, one));
     store(node.sideways, select(present, hair * target * target, all_of<lanes>(__builtin_inf())));
