@@ -155,9 +155,9 @@ namespace {
 /// Bodies of all kinds with parameters from the ends of their ranges.
 struct Extremes {
     test::Random random;
+    std::string story;
     World world;
     std::vector<gphys_body_id> bodies;
-    std::string story;
 
     explicit Extremes(uint64_t seed) : random(seed), world(settings()) {
         if (random.index(2)) add_models();

@@ -238,6 +238,7 @@ struct Body {
 
     bool joined = false;  // to other bodies, or branched; set at the beginning of a step
     bool near = false;    // particles of it may touch others in this substep
+    bool sunk = false;    // some are in models, deeper than they come out at once, in this substep
 
     std::optional<Extent> extent;  // if a step has found it and nothing has changed since
 

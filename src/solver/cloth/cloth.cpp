@@ -251,6 +251,39 @@ void publish(Body& body) {
     });
 }
 
+/// solve(batch, chains, rows) for each batch: families one after the other.
+template <class Solve>
+void solve_families(Body& body, Solve&& solve) {
+    ClothBatches& batches = body.plan.batches;
+    const ClothChains chains = damped_chains_of(batches);
+    for (size_t family = 0; family + 1 < batches.families.size(); ++family) {
+        const uint32_t first = batches.families[family], end = batches.families[family + 1];
+        share(body.cloth.team, end - first, [&](uint32_t i, uint32_t member) {
+            solve(batches.chains[first + i], chains,
+                  &batches.rows[size_t{cloth_row_floats} * batches.longest * member]);
+        });
+    }
+}
+
+ClothLimits limits_of(const ClothBatches& batches) {
+    return {batches.limited.data(), batches.anchors.data(), batches.distances.data()};
+}
+
+void reach_limits(Body& body) {
+    const ClothKernels& kernels = cloth_kernels(chosen_isa());
+    const ClothBatches& batches = body.plan.batches;
+    const ClothLimits limits = limits_of(batches);
+    for (size_t rank = 0; rank + 1 < batches.ranks.size(); ++rank) {
+        const uint32_t first = batches.ranks[rank], count = batches.ranks[rank + 1] - first;
+        share(body.cloth.team, (count + share_limits - 1) / share_limits, [&](uint32_t i, uint32_t) {
+            const uint32_t from = first + i * share_limits;
+            kernels.limit(body.cloth.at.data(),
+                          {limits.particles + from, limits.anchors + from, limits.distances + from},
+                          std::min(share_limits, first + count - from));
+        });
+    }
+}
+
 }  // namespace
 
 Motion motion_of_cloth(const Body& body) {
@@ -349,9 +382,8 @@ void solve_cloth(Body& body) {
     // Before the chains, which need it for their shape, and after them, which leave an error in it.
     body.volume.given = 0;
     if (body.volume.held) solve_volume(body, batches.scale);
-    const auto solve = [&](const ChainBatch& batch, float* rows) {
+    solve_families(body, [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
         float* const at = body.cloth.at.data();
-        const ClothChains chains = damped_chains_of(batches);
         const ClothSurfaces surfaces{contacts.normals.data(), contacts.pulls.data()};
         if (body.joined) {
             kernels.solve_joined(
@@ -364,31 +396,23 @@ void solve_cloth(Body& body) {
         } else {
             kernels.solve(at, chains, batch, rows);
         }
-    };
-    for (size_t family = 0; family + 1 < batches.families.size(); ++family) {
-        const uint32_t first = batches.families[family], end = batches.families[family + 1];
-        share(body.cloth.team, end - first, [&](uint32_t i, uint32_t member) {
-            solve(batches.chains[first + i], &batches.rows[size_t{cloth_row_floats} * batches.longest * member]);
-        });
-    }
+    });
     if (body.volume.held) solve_volume(body, batches.scale);
     if (contacts.touches()) note_places(body);
-    const ClothLimits limits{batches.limited.data(), batches.anchors.data(), batches.distances.data()};
-    const uint32_t limit_count = static_cast<uint32_t>(batches.limited.size());
     if (body.attachments.empty()) {
-        for (size_t rank = 0; rank + 1 < batches.ranks.size(); ++rank) {
-            const uint32_t first = batches.ranks[rank], count = batches.ranks[rank + 1] - first;
-            share(body.cloth.team, (count + share_limits - 1) / share_limits, [&](uint32_t i, uint32_t) {
-                const uint32_t from = first + i * share_limits;
-                kernels.limit(body.cloth.at.data(),
-                              {limits.particles + from, limits.anchors + from, limits.distances + from},
-                              std::min(share_limits, first + count - from));
-            });
-        }
+        reach_limits(body);
     } else {
-        kernels.limit_pulling(body.cloth.at.data(), limits, limit_count, body.cloth.acceleration.data(),
-                              contacts.pulls.data());
+        kernels.limit_pulling(body.cloth.at.data(), limits_of(batches), static_cast<uint32_t>(batches.limited.size()),
+                              body.cloth.acceleration.data(), contacts.pulls.data());
     }
+}
+
+void project_cloth(Body& body) {
+    const ClothKernels& kernels = cloth_kernels(chosen_isa());
+    solve_families(body, [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
+        kernels.solve(body.cloth.at.data(), chains, batch, rows);
+    });
+    reach_limits(body);
 }
 
 void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
@@ -420,7 +444,10 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
         const double lost = relax_links(body, collides, h);
         if (lost > 0 && cloth.balance.closed) take_back(body, lost * cloth.average_mass);
     }
-    if (collides) catch_escaped(body, around, gravity, h);
+    if (collides) {
+        catch_escaped(body, around, gravity, h);
+        if (body.cloth_contacts.sunk) leave_solids(body, h);
+    }
     cloth.balance.current = cloth.balance.closed && !collides && cloth.most_strain == 0;
     body.earlier_step = body.touched ? 0 : h;
 }

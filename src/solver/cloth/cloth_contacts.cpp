@@ -331,6 +331,7 @@ void ease_links(Body& body) {
 void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     ClothState& cloth = body.cloth;
     ClothContacts& contacts = body.cloth_contacts;
+    contacts.sunk = false;
     const uint32_t count =
         list_moving(body, [&](uint32_t p) { return squared_from_ball(body, p) >= contacts.balls[4 * size_t{p} + 3]; });
     if (count == 0) return;

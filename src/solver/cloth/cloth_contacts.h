@@ -60,6 +60,10 @@ struct alignas(64) Neighbour {
     // For what models get from it:
     gphys_model_id getting;  // the model that gets the next two:
     Vec3 given, turning;     // m/s, what it has lost to it, and the moment of that about the cloth's origin
+    // Of one that is in a model deeper than it comes out at once (leave_solids.cpp):
+    uint32_t sunk_walls;  // bit by wall: those that are where the particle is
+    uint32_t sunk_most;   // the one that it is deepest behind,
+    double depth;         // and by how much: 0 if it is in nothing
 
     /// At the beginning of a step.
     void rest() {
@@ -91,6 +95,7 @@ struct ClothContacts {
     Vector<uint32_t> escaped;      // of this substep; at its beginning those that look around
     uint64_t neighbourhood = 0;    // a hash of the models that were around when the last step ended
     bool pushed = false;           // whether any that touches is, by a model that moves
+    bool sunk = false;             // whether any has been found in a model
 
     bool touches() const { return !touching.empty(); }
 };

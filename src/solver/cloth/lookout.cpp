@@ -167,9 +167,11 @@ void Lookout::settle(uint32_t p, uint32_t point) {
     choose_walls(p, place_of(p), reach, found);
     float* const ball = &contacts.balls[4 * size_t{p}];
     put(ball, place_of(p));
-    for (uint32_t i = 0; i < found.wall_count; ++i) {
-        const double depth = found.walls[i].offset - dot(found.walls[i].normal, get(ball));
-        if (depth > 0) put(ball, get(ball) + found.walls[i].normal * depth);
+    if (push_out(ball, found) > 0) {
+        // It looks around again after each substep.
+        reach = 0;
+        contacts.sunk = true;
+        body_.cloth.looked[4 * size_t{p} + 3] = ClothState::not_looked;
     }
     if (!again_) put(&body_.cloth.at[4 * size_t{p}], get(ball));
     ball[3] = static_cast<float>(reach * reach);
@@ -182,6 +184,26 @@ void Lookout::settle(uint32_t p, uint32_t point) {
         finish_neighbour(contacts.neighbours[place], body_, around_);
         contacts.neighbours[place] = found;
     }
+}
+
+/// Of its walls, as far as that is done at once. Others are moved to where the particle is. Returns by how much it is
+/// behind the true ones.
+double Lookout::push_out(float* ball, Neighbour& found) const {
+    for (uint32_t i = 0; i < found.wall_count; ++i) {
+        Wall& wall = found.walls[i];
+        const double depth = wall.offset - dot(wall.normal, get(ball));
+        if (depth > most_push_) {
+            found.sunk_walls |= 1u << i;
+            if (depth > found.depth) found.depth = depth, found.sunk_most = i;
+        } else if (depth > 0) {
+            put(ball, get(ball) + wall.normal * depth);
+        }
+    }
+    for (uint32_t i = 0; i < found.wall_count; ++i) {
+        Wall& wall = found.walls[i];
+        if (found.sunk_walls >> i & 1) wall.offset = std::min(wall.offset, dot(wall.normal, get(ball)));
+    }
+    return found.depth;
 }
 
 /// Nearest first. Leaves parts out that are behind the wall of a nearer one; those for which there

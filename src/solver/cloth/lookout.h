@@ -13,7 +13,7 @@ class Lookout {
 public:
     /// `time`: seconds until the particles look around again.
     Lookout(const Surroundings& around, Body& body, Vec3 gravity, double time)
-        : around_(around), body_(body), gravity_(gravity), time_(time) {}
+        : around_(around), body_(body), gravity_(gravity), time_(time), most_push_(leaving_speed * seconds(around)) {}
 
     /// Find the balls and the walls of particles, which are pushed out of what they are in. What they have touched
     /// before is recorded.
@@ -29,6 +29,12 @@ private:
     // that is free.
     static constexpr uint32_t most_parts = 64;
 
+    /// Of the substep; at the beginning of a step, of one that is short.
+    static double seconds(const Surroundings& around) {
+        constexpr double short_substep = 0.002;
+        return around.end > around.begin ? around.step_time * (around.end - around.begin)
+                                         : std::min(around.step_time, short_substep);
+    }
     void look_from_looked(const uint32_t* particles, uint32_t count);
     Vec3 place_of(uint32_t p) const { return get(&body_.cloth.looked[4 * size_t{p}]); }
     double farthest(uint32_t p) const;
@@ -41,6 +47,7 @@ private:
     bool collect(const uint32_t* particles, uint32_t count);
     void place_balls(uint32_t p, uint32_t point);
     void settle(uint32_t p, uint32_t point);
+    double push_out(float* ball, Neighbour& found) const;
     void choose_walls(uint32_t p, Vec3 at, double& reach, Neighbour& found);
     double nearest_in_step(uint32_t mover, double distance, Vec3 at) const;
 
@@ -48,6 +55,7 @@ private:
     Body& body_;
     const Vec3 gravity_;
     const double time_;
+    const double most_push_;  // out of what a particle is in
     bool again_ = false;
     uint32_t near_movers_[most_movers];  // numbers in the body's list
     uint32_t mover_count_ = 0;

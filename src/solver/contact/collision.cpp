@@ -16,7 +16,12 @@ bool touch(const Box& a, const Box& b) {
 }
 
 Collider::Collider(const Surroundings& around, const Body& body, const Box& paths, const Tally& tally)
-    : around_(around), body_(body), tally_(tally) {
+    : around_(around),
+      body_(body),
+      tally_(tally),
+      most_push_(body.plan.method == GPHYS_SOLVE_FREE && !body.joined
+                     ? infinity
+                     : leaving_speed * around.step_time * (around.end - around.begin)) {
     Box box = paths;
     list_moving(box);
     if (moving_count_ > 0) {
@@ -59,35 +64,53 @@ void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displace
     meet(near.model, moving, displacement, first);
 }
 
-void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first) const {
+void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gphys_model_id ignored,
+                             Impact& first) const {
     const Sphere moving{from, body_.radius[particle]};
     first = {};
     if (listed_) {
-        for (uint32_t i = 0; i < count_; ++i) meet_listed(near_[i], moving, displacement, first);
+        for (uint32_t i = 0; i < count_; ++i) {
+            if (near_[i].model != ignored) meet_listed(near_[i], moving, displacement, first);
+        }
     } else {
         around_.scene->for_each_in_box(path_box(moving, displacement), body_.settings.layers,
                                        [&](gphys_model_id model) {
-                                           if (!has_moved(around_, model)) meet(model, moving, displacement, first);
+                                           if (model != ignored && !has_moved(around_, model)) {
+                                               meet(model, moving, displacement, first);
+                                           }
                                        });
     }
 }
 
-bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, double time, Impact& first) const {
-    sweep_unmoved(particle, from, displacement, first);
-    meet_moving({from, body_.radius[particle]}, displacement, time, first);
+bool Collider::sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
+                            Impact& first) const {
+    sweep_unmoved(particle, from, displacement, ignored, first);
+    meet_moving({from, body_.radius[particle]}, displacement, time, ignored, first);
     return first.model != 0;
 }
 
-Vec3 Collider::pushed_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
+bool Collider::sweep(uint32_t particle, Vec3 from, Vec3 displacement, double time, Impact& first) const {
+    return sweep_others(particle, from, displacement, time, 0, first);
+}
+
+Vec3 Collider::way_out(const Body& body, uint32_t particle, gphys_model_id model) const {
+    Impact impact;
+    impact.model = model;
+    impact.moves = has_moved(around_, model);
+    impact.time = around_.end;
+    return way_out(body, particle, body.position[particle], impact);
+}
+
+Vec3 Collider::way_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
     // The scene has models that move where they stand at the end of the step.
     const Transform now = widen(around_.scene->world(impact.model));
     const Transform then = impact.moves ? place_of(impact.model, impact.time) : now;
     const Vec3 seen = impact.moves ? now.apply(then.inverse_apply(at)) : at;
     Vec3 point, normal;
     double distance = 0;
-    if (!around_.scene->closest_point_model(impact.model, seen, point, normal, distance)) return at;
+    if (!around_.scene->closest_point_model(impact.model, seen, point, normal, distance)) return {};
     const Vec3 out = normal * std::max(0.0, body.radius[particle] - distance + skin(body.radius[particle], at));
-    return at + (impact.moves ? then.rotation * transpose_times(now.rotation, out) : out);
+    return impact.moves ? then.rotation * transpose_times(now.rotation, out) : out;
 }
 
 double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement,
@@ -262,8 +285,19 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
     Vec3 at = from;
     const Vec3& velocity = body.velocity[particle];
     for (int contact = 1;; ++contact) {
+        gphys_model_id within = 0;  // what is left at its own pace, and does not stop the particle meanwhile
         if (impact.inside) {
-            at = pushed_out(body, particle, at, impact);
+            const Vec3 out = way_out(body, particle, at, impact);
+            const double depth = length(out);
+            if (depth <= most_push_) {
+                at += out;
+            } else {
+                within = impact.model;
+                body.sunk = true;
+                impact.normal = out / depth;
+                impact.point = at + out - impact.normal * body.radius[particle];
+                record(body, particle, impact);
+            }
         } else if (impact.moves && time < around_.end) {
             // Along with the model to the end of the substep; what is left is motion beside it.
             const Vec3 hit = at + displacement * impact.t;
@@ -294,7 +328,7 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         // What stays where it is may still be met by what moves.
         if (displacement == Vec3{} && (moving_count_ == 0 || time == around_.end)) break;
         impact = {};
-        if (!sweep(particle, at, displacement, time, impact)) {
+        if (!sweep_others(particle, at, displacement, time, within, impact)) {
             at += displacement;
             break;
         }
@@ -390,7 +424,7 @@ void give_through_held(Body& body, const Surroundings& around, const SolvedAgain
 }  // namespace
 
 void collide(Body& body, const Surroundings& around, double quiet) {
-    body.touched = false;
+    body.touched = body.sunk = false;
     if (!around.scene || body.settings.layers == 0) return;
     const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
     if (collider.idle()) return;

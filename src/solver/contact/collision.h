@@ -3,7 +3,8 @@
 // A particle only ever moves along a path that was swept clear, and stops short of what it meets by
 // a skin. It therefore never starts out touching, each sweep sees what is really ahead, and nothing
 // is passed through at any speed. A particle that is inside a model all the same (put there, or
-// caught by a model that jumped) is pushed out by the shortest way.
+// caught by a model that jumped) is pushed out by the shortest way: at once if nothing holds it, otherwise as
+// leave_solids.cpp says.
 #pragma once
 
 #include "scene/scene.h"
@@ -41,6 +42,9 @@ inline double skin(double radius, Vec3 at) { return 1e-4 * radius + 0x1p-40 * ma
 /// Up to this far off a particle is as near as it comes. What has stopped there is off by some rounding of its
 /// coordinates, of which a hundredth of a skin is 2^6 at least.
 inline double largest_gap(double skin) { return 1.01 * skin; }
+
+/// How fast particles with constraints leave what they are in, m/s.
+constexpr double leaving_speed = 1;
 
 /// What a particle meets, as it is at that moment.
 struct Impact {
@@ -101,8 +105,12 @@ public:
     /// Beside a model that moves, where the particle has met it: a skin away, unless something that does not move
     /// is in the way from where it is.
     Vec3 beside(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
-    /// Out of a model that the particle is in.
-    Vec3 pushed_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
+    /// How far and where to, for a particle that is in a model.
+    Vec3 way_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const;
+    /// Of a model that the particle touches, at the end of the substep.
+    Vec3 way_out(const Body& body, uint32_t particle, gphys_model_id model) const;
+    /// How far one with constraints comes out in this substep.
+    double most_push() const { return most_push_; }
     /// As far along the path as leaves the skin to what it ends at.
     double stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, const Impact& impact) const;
     void record(Body& body, uint32_t particle, const Impact& impact) const;
@@ -129,11 +137,14 @@ private:
     Box way_of_struck(const Box& paths) const;
     void meet(gphys_model_id model, const Sphere& moving, Vec3 displacement, Impact& first) const;
     void meet_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const;
-    void meet_moving(const Sphere& moving, Vec3 displacement, double time, Impact& first) const;
+    void meet_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored, Impact& first) const;
     void meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 displacement, double time,
                     Impact& first) const;
     /// Of models that have not moved.
-    void sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, Impact& first) const;
+    void sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gphys_model_id ignored, Impact& first) const;
+    /// Of all but one that the particle is in.
+    bool sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
+                      Impact& first) const;
     Transform place_of(gphys_model_id moved, double time) const;
     /// As it is at the end of the substep if the particle stays with the model.
     Impact carried(const Impact& impact) const;
@@ -141,6 +152,7 @@ private:
     const Surroundings& around_;
     const Body& body_;
     const Tally tally_;
+    const double most_push_;
     bool listed_ = true;  // otherwise there are too many, and the scene is asked for each particle
     uint32_t count_ = 0;
     Near near_[most_listed];
@@ -221,6 +233,13 @@ void clear_touches(Body& body);
 /// Returns its place in the touches of the particle; the last if others fill them all.
 uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);
 
+/// leave_solids.cpp: around what gives links their lengths back, for a body that is not cloth, if it is sunk. False,
+/// and nothing is to be done, if none of its particles is in anything.
+bool begin_leaving(Body& body, const Surroundings& around);
+void end_leaving(Body& body, const Surroundings& around, bool lengths_found);
+/// All of it for cloth, at the end of a substep of h seconds.
+void leave_solids(Body& body, double h);
+
 inline bool collides(const Body& body, const Surroundings& around) { return around.scene && body.settings.layers != 0; }
 
 /// cloth_contacts.cpp: by turns before and after the chains of a substep.
@@ -261,6 +280,8 @@ void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
 void predict_cloth(Body& body, const Surroundings& around, double h);
 void solve_cloth(Body& body);
 void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
+/// A sweep over the chains and limits, whatever the particles touch.
+void project_cloth(Body& body);
 void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h);  // what follows predict_cloth
 void end_cloth(Body& body, const Surroundings& around);
 

@@ -166,15 +166,18 @@ Impact Collider::carried(const Impact& impact) const {
     return carried;
 }
 
-void Collider::meet_moving(const Sphere& moving, Vec3 displacement, double time, Impact& first) const {
-    for_each_moving([&](const PlacedModel& before) { meet_moved(before, moving, displacement, time, first); });
+void Collider::meet_moving(const Sphere& moving, Vec3 displacement, double time, gphys_model_id ignored,
+                           Impact& first) const {
+    for_each_moving([&](const PlacedModel& before) {
+        if (before.model != ignored) meet_moved(before, moving, displacement, time, first);
+    });
 }
 
 Vec3 Collider::beside(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
     Vec3 way = impact.center + impact.normal * skin(body.radius[particle], at) - at;
     for (int contact = 0; contact < 3; ++contact) {  // as many as make a corner
         Impact stopped;
-        sweep_unmoved(particle, at, way, stopped);
+        sweep_unmoved(particle, at, way, 0, stopped);
         if (stopped.model == 0) return at + way;
         const double t = stopped.inside ? 0 : stop_short(body, particle, at, way, stopped);
         at += way * t;

@@ -15,7 +15,9 @@ namespace {
 
 /// A node with more neighbours than this is dense. Each elimination beside it would read its whole list, which costs
 /// n^2 in a star; it fills in no more when it is left to the end (Amestoy, Davis & Duff 2004, "Algorithm 837").
-size_t most_neighbours(uint32_t nodes) { return static_cast<size_t>(std::max(16.0, 10 * std::sqrt(static_cast<double>(nodes)))); }
+size_t most_neighbours(uint32_t nodes) {
+    return static_cast<size_t>(std::max(16.0, 10 * std::sqrt(static_cast<double>(nodes))));
+}
 
 struct Candidate {
     uint32_t degree, node;

@@ -132,6 +132,27 @@ void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity
 
 namespace {
 
+/// Out of what the bodies are in, their joints with them.
+void leave_solids_joined(const Joined& joined, const Surroundings& around, double h) {
+    bool leaving = false;
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) return;
+        body.sunk = body.sunk && begin_leaving(body, around);
+        leaving = leaving || body.sunk;
+    });
+    if (!leaving) return;
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (is_graph(body)) return;
+        if (!body.sunk) body.start = body.position;
+        body.predicted = body.position;
+    });
+    gather_systems(joined, h);
+    const bool found = solve_systems(joined);
+    each_body(joined, [&](Body& body, uint32_t) {
+        if (!is_graph(body)) end_leaving(body, around, found);
+    });
+}
+
 /// Once the systems are solved.
 void finish_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
     bool interrupted = false;  // then tensions of before are not known
@@ -159,6 +180,7 @@ void finish_joined(const Joined& joined, const Surroundings& around, Vec3 gravit
         }
     });
     if (!interrupted) keep_joined_energy(joined, gravity);
+    leave_solids_joined(joined, around, h);
 }
 
 struct JoinedMotion {

@@ -133,6 +133,18 @@ void give_tensions(Body& body, const Surroundings& around, const TimeScheme& sch
 
 namespace {
 
+/// Out of what the rope is in. Its tensions are those that move it, and stay.
+void leave_solids(Body& body, const Surroundings& around, double step) {
+    if (!body.sunk || !begin_leaving(body, around)) return;
+    Plan& plan = body.plan;
+    plan.earlier_tension = plan.tension;
+    std::fill(plan.tension.begin(), plan.tension.end(), 0.0);
+    body.predicted = body.position;
+    const bool found = solve_directly(body, step);
+    plan.tension = plan.earlier_tension;
+    end_leaving(body, around, found);
+}
+
 /// Once they are solved.
 void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
     const double step = scheme.step(body.settings.damping);
@@ -150,6 +162,7 @@ void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const Time
         for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
     }
     if (!body.attachments.empty()) give_tensions(body, around, scheme);
+    leave_solids(body, around, step);
     body.earlier_step = body.touched || captured ? 0 : scheme.advance;
 }
 

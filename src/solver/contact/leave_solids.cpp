@@ -1,0 +1,127 @@
+// Ropes and cloth that are inside a solid: put there, or caught by a model that jumped.
+//
+// To put all their particles on the surface at once, each by the shortest way, would tear apart what links hold
+// together, and the links would throw them about. A body with constraints leaves at a bounded speed instead, and by
+// positions alone: at the end of a substep each particle that is in a solid is moved towards the surface by at most
+// `leaving_speed` times the substep, then all links are given their lengths back, with the particles' masses as
+// weights. No velocity follows from either, so leaving makes no kinetic energy but for what is left of strain. (That
+// positions and velocities are to be corrected apart: Guendelman, Bridson & Fedkiw 2003; a bound for the speed of
+// separation is common in engines.) In the substeps the solid holds what is in it where it is: nothing goes deeper,
+// so what has sunk a little into a floor does not fall through.
+//
+// The depth of a point in a convex solid is a concave function, and so is the sum over all particles: they have no
+// minimum within, from which nothing would lead out, only maxima, such as the middle of a ball for a rope that lies
+// across it. Where the ways out contradict each other, all particles go aside together.
+#include "solver/contact/collision.h"
+#include "solver/quads.h"
+
+namespace gphys {
+namespace {
+
+/// The ways out of all particles that are in something.
+class WaysOut {
+public:
+    explicit WaysOut(double most) : most_(most) {}
+
+    void add(Vec3 normal) {
+        sum_ += normal;
+        ++count_;
+    }
+    bool any() const { return count_ > 0; }
+    /// Once all are added: how far a particle goes.
+    Vec3 way(Vec3 normal, double depth) const {
+        // Unit, and along no axis of a model that stands upright.
+        constexpr Vec3 aside{0.48, 0.6, 0.64};
+        constexpr double agreed = 0.25;
+        const Vec3 mean = sum_ / count_;
+        const double weight = 1 - length(mean) / agreed;
+        Vec3 way = normal;
+        if (weight > 0) way += aside * (dot(aside, mean) < 0 ? -weight : weight);
+        const double size = length(way);
+        return (size > 0 ? way / size : normal) * std::min(depth, most_);
+    }
+
+private:
+    double most_;
+    Vec3 sum_;
+    uint32_t count_ = 0;
+};
+
+/// No further than a part of a link, so that links turn little.
+double within_links(double way, double link_length) { return link_length > 0 ? std::min(way, link_length / 4) : way; }
+
+double average_link(const Plan& plan) {
+    double sum = 0;
+    for (const double rest : plan.rest) sum += rest;
+    return plan.rest.empty() ? 0 : sum / static_cast<double>(plan.rest.size());
+}
+
+}  // namespace
+
+bool begin_leaving(Body& body, const Surroundings& around) {
+    const Collider collider(around, body, swept_box(body, body.position, body.position, 0));
+    WaysOut ways(within_links(collider.most_push(), average_link(body.plan)));
+    body.start = body.position;
+    // visit(particle, normal, depth)
+    const auto each_within = [&](auto&& visit) {
+        for (uint32_t p = 0; p < body.size(); ++p) {
+            if (body.pinned(p) || !body.held[p]) continue;
+            const Vec3 out =
+                collider.way_out(body, p, body.touches[size_t{p} * touches_per_particle + body.held[p] - 1].model);
+            const double depth = length(out);
+            if (depth > 0) visit(p, out / depth, depth);
+        }
+    };
+    each_within([&](uint32_t, Vec3 normal, double) { ways.add(normal); });
+    each_within([&](uint32_t p, Vec3 normal, double depth) { body.position[p] += ways.way(normal, depth); });
+    return ways.any();
+}
+
+void end_leaving(Body& body, const Surroundings& around, bool lengths_found) {
+    if (!lengths_found) {
+        body.position = body.start;
+        return;
+    }
+    if (!collides(body, around)) return;
+    // Others that links draw along stop at what is in their way.
+    const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p) || (body.sunk && body.held[p])) continue;
+        const Vec3 way = body.position[p] - body.start[p];
+        Impact impact;
+        if (!collider.sweep(p, body.start[p], way, around.end, impact)) continue;
+        const double t = impact.inside ? 0 : collider.stop_short(body, p, body.start[p], way, impact);
+        body.position[p] = body.start[p] + way * t;
+    }
+}
+
+void leave_solids(Body& body, double h) {
+    // One leaves some hundredths of what the particles have been moved by.
+    constexpr int sweeps = 2;
+    ClothState& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth_contacts;
+    WaysOut ways(within_links(leaving_speed * h, body.plan.batches.link_length));
+    const auto each_sunk = [&](auto&& visit) {
+        for (Neighbour& n : contacts.neighbours) {
+            if (n.depth > 0) visit(n, &cloth.at[4 * size_t{n.particle}], n.walls[n.sunk_most].normal);
+        }
+    };
+    each_sunk([&](Neighbour&, float*, Vec3 normal) { ways.add(normal); });
+    if (!ways.any()) return;
+    each_sunk([&](Neighbour& n, float* at, Vec3 normal) { put(at, get(at) + ways.way(normal, n.depth)); });
+    for (int sweep = 0; sweep < sweeps; ++sweep) project_cloth(body);
+    for (Neighbour& n : contacts.neighbours) {
+        if (n.depth == 0) stay_outside(body, n.particle);
+    }
+    // Their walls follow them.
+    each_sunk([&](Neighbour& n, float* at, Vec3 normal) {
+        Wall& deepest = n.walls[n.sunk_most];
+        deepest.offset = std::min(deepest.offset + n.depth, dot(normal, get(at)));
+        for (uint32_t i = 0; i < n.wall_count; ++i) {
+            Wall& wall = n.walls[i];
+            if (n.sunk_walls >> i & 1) wall.offset = std::min(wall.offset, dot(wall.normal, get(at)));
+        }
+    });
+}
+
+}  // namespace gphys
