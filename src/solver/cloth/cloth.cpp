@@ -195,6 +195,20 @@ void follow_models(Body& body, double fraction) {
     }
 }
 
+/// Take so much energy from the motion beside a drift.
+void slow_by(Body& body, Vec3 drift, double energy) {
+    const double inner = inner_energy_of_cloth(body, drift);
+    slow_cloth(body, drift, energy < inner ? std::sqrt(1 - energy / inner) : 0);
+}
+
+/// Cloth in a solid is held by it while its links get their lengths back. That makes it no faster on average than it
+/// leaves; `gain` are the joules beyond those that forces gave in the substep.
+void keep_calm(Body& body, double gain) {
+    const double calm = body.cloth.average_mass * body.size() * leaving_speed * leaving_speed / 2;
+    const double excess = std::min(gain, inner_energy_of_cloth(body, {}) - calm);
+    if (excess > 0) slow_by(body, {}, excess);
+}
+
 /// What sweeps over a graph leave unsolved can do work in long steps. Motion within the body is
 /// slowed so that the substep gains no energy; the motion of a free body as a whole stays.
 void take_back(Body& body, double gain) {
@@ -203,8 +217,7 @@ void take_back(Body& body, double gain) {
         const Motion motion = motion_of_cloth(body);
         drift = motion.momentum / motion.mass;
     }
-    const double inner = inner_energy_of_cloth(body, drift);
-    slow_cloth(body, drift, gain < inner ? std::sqrt(1 - gain / inner) : 0);
+    slow_by(body, drift, gain);
 }
 
 /// part(its number, first particle, end) in any order.
@@ -427,6 +440,7 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     cloth.velocity.swap(cloth.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
+    if (body.cloth_contacts.sunk && collides && !cloth.held) keep_calm(body, gain * cloth.average_mass);
     cloth.balance.closed = cloth.balance.closed && !(collides && body.cloth_contacts.pushed);
     if (cloth.balance.closed) {
         const double before = cloth.balance.stored;

@@ -107,6 +107,7 @@ void reserve_cloth_contacts(Body& body) {
 void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     ClothContacts& contacts = body.cloth_contacts;
     std::fill(contacts.normals.begin(), contacts.normals.end(), 0.0f);
+    contacts.sunk = false;
     find_movers(body, around);
     Lookout lookout(around, body, gravity, around.step_time);
     const Kept kept = kept_walls(body, around);

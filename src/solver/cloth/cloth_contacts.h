@@ -64,6 +64,8 @@ struct alignas(64) Neighbour {
     uint32_t sunk_walls;  // bit by wall: those that are where the particle is
     uint32_t sunk_most;   // the one that it is deepest behind,
     double depth;         // and by how much: 0 if it is in nothing
+    Vec3 aim;             // while it leaves: where it was to go, or the links have left it,
+    bool aims;            // and whether it is there
 
     /// At the beginning of a step.
     void rest() {

@@ -34,9 +34,9 @@ public:
         constexpr Vec3 aside{0.48, 0.6, 0.64};
         constexpr double agreed = 0.25;
         const Vec3 mean = sum_ / count_;
-        const double weight = 1 - length(mean) / agreed;
-        Vec3 way = normal;
-        if (weight > 0) way += aside * (dot(aside, mean) < 0 ? -weight : weight);
+        const double agreement = length(mean), alone = std::max(0.0, 1 - agreement / agreed);
+        const Vec3 together = mean / std::max(agreement, agreed) + aside * (dot(aside, mean) < 0 ? -alone : alone);
+        const Vec3 way = normal + together * (1 - agreement);
         const double size = length(way);
         return (size > 0 ? way / size : normal) * std::min(depth, most_);
     }
@@ -46,6 +46,38 @@ private:
     Vec3 sum_;
     uint32_t count_ = 0;
 };
+
+/// What friction holds around a few sunk particles would draw them back for ever. Where that strains no link much, they
+/// stay where they were to go, and draw along what is around them.
+void keep_aims(Body& body) {
+    constexpr double much = 0.02;
+    ClothState& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth_contacts;
+    const auto swap_with_aim = [&](Neighbour& n) {
+        float* const at = &cloth.at[4 * size_t{n.particle}];
+        const Vec3 aim = n.aim;
+        n.aim = get(at);
+        put(at, aim);
+        n.aims = !n.aims;
+    };
+    for (Neighbour& n : contacts.neighbours) {
+        if (n.depth > 0) swap_with_aim(n);
+    }
+    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
+        const DistanceConstraint& link = body.constraints[slot];
+        if (!body.constraint_ids.live(slot) || link.compliance > 0) continue;
+        const float *a = &cloth.at[4 * size_t{link.a}], *b = &cloth.at[4 * size_t{link.b}];
+        const double stretch = distance(get(a), get(b)) - link.rest;
+        if ((link.limit ? stretch : std::fabs(stretch)) <= much * link.rest) continue;
+        for (const uint32_t p : {link.a, link.b}) {
+            const uint32_t place = contacts.place[p];
+            if (place != ClothContacts::nowhere && contacts.neighbours[place].aims) {
+                swap_with_aim(contacts.neighbours[place]);
+            }
+        }
+    }
+    for (Neighbour& n : contacts.neighbours) n.aims = false;
+}
 
 /// No further than a part of a link, so that links turn little.
 double within_links(double way, double link_length) { return link_length > 0 ? std::min(way, link_length / 4) : way; }
@@ -108,8 +140,12 @@ void leave_solids(Body& body, double h) {
     };
     each_sunk([&](Neighbour&, float*, Vec3 normal) { ways.add(normal); });
     if (!ways.any()) return;
-    each_sunk([&](Neighbour& n, float* at, Vec3 normal) { put(at, get(at) + ways.way(normal, n.depth)); });
+    each_sunk([&](Neighbour& n, float* at, Vec3 normal) {
+        n.aim = get(at) + ways.way(normal, n.depth);
+        put(at, n.aim);
+    });
     for (int sweep = 0; sweep < sweeps; ++sweep) project_cloth(body);
+    keep_aims(body);
     for (Neighbour& n : contacts.neighbours) {
         if (n.depth == 0) stay_outside(body, n.particle);
     }
