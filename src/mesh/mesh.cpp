@@ -2,6 +2,8 @@
 
 #include <new>
 
+#include "foundation/word_hash.h"
+
 namespace gphys {
 
 Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa)
@@ -9,6 +11,10 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     vertices_.reserve(arrays.vertex_count);
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) vertices_.push_back(arrays.vertex(i));
     if (arrays.index_count > 0) indices_.assign(arrays.indices, arrays.indices + arrays.index_count);
+    WordHash hash;
+    hash.put(vertices_.data(), vertices_.size() * (sizeof(gphys_vec3) / 4));
+    hash.put(indices_.data(), indices_.size());
+    hash_ = hash.value();
 
     Vector<Box> boxes(&memory);
     pack_triangles(arrays, packets_, boxes);

@@ -38,6 +38,8 @@ public:
     double radius() const { return radius_; }
     /// The same in floats, rounded outward.
     const gphys_sphere& ball() const { return ball_; }
+    /// Of the vertices and indices: the same for equal meshes, wherever they are.
+    uint64_t hash() const { return hash_; }
     const Octree& octree() const { return octree_; }
     const Vector<TrianglePacket>& packets() const { return packets_; }
 
@@ -96,6 +98,7 @@ private:
     Vec3 center_;
     double radius_ = 0;
     gphys_sphere ball_{};
+    uint64_t hash_;
 };
 
 template <class Visit>

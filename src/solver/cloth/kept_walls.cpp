@@ -4,9 +4,8 @@
 //
 // Balls and walls follow from where the particles looked, how far, and the models. So only the former are in a
 // snapshot, and a body that comes out of one, or finds other models, looks again from there.
-#include "mesh/mesh.h"
 #include "solver/contact/collision.h"
-#include "solver/snapshot/archive.h"
+#include "solver/contact/neighbourhood.h"
 
 namespace gphys {
 namespace {
@@ -25,35 +24,8 @@ Box around_balls(const Body& body) {
     return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
 }
 
-/// What a particle may touch of a model.
-uint64_t hash_of(const Scene& scene, gphys_model_id model) {
-    WordHash hash;
-    const gphys_shape_type type = scene.type(model);
-    hash.put(&model, 1);
-    hash.put(&type, 1);
-    hash.put(&scene.world(model), sizeof(gphys_transform) / 4);
-    if (const Mesh* const mesh = scene.mesh(model)) {
-        // A mesh does not change, and a later one at the same address seldom has the same size.
-        const uint32_t triangles = mesh->triangle_count();
-        Box box;
-        scene.bounds(model, box);
-        hash.put(&mesh, sizeof mesh / 4);
-        hash.put(&triangles, 1);
-        hash.put(&box, sizeof box / 4);
-    } else {
-        uint32_t shape[sizeof(gphys_obb) / 4] = {};  // the largest
-        scene.copy_shape(model, shape);
-        hash.put(shape, sizeof shape / 4);
-    }
-    return hash.value();
-}
-
-/// Of the models around a body: a sum over them, which no order changes.
 uint64_t neighbourhood(const Body& body, const Scene& scene) {
-    uint64_t sum = 0;
-    scene.for_each_in_box(around_balls(body), body.settings.layers,
-                          [&](gphys_model_id model) { sum += hash_of(scene, model); });
-    return sum;
+    return neighbourhood(scene, around_balls(body), body.settings.layers, [](gphys_model_id) {});
 }
 
 }  // namespace
