@@ -1,27 +1,13 @@
 // Snapshots: what is put back goes on with the same bits, and what is no snapshot is refused.
-#include "solver/snapshot/archive.h"
-#include "solver_world.h"
+#include "snapshots.h"
 
+using test::forged;
+using test::hash;
+using test::snapshot;
+using test::Words;
 using test::World;
 
 namespace {
-
-using Words = std::vector<uint32_t>;
-
-Words snapshot(const gphys_solver* solver) {
-    uint32_t total = 0;
-    REQUIRE(gphys_solver_get_snapshot(solver, nullptr, 0, &total) == GPHYS_INCOMPLETE);
-    Words words(total);
-    REQUIRE(gphys_solver_get_snapshot(solver, words.data(), total, &total) == GPHYS_OK);
-    REQUIRE(total == words.size());
-    return words;
-}
-
-uint64_t hash(const gphys_solver* solver) {
-    uint32_t halves[2];
-    REQUIRE(gphys_solver_get_hash(solver, halves) == GPHYS_OK);
-    return uint64_t{halves[1]} << 32 | halves[0];
-}
 
 /// A body of each kind among moving models, with holes among the ids, cut and added constraints.
 struct Busy : World {
@@ -90,17 +76,6 @@ struct Busy : World {
         move_models();
     }
 };
-
-/// The words of a snapshot changed in one place, with a header that says that this was so.
-Words forged(const Words& snapshot, size_t at, uint32_t word) {
-    Words forgery = snapshot;
-    forgery[at] = word;
-    gphys::WordHash hash;
-    hash.put(forgery.data() + 5, forgery.size() - 5);
-    forgery[3] = static_cast<uint32_t>(hash.value());
-    forgery[4] = static_cast<uint32_t>(hash.value() >> 32);
-    return forgery;
-}
 
 }  // namespace
 

@@ -135,7 +135,7 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
         GPHYS_REQUIRE(unwrap(solver)->origin() == unwrap(scene)->origin(), "solver and scene have different origins");
         GPHYS_TRY(unwrap(scene)->check(model));
         if (local_point) GPHYS_REQUIRE_VALID(*local_point);
-        Body& b = unwrap(solver)->edit(body);
+        Body& b = unwrap(solver)->body(body);
         const Vec3 local = local_point ? widen(*local_point)
                                        : unwrap(scene)->world_transform(model).inverse_apply(b.position[particle]);
         attach(b, particle, model, local);
@@ -145,9 +145,8 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
 
 gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle) {
     GPHYS_TRY(check_particle(solver, body, particle));
-    Body& b = unwrap(solver)->edit(body);
-    GPHYS_REQUIRE(is_attached(b, particle), "particle: not attached");
-    set_pinned(b, particle, 1, false);
+    GPHYS_REQUIRE(is_attached(unwrap(solver)->body(body), particle), "particle: not attached");
+    set_pinned(unwrap(solver)->edit(body), particle, 1, false);
     return GPHYS_OK;
 }
 
@@ -163,7 +162,7 @@ gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particl
         GPHYS_REQUIRE(std::fabs(length) <= GPHYS_MAX_COORDINATE, "length: not finite or out of range");
         GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
         GPHYS_REQUIRE(out_constraint, "out_constraint is null");
-        return add_constraint(unwrap(solver)->edit(body), {particle_a, particle_b, length, compliance, 0, limit},
+        return add_constraint(unwrap(solver)->body(body), {particle_a, particle_b, length, compliance, 0, limit},
                               *out_constraint);
     });
 }
@@ -187,7 +186,7 @@ gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_bod
     GPHYS_REQUIRE(solver, "solver is null");
     GPHYS_TRY(unwrap(solver)->check(body));
     GPHYS_REQUIRE(is_amount(damping), "damping: must be at least 0 and in range");
-    return set_damping(unwrap(solver)->edit(body), constraint, damping);
+    return set_damping(unwrap(solver)->body(body), constraint, damping);
 }
 
 gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, float rest_volume, float compliance) {
@@ -198,7 +197,7 @@ gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, f
                       "rest_volume: 0, not finite or out of range");
         GPHYS_REQUIRE(is_amount(compliance) || compliance == INFINITY,
                       "compliance: must be at least 0 and in range, or infinity");
-        Body& b = unwrap(solver)->edit(body);
+        Body& b = unwrap(solver)->body(body);
         if (compliance < INFINITY) return set_volume(b, rest_volume, compliance);
         release_volume(b);
         return GPHYS_OK;
@@ -219,7 +218,7 @@ gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id b
 gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body, gphys_constraint_id constraint) {
     GPHYS_REQUIRE(solver, "solver is null");
     GPHYS_TRY(unwrap(solver)->check(body));
-    return remove_constraint(unwrap(solver)->edit(body), constraint);
+    return remove_constraint(unwrap(solver)->body(body), constraint);
 }
 
 gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,

@@ -9,7 +9,8 @@ const char* IdTable::defect() const {
         if ((entries_[slot] & ~slot_mask) == 0) return "an id has generation 0";
         live_slots += live(slot) ? 1 : 0;
     }
-    if (live_slots != live_ || live_ + free_ != slots()) return "live and free slots are miscounted";
+    if (slots() > capacity || live_slots != live_ || live_ + free_ != slots())
+        return "live and free slots are miscounted";
     uint32_t slot = oldest_;
     for (uint32_t i = 0; i < free_; ++i) {
         if (slot >= slots() || live(slot)) return "the queue of free slots holds one that is not free";
@@ -17,6 +18,8 @@ const char* IdTable::defect() const {
         if ((i + 1 == free_) != (slot == newest_)) return "the queue of free slots does not end where it should";
         slot = slot_of(entries_[slot]);
     }
+    // A queue that passed a slot twice would go round for ever, and never come to its end.
+    if (free_ > 0 && slot != slot_mask) return "the queue of free slots has no end";
     return nullptr;
 }
 

@@ -60,11 +60,6 @@ void Solver::unite_bodies(const Scene* scene, double dt) {
     for (uint32_t slot = 0; slot < slots; ++slot) {
         if (state_.ids.live(slot) && !sleeps_on(state_.bodies[slot], scene)) awake_[set_of_[slot]] = 1;
     }
-    for (uint32_t slot = 0; slot < slots; ++slot) {
-        if (state_.ids.live(slot) && awake_[set_of_[slot]] && state_.bodies[slot].sleep.asleep) {
-            wake(state_.bodies[slot]);
-        }
-    }
 }
 
 /// The sets that are awake, as islands.

@@ -85,6 +85,7 @@ struct Plan {
         : chains(memory),
           families(memory),
           particles(memory),
+          slots(memory),
           rest(memory),
           compliance(memory),
           damping(memory),
@@ -99,12 +100,15 @@ struct Plan {
           batches(memory) {}
 
     gphys_solve_method method = GPHYS_SOLVE_FREE;
+    // What follows from constraints and from pins; when out of date, what is there of it counts for nothing.
     bool chains_current = false, reach_current = false;
+    bool packed = false;  // whether `batches` are of both
 
     /// By family. The chains of a family share no particle, so their order within it is free.
     Vector<Chain> chains;
     Vector<uint32_t> families;  // the first chain of each, and the end
     Vector<uint32_t> particles;
+    Vector<uint32_t> slots;                    // by link: of its constraint
     Vector<double> rest, compliance, damping;  // by link
     Vector<uint32_t> limit;                    // by link: 1 if it only pulls
     bool damped = false, limited = false;      // whether any link is
@@ -125,13 +129,8 @@ gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
-/// What its links are like.
-void note_kinds(Body& body);
-/// What follows from the chains of a rope.
-void complete_direct(Plan& plan);
-
-/// Links of the longest chain.
-uint32_t longest_chain(const Plan& plan);
+/// The rest of a plan that came out of a snapshot and has no defect. Throws std::bad_alloc.
+void complete_plan(Body& body);
 
 /// Parts of it: plan_chains.cpp, reach_limits.cpp and plan_cloth.cpp.
 void plan_direct_chains(Body& body);

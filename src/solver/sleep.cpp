@@ -2,7 +2,7 @@
 // been slow for long enough and is hardly strained: speed alone would let a rope sleep that is about to
 // snap back. It wakes when it is edited, when gravity changes, and when anything about the models around
 // it does: one comes, goes or moves, or the scene is another. Bodies of an island sleep and wake together.
-#include "solver/snapshot/archive.h"
+#include "solver/contact/neighbourhood.h"
 #include "solver/solver.h"
 
 namespace gphys {
@@ -24,20 +24,11 @@ bool is_hardly_strained(const Body& body, double strain) {
     return true;
 }
 
-/// The models in the box of a sleeping body, as a sum over them, which no order changes. visit(model, world).
+/// The models in the box of a sleeping body. visit(model).
 template <class Visit>
 uint64_t neighbourhood(const Body& body, const Scene* scene, Visit&& visit) {
     if (!scene || body.settings.layers == 0) return 0;
-    uint64_t sum = 0;
-    scene->for_each_in_box(body.sleep.box, body.settings.layers, [&](gphys_model_id model) {
-        const gphys_transform& world = scene->world(model);
-        WordHash hash;
-        hash.put(&model, 1);
-        hash.put(&world, sizeof world / 4);
-        sum += hash.value();
-        visit(model, world);
-    });
-    return sum;
+    return neighbourhood(*scene, body.sleep.box, body.settings.layers, visit);
 }
 
 bool attachments_moved(const Body& body, const Scene* scene) {
@@ -69,20 +60,18 @@ void fall_asleep(Body& body, const Scene* scene, double dt) {
     body.earlier_step = 0;
     // What is beyond cannot come near before it is seen to come.
     sleep.box = swept_box(body, body.position, body.position, dt * fastest_model);
-    sleep.neighbourhood = neighbourhood(body, scene, [](gphys_model_id, const gphys_transform&) {});
+    sleep.neighbourhood = neighbourhood(body, scene, [](gphys_model_id) {});
 }
 
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt) {
     if (is_calm(body, settings, dt)) fall_asleep(body, scene, dt);
 }
 
-bool Solver::sleeps_on(Body& body, const Scene* scene) {
+bool Solver::sleeps_on(const Body& body, const Scene* scene) {
     if (!body.sleep.asleep) return false;
     // Its models are seen like those of others: if one moves and wakes it, where it came from is known.
-    const auto see = [&](gphys_model_id model, const gphys_transform& world) { next_seen_.push_back({model, world}); };
-    if (neighbourhood(body, scene, see) == body.sleep.neighbourhood && !attachments_moved(body, scene)) return true;
-    wake(body);
-    return false;
+    const auto see = [&](gphys_model_id model) { next_seen_.push_back({model, scene->world(model)}); };
+    return neighbourhood(body, scene, see) == body.sleep.neighbourhood && !attachments_moved(body, scene);
 }
 
 void Solver::set_gravity(Vec3 gravity) {

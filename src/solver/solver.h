@@ -4,7 +4,8 @@
 //
 //   builders.cpp       bodies come and go
 //   state.cpp          their particles and constraints are read and changed, or all moved
-//   step.cpp           the step: which body is moved how, attachments
+//   prepare.cpp        before a step: plans, room, what is around, and who does what
+//   step.cpp           the step: which body is moved how
 //   time_scheme.h      the formulas by which constrained bodies go on
 //   islands.cpp        bodies that influence each other, moved together
 //   sleep.cpp          bodies at rest
@@ -154,6 +155,8 @@ public:
     /// Of a valid id.
     const Body& body(gphys_body_id id) const { return state_.bodies[IdTable::slot_of(id)]; }
 
+    /// For functions that wake it themselves, once they have checked what they are to do.
+    Body& body(gphys_body_id id) { return state_.bodies[IdTable::slot_of(id)]; }
     /// The same to be changed, which wakes it.
     Body& edit(gphys_body_id id) {
         Body& body = state_.bodies[IdTable::slot_of(id)];
@@ -170,9 +173,10 @@ public:
     /// Of one body, or all: 0.
     void list_joints(gphys_body_id of, Smallest<gphys_joint_info, JointOrder>& out) const;
 
-    /// May throw std::bad_alloc before anything has moved, not after.
+    /// May throw std::bad_alloc before anything has moved, not after. Then all that a snapshot holds is as it was.
     void step(const Scene* scene, double dt);
-    /// `steps` are those made; `leftover` the fraction of a step still owed.
+    /// `steps` are those made; `leftover` the fraction of a step still owed. Throws std::bad_alloc if there is no
+    /// memory for the first step; if there is none for a later one, that and those after it are left out.
     void advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover);
 
     /// Of one body, or of all: 0.
@@ -236,8 +240,28 @@ private:
         }
     };
 
+    /// What prepare has changed of a body that a snapshot holds, should the step run out of memory.
+    struct Before {
+        Before(uint32_t slot_, const Body& body, std::pmr::memory_resource* memory)
+            : slot(slot_),
+              chains_current(body.plan.chains_current),
+              reach_current(body.plan.reach_current),
+              earlier_step(body.earlier_step),
+              attachments(memory),
+              reach_limits(memory) {}
+        void put_back(Body& body);
+
+        uint32_t slot;
+        bool chains_current, reach_current;
+        double earlier_step;
+        Vector<Attachment> attachments;  // if some were released, and then what followed from the others:
+        Vector<ReachLimit> reach_limits;
+    };
+
     gphys_status insert(Body&& body, gphys_body_id& out);
     void prepare(const Scene* scene, double dt);
+    void prepare_body(uint32_t slot, const Scene* scene, double dt);
+    void begin_step(const Scene* scene) noexcept;
     void divide_work();
     bool is_worth_sharing(const Moving& moving, size_t particles) const;
     void move_shared(const Moving& moving, const Scene* scene, double dt);
@@ -256,7 +280,7 @@ private:
     void move_touching(const Island& island, const Joined& joined, const Surroundings& around, double h);
     void move_island(const Island& island, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
-    bool sleeps_on(Body& body, const Scene* scene);
+    bool sleeps_on(const Body& body, const Scene* scene);
     void look_around(const Scene& scene, double dt);
     void find_disturbed(const Scene& scene);
     void add_impulses();
@@ -266,6 +290,7 @@ private:
     /// Models near the bodies as they stand, and those of state_.seen that moved since.
     Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};
     Vector<Moving> moving_{&memory};
+    Vector<Before> before_{&memory};
     Vector<Task> tasks_{&memory};
     Vector<Stretch> stretches_{&memory};
     RoomMemory room_memory_{&memory};
@@ -304,6 +329,7 @@ void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
 /// Enter a constraint that is there among the links of its particles.
 void join_links(Body& body, uint32_t slot);
 bool is_attached(const Body& body, uint32_t particle);
+// These may fail, by status or std::bad_alloc, and wake the body unless they do.
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
 /// rest < 0: the present distance.
 gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out);

@@ -1,4 +1,5 @@
-// The particles and constraints of one body, as the caller changes them. Values have been checked.
+// The particles and constraints of one body, as the caller changes them. Values have been checked. What can fail
+// checks and makes room first, and wakes the body then.
 #include "foundation/strided.h"
 #include "solver/solver.h"
 
@@ -94,6 +95,8 @@ void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned) {
 bool is_attached(const Body& body, uint32_t particle) { return find_attachment(body, particle) != nullptr; }
 
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local) {
+    reserve_more(body.attachments, 1);
+    wake(body);
     const auto at = std::lower_bound(body.attachments.begin(), body.attachments.end(), particle, before);
     const Attachment attachment{particle, model, local, {}, {}};
     if (at != body.attachments.end() && at->particle == particle) {
@@ -133,6 +136,7 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
         return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 constraints");
     }
     reserve_more(body.constraints, 1);
+    wake(body);
     out = body.constraint_ids.add();
     const uint32_t slot = IdTable::slot_of(out);
     if (slot == body.constraints.size()) body.constraints.emplace_back();
@@ -155,6 +159,7 @@ gphys_status check_constraint(const Body& body, gphys_constraint_id id) {
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
     const gphys_status status = check_constraint(body, id);
     if (status != GPHYS_OK) return status;
+    wake(body);
     body.constraints[IdTable::slot_of(id)].damping = damping;
     body.plan.chains_current = false;
     return GPHYS_OK;
@@ -163,6 +168,7 @@ gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
 gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
     const gphys_status status = check_constraint(body, id);
     if (status != GPHYS_OK) return status;
+    wake(body);
     change_constraints(body, IdTable::slot_of(id), -1);
     body.constraint_ids.remove(id);
     body.rest_position.clear();
@@ -175,6 +181,7 @@ gphys_status set_volume(Body& body, double rest, double compliance) {
     }
     const double now = volume_of(body);
     if (rest < 0 && !(now > 0)) return fail(GPHYS_ERROR_UNSUPPORTED, "body: it is turned inside out");
+    wake(body);
     if (!body.volume.held) body.plan.chains_current = false;
     body.volume.held = true;
     body.volume.rest = rest < 0 ? now : rest;
@@ -184,6 +191,7 @@ gphys_status set_volume(Body& body, double rest, double compliance) {
 }
 
 void release_volume(Body& body) {
+    wake(body);
     body.volume.held = false;
     body.volume.pressure = 0;
     body.plan.chains_current = false;

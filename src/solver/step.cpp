@@ -6,8 +6,6 @@
 //                solve again beside contacts                                 rope_substep.cpp
 //                the same of chains that branch                              joined_motion.cpp
 //   graph        predict, chain families, reach limits, velocities, collide  cloth.cpp
-#include <cstring>
-
 #include "solver/motion.h"
 #include "solver/rope/rope.h"
 #include "solver/solver.h"
@@ -64,215 +62,6 @@ void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
             break;
         default:
             end_cloth_substep(body, around, gravity, h);
-    }
-}
-
-namespace {
-
-/// Where attached particles go in this step; those whose model is gone are released.
-void aim_attachments(Body& body, const Scene* scene) {
-    for (Attachment& attachment : body.attachments) {
-        attachment.begin = attachment.end = body.position[attachment.particle];
-        if (scene && scene->has(attachment.model)) {
-            attachment.end = scene->world_transform(attachment.model).apply(attachment.local);
-        }
-    }
-    if (!scene) return;
-    const auto lost = [&](const Attachment& attachment) {
-        if (scene->has(attachment.model)) return false;
-        body.inverse_mass[attachment.particle] = 1 / body.mass[attachment.particle];
-        body.plan.reach_current = false;
-        body.earlier_step = 0;
-        return true;
-    };
-    body.attachments.erase(std::remove_if(body.attachments.begin(), body.attachments.end(), lost),
-                           body.attachments.end());
-}
-
-void reserve_history(Body& body) {
-    if (body.plan.method == GPHYS_SOLVE_FREE && !body.joined) return;
-    body.start.resize(body.size());
-    if (body.plan.method == GPHYS_SOLVE_GRAPH) {
-        reserve_cloth(body);
-        if (body.joined) reserve_joined_cloth(body);
-        return;
-    }
-    body.predicted.resize(body.size());
-    body.solved.resize(body.size());
-    body.start_velocity.resize(body.size());
-    if (body.plan.limited) body.flying.resize(body.size());
-    body.earlier.resize(body.size());
-    body.earlier_velocity.resize(body.size());
-}
-
-/// Whether its particles are shared by workers, whatever their number.
-bool is_divided(const Body& body) {
-    return body.plan.method == GPHYS_SOLVE_FREE && !body.joined && body.size() > part_size;
-}
-
-}  // namespace
-
-/// Everything that may fail for want of memory, before anything moves.
-void Solver::prepare(const Scene* scene, double dt) {
-    moving_.clear();
-    next_seen_.clear();
-    moved_.clear();
-    unite_bodies(scene, dt);
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
-        if (!state_.ids.live(slot) || state_.bodies[slot].sleep.asleep) continue;
-        Body& body = state_.bodies[slot];
-        aim_attachments(body, scene);
-        const bool changed = !body.plan.chains_current;
-        if (changed) joints_current_ = false;
-        update_plan(body);
-        body.joined = body.joined || body.plan.branched;
-        // What systems of joints have placed stays there.
-        const bool relaxed = body.plan.method == GPHYS_SOLVE_GRAPH && !body.joined;
-        body.cloth.most_strain = relaxed ? state_.settings.max_strain : 0;
-        if (body.settings.self_collision && (changed || body.linked_begin.empty())) list_linked(body);
-        reserve_history(body);
-        if (body.largest_radius < 0) {
-            const auto [smallest, largest] = std::minmax_element(body.radius.begin(), body.radius.end());
-            body.smallest_radius = *smallest;
-            body.largest_radius = *largest;
-        }
-        if (is_divided(body)) {
-            const uint32_t parts = (body.size() + part_size - 1) / part_size;
-            while (body.parts.size() < parts) body.parts.emplace_back(&memory);
-        } else {
-            body.parts.clear();
-        }
-        moving_.push_back({body.size(), slot, substeps_of(body, state_.settings, dt),
-                           static_cast<uint32_t>(body.plan.chains.size()), is_plain_rope(body), starts_again(body)});
-        if (scene && body.settings.layers != 0) {
-            body.touches.resize(size_t{body.size()} * touches_per_particle);
-            body.touch_count.resize(body.size());
-            body.held.resize(body.size());
-            if (body.settings.sticks()) body.stuck.resize(body.size());
-            if (body.plan.method == GPHYS_SOLVE_GRAPH) reserve_cloth_contacts(body);
-        }
-    }
-    if (!joints_current_) plan_joints();
-    list_islands();
-    particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
-    if (scene) look_around(*scene, dt);
-    std::sort(moving_.begin(), moving_.end());
-    divide_work();
-    state_.seen.reserve(next_seen_.capacity());  // they change places
-    size_t given = 0;
-    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) given += state_.bodies[slot].impulses.capacity();
-    givers_.reserve(given);
-    impulses_.reserve(given);
-}
-
-/// Note where the models near the bodies stand, and which of them have moved since the last step.
-void Solver::look_around(const Scene& scene, double dt) {
-    stretches_.clear();
-    for (uint32_t i = 0; i < moving_.size(); ++i) {
-        Body& body = state_.bodies[moving_[i].slot];
-        if (body.extent) continue;
-        body.extent.emplace();
-        for (uint32_t first = 0; first < body.size(); first += part_size) stretches_.push_back({i, first, {}});
-    }
-    workers_.run(static_cast<uint32_t>(stretches_.size()), [&](uint32_t i) {
-        Stretch& stretch = stretches_[i];
-        Body& body = state_.bodies[moving_[stretch.moving].slot];
-        stretch.extent = extent_of(body, stretch.first, std::min(stretch.first + part_size, body.size()));
-    });
-    for (const Stretch& stretch : stretches_) {
-        state_.bodies[moving_[stretch.moving].slot].extent->add(stretch.extent);
-    }
-    for (Moving& moving : moving_) {
-        Body& body = state_.bodies[moving.slot];
-        const double fastest = moving.fastest = length(body.extent->fastest);
-        const Aabb box = body.extent->box;
-        body.extent.reset();
-        // Twice as far as a particle may come in this step, and a model in the next: what it can meet then.
-        const double margin = 2 * dt * (fastest + dt * length(state_.settings.gravity)) + dt * fastest_model;
-        const double room = 2 * body.largest_radius + margin;
-        moving.nearby = bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
-    }
-    for (Moving& moving : moving_) {
-        const size_t before = next_seen_.size();
-        scene.for_each_in_box(moving.nearby, state_.bodies[moving.slot].settings.layers, [&](gphys_model_id model) {
-            // The box around a terrain or a turned slab holds bodies that are far from its surface.
-            if (!scene.touches_box(model, moving.nearby)) return;
-            next_seen_.push_back({model, scene.world(model)});
-        });
-        moving.models_near = static_cast<uint32_t>(next_seen_.size() - before);
-        if (moving.models_near == 0) continue;
-        moving.undisturbed = false;
-        const uint32_t least = substeps_near_models(state_.bodies[moving.slot], state_.settings, moving.fastest, dt);
-        moving.substeps = std::max(moving.substeps, least);
-    }
-    std::sort(next_seen_.begin(), next_seen_.end());
-    const auto same = [](const PlacedModel& a, const PlacedModel& b) { return a.model == b.model; };
-    next_seen_.erase(std::unique(next_seen_.begin(), next_seen_.end(), same), next_seen_.end());
-    for (const PlacedModel& seen : state_.seen) {
-        if (!scene.has(seen.model)) continue;
-        const gphys_transform& now = scene.world(seen.model);
-        if (std::memcmp(&now, &seen.world, sizeof now) != 0) moved_.push_back(seen);
-    }
-    for (const Moving& moving : moving_) {
-        Body& body = state_.bodies[moving.slot];
-        reserve_impulses(body, moving.models_near + moved_.size());
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth_contacts.movers.reserve(moved_.size());
-    }
-    find_disturbed(scene);
-}
-
-/// A model that has moved disturbs what it came by, wherever it is now.
-void Solver::find_disturbed(const Scene& scene) {
-    for (const PlacedModel& before : moved_) {
-        Box way;
-        const bool bounded = way_of(scene, before, way);
-        for (Moving& moving : moving_) {
-            const uint32_t layers = scene.layers(before.model) & state_.bodies[moving.slot].settings.layers;
-            if (layers != 0 && (!bounded || touch(way, moving.nearby))) moving.undisturbed = false;
-        }
-    }
-}
-
-/// Cloth that would keep the others waiting: more than a worker's part of all particles. With fewer links, what
-/// two workers' caches have to tell each other between families takes most of the gain: two were seen to take
-/// 0.64 times as long as one with 59 000 links, 0.75 times with 21 000. Where their cores are far apart, 200 ns
-/// instead of 50, it was 1.2 times with 59 000.
-bool Solver::is_worth_sharing(const Moving& moving, size_t particles) const {
-    constexpr size_t least_links = 40000;
-    const Plan& plan = state_.bodies[moving.slot].plan;
-    return plan.method == GPHYS_SOLVE_GRAPH && plan.rest.size() >= least_links &&
-           size_t{moving.size} * workers_.count() > particles;
-}
-
-/// Undisturbed ropes by eight, everything else body by body, but for what islands move.
-void Solver::divide_work() {
-    tasks_.clear();
-    while (rooms_.size() < workers_.count()) rooms_.emplace_back(&room_memory_);
-    size_t alone = 0, together = 0;  // nodes of the longest ropes
-    size_t particles = 0;
-    for (const Moving& moving : moving_) particles += moving.size;
-    for (uint32_t i = 0, next; i < moving_.size(); i = next) {
-        const Moving& first = moving_[i];
-        next = i + 1;
-        if (first.together) continue;
-        if (first.undisturbed && first.size <= longest_rope_together) {
-            while (next < moving_.size() && next - i < ropes_together && first.alike(moving_[next])) ++next;
-        }
-        const bool shared = workers_.count() > 1 && is_worth_sharing(first, particles);
-        if (shared) {
-            ClothBatches& batches = state_.bodies[first.slot].plan.batches;
-            batches.rows.resize(size_t{cloth_row_floats} * batches.longest * workers_.count());
-        }
-        const uint32_t parts = static_cast<uint32_t>(state_.bodies[first.slot].parts.size());
-        for (uint32_t part = 0; part < parts; ++part) tasks_.push_back({i, 1, false, part});
-        if (parts == 0) tasks_.push_back({i, next - i, shared, 0});
-        if (state_.bodies[first.slot].plan.method != GPHYS_SOLVE_DIRECT) continue;
-        alone = std::max<size_t>(alone, first.size);
-        if (next - i > 1) together = std::max<size_t>(together, first.size);
-    }
-    for (RopeRoom& room : rooms_) {
-        if (room.one.size() < alone) room.one.resize(alone);
-        if (room.eight.size() < together) room.eight.resize(together);
     }
 }
 
@@ -375,6 +164,7 @@ void Solver::move_shared(const Moving& moving, const Scene* scene, double dt) {
 
 void Solver::step(const Scene* scene, double dt) {
     prepare(scene, dt);
+    begin_step(scene);
     const auto each_divided = [&](auto&& visit) {
         for (const Moving& moving : moving_) {
             if (!moving.together && !state_.bodies[moving.slot].parts.empty()) visit(moving);
@@ -428,13 +218,21 @@ void Solver::add_impulses() {
 }
 
 void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, double& leftover) {
-    state_.owed += frame_time;
     // Frames and steps came as float32, so six steps of a 60th may be a hair longer than a tenth: a
     // millionth of a step is not waited for.
-    const double due = std::floor(state_.owed / state_.settings.fixed_step + 1e-6);
-    steps = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
-    for (uint32_t i = 0; i < steps; ++i) step(scene, state_.settings.fixed_step);
-    state_.owed = std::max(0.0, state_.owed - due * state_.settings.fixed_step);
+    const double owed = state_.owed + frame_time, length = state_.settings.fixed_step;
+    const double due = std::floor(owed / length + 1e-6);
+    const uint32_t wanted = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
+    for (steps = 0; steps < wanted; ++steps) {
+        try {
+            step(scene, length);
+        } catch (const std::bad_alloc&) {
+            if (steps == 0) throw;
+            break;  // what has been made cannot be taken back, and is reported
+        }
+    }
+    // Of frames of years the difference is rounding.
+    state_.owed = std::clamp(owed - due * length, 0.0, length);
     leftover = state_.owed / state_.settings.fixed_step;
 }
 

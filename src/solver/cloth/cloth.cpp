@@ -324,11 +324,12 @@ void slow_cloth(Body& body, Vec3 drift, double kept) {
                  [&](const ClothMotion& motion, uint32_t) { kernels.slow(motion, common, static_cast<float>(kept)); });
 }
 
+size_t cloth_floats(const Body& body) { return (4 * (size_t{body.size()} + body.plan.batches.spare) + 7) / 8 * 8; }
+
 void reserve_cloth(Body& body) {
     ClothState& cloth = body.cloth;
-    const size_t floats = (4 * (size_t{body.size()} + body.plan.batches.spare) + 7) / 8 * 8;
-    for (Vector<float>* values :
-         {&cloth.at, &cloth.start, &cloth.moved, &cloth.velocity, &cloth.velocity_before, &cloth.acceleration}) {
+    const size_t floats = cloth_floats(body);
+    for (Vector<float>* values : {&cloth.at, &cloth.start, &cloth.velocity, &cloth.acceleration}) {
         values->resize(floats);
     }
     cloth.sums.resize((floats + block_floats - 1) / block_floats);

@@ -273,6 +273,8 @@ void finish_neighbour(Neighbour& neighbour, Body& body, const Surroundings& arou
 void stay_outside(Body& body, uint32_t particle);
 
 /// cloth.cpp: a body of many chains. A step begins and ends with its own functions.
+/// Makes room, but for what a snapshot holds: `moved` and `velocity_before`, so many floats each.
+size_t cloth_floats(const Body& body);
 void reserve_cloth(Body& body);
 void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity);
 void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);

@@ -60,8 +60,12 @@ uint64_t key_of(const int64_t (&cell)[3]) {
 struct Grid {
     double size;
 
-    // Beyond this all are in one cell: the cast would trap.
-    int64_t along(double x) const { return static_cast<int64_t>(std::floor(std::clamp(x / size, -1e15, 1e15))); }
+    // Beyond this all are in one cell, and so is what is no number: the cast would trap.
+    static constexpr double most = 1e15;
+    int64_t along(double x) const {
+        const double cell = std::floor(x / size);
+        return static_cast<int64_t>(cell > -most ? std::min(cell, most) : -most);
+    }
     uint64_t key(Vec3 at) const { return key_of({along(at.x), along(at.y), along(at.z)}); }
 };
 
@@ -79,9 +83,10 @@ double time_of_touch(Vec3 from, Vec3 to, double reach) {
 
 void list_linked(Body& body) {
     const uint32_t n = body.size();
+    body.linked_begin.clear();  // which says that there is no list, should memory run out
+    body.linked.resize(2 * size_t{body.constraint_ids.size()});
     body.linked_begin.assign(size_t{n} + 1, 0);
     for (uint32_t p = 0; p < n; ++p) body.linked_begin[p + 1] = body.linked_begin[p] + body.links[p].degree;
-    body.linked.resize(body.linked_begin[n]);
     for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
         if (!body.constraint_ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints[slot];

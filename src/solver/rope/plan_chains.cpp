@@ -38,6 +38,7 @@ void clear_chains(Plan& plan) {
     plan.chains.clear();
     plan.families.clear();
     plan.particles.clear();
+    plan.slots.clear();
     plan.rest.clear();
     plan.compliance.clear();
     plan.damping.clear();
@@ -45,26 +46,39 @@ void clear_chains(Plan& plan) {
 }
 
 void begin_chain(Plan& plan, uint32_t particle) {
-    plan.chains.push_back({static_cast<uint32_t>(plan.particles.size()), static_cast<uint32_t>(plan.rest.size()), 0});
+    plan.chains.push_back({static_cast<uint32_t>(plan.particles.size()), static_cast<uint32_t>(plan.slots.size()), 0});
     plan.particles.push_back(particle);
 }
 
-void add_link(Plan& plan, const DistanceConstraint& constraint, uint32_t particle) {
+void add_link(Plan& plan, uint32_t slot, uint32_t particle) {
     plan.particles.push_back(particle);
-    plan.rest.push_back(constraint.rest);
-    plan.compliance.push_back(constraint.compliance);
-    plan.damping.push_back(constraint.damping);
-    plan.limit.push_back(static_cast<uint32_t>(constraint.limit));
+    plan.slots.push_back(slot);
     ++plan.chains.back().link_count;
 }
 
-}  // namespace
+/// What their constraints are like.
+void describe_links(const Body& body, Plan& plan) {
+    const size_t count = plan.slots.size();
+    plan.rest.resize(count);
+    plan.compliance.resize(count);
+    plan.damping.resize(count);
+    plan.limit.resize(count);
+    for (size_t link = 0; link < count; ++link) {
+        const DistanceConstraint& constraint = body.constraints[plan.slots[link]];
+        plan.rest[link] = constraint.rest;
+        plan.compliance[link] = constraint.compliance;
+        plan.damping[link] = constraint.damping;
+        plan.limit[link] = static_cast<uint32_t>(constraint.limit);
+    }
+}
 
 uint32_t longest_chain(const Plan& plan) {
     uint32_t longest = 0;
     for (const Chain& chain : plan.chains) longest = std::max(longest, chain.link_count);
     return longest;
 }
+
+}  // namespace
 
 /// In trees, walking inward from all ends passes every constraint.
 gphys_solve_method method_of(const Body& body) {
@@ -80,31 +94,20 @@ gphys_solve_method method_of(const Body& body) {
     return passed == constraint_count ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
 }
 
-void note_kinds(Body& body) {
-    Plan& plan = body.plan;
-    plan.branched = plan.method == GPHYS_SOLVE_DIRECT &&
-                    std::any_of(body.links.begin(), body.links.end(), [](Links links) { return links.degree > 2; });
-    plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
-    plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
-}
-
-void complete_direct(Plan& plan) {
-    for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
-    plan.damped_rest = plan.rest;
-    plan.damped_compliance = plan.compliance;
-    plan.target = plan.rest;
-    plan.direct_rows.resize(longest_chain(plan) + 1);
-}
-
 void plan_direct_chains(Body& body) {
     Plan& plan = body.plan;
     clear_chains(plan);
     walk_chains(
         body, [&](uint32_t end) { begin_chain(plan, end); },
-        [&](uint32_t slot, uint32_t particle) { add_link(plan, body.constraints[slot], particle); });
-    complete_direct(plan);
-    plan.tension.assign(plan.rest.size(), 0.0);
+        [&](uint32_t slot, uint32_t particle) { add_link(plan, slot, particle); });
+    describe_links(body, plan);
+    for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
+    plan.damped_rest = plan.rest;
+    plan.damped_compliance = plan.compliance;
+    plan.target = plan.rest;
+    plan.direct_rows.resize(longest_chain(plan) + 1);
     plan.earlier_tension.assign(plan.rest.size(), 0.0);
+    plan.tension.assign(plan.rest.size(), 0.0);
 }
 
 namespace {
@@ -210,11 +213,12 @@ void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* mem
                 if (seen[particle] == line) break;
                 seen[particle] = line;
                 used[slot] = 1;
-                add_link(lines, body.constraints[slot], particle);
+                add_link(lines, slot, particle);
                 slot = straight.next(slot, particle);
             }
         }
     }
+    describe_links(body, lines);
 }
 
 /// The lowest family whose chains leave all particles of the chain alone; masks has a bit per family.
@@ -295,12 +299,36 @@ void plan_chain_families(Body& body) {
         if (plan.families.size() == family[line]) plan.families.push_back(static_cast<uint32_t>(plan.chains.size()));
         begin_chain(plan, lines.particles[chain.first_particle]);
         for (uint32_t i = 0; i < chain.link_count; ++i) {
-            const uint32_t link = chain.first_link + i;
-            add_link(plan, {0, 0, lines.rest[link], lines.compliance[link], lines.damping[link], lines.limit[link]},
-                     lines.particles[chain.first_particle + i + 1]);
+            add_link(plan, lines.slots[chain.first_link + i], lines.particles[chain.first_particle + i + 1]);
         }
     }
     plan.families.push_back(line_count);
+    describe_links(body, plan);
+}
+
+namespace {
+
+/// What the links of a plan are like.
+void note_kinds(Body& body) {
+    Plan& plan = body.plan;
+    plan.branched = plan.method == GPHYS_SOLVE_DIRECT &&
+                    std::any_of(body.links.begin(), body.links.end(), [](Links links) { return links.degree > 2; });
+    plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
+    plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
+}
+
+}  // namespace
+
+void complete_plan(Body& body) {
+    Plan& plan = body.plan;
+    if (!plan.chains_current) return;
+    if (plan.method == GPHYS_SOLVE_DIRECT) {
+        Vector<double> tension = std::move(plan.tension);
+        plan_direct_chains(body);
+        plan.tension = std::move(tension);
+    }
+    if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body, plan);
+    note_kinds(body);
 }
 
 void update_plan(Body& body) {
@@ -316,11 +344,13 @@ void update_plan(Body& body) {
     }
     if (!plan.reach_current) {
         plan.reach_limits.clear();
-        if (plan.method == GPHYS_SOLVE_GRAPH) {
-            plan_reach_limits(body);
-            pack_cloth(body);
-        }
+        plan.packed = false;
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(body);
         plan.reach_current = true;
+    }
+    if (!plan.packed && plan.method == GPHYS_SOLVE_GRAPH) {
+        pack_cloth(body);
+        plan.packed = true;
     }
 }
 

@@ -1,9 +1,12 @@
 // All that the next step depends on, taken out as words and put back.
 //
 // A snapshot is a header and the words of the state. What follows from others (the links of
-// particles, the packed batches of cloth) is not in it but made again; what depends on the past is:
-// the plan of cloth comes from where its particles were when it was made, the tensions of a rope are
+// particles, the chains of a rope, the packed batches of cloth) is not in it but made again; what depends on the past
+// is: the chains of cloth come from where its particles were when it was planned, the tensions of a rope are
 // the first guess of the next.
+//
+// Words may come from anywhere. Whatever is used as a number or an index is checked before (snapshot_check.h), and
+// a state that passes is as safe to step as one that the library has made.
 #include "solver/snapshot/archive.h"
 #include "solver/snapshot/snapshot_check.h"
 
@@ -18,7 +21,7 @@ constexpr uint32_t header_words = sizeof(Header) / 4;
 constexpr uint32_t magic = 0x6770686e;
 constexpr uint32_t swapped_magic = 0x6e687067;
 // Of the list below: to be raised when it changes.
-constexpr uint32_t format = 6;
+constexpr uint32_t format = 7;
 
 // Copied as they lie in memory, so they must have no padding.
 static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(Attachment) == 80);
@@ -26,21 +29,21 @@ static_assert(sizeof(Touch) == 32 && sizeof(ModelImpulse) == 56 && sizeof(Placed
               sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
 
-/// Body and Plan are const when they are written.
+/// Body and Plan are const when they are written. Of a plan only what its constraints do not say, and nothing of one
+/// that is out of date.
 template <class Archive, class Plan>
 void visit_plan(Archive& archive, Plan& plan) {
-    archive.value(plan.method);
     archive.flag(plan.chains_current);
-    archive.flag(plan.reach_current);
+    if (!plan.chains_current) return;
+    archive.value(plan.method);
+    if (plan.method == GPHYS_SOLVE_DIRECT) archive.array(plan.tension);
+    if (plan.method != GPHYS_SOLVE_GRAPH) return;
     archive.array(plan.chains);
     archive.array(plan.families);
     archive.array(plan.particles);
-    archive.array(plan.rest);
-    archive.array(plan.compliance);
-    archive.array(plan.damping);
-    archive.array(plan.limit);
-    archive.array(plan.tension);
-    archive.array(plan.reach_limits);
+    archive.array(plan.slots);
+    archive.flag(plan.reach_current);
+    if (plan.reach_current) archive.array(plan.reach_limits);
 }
 
 template <class Archive, class Body>
@@ -119,7 +122,7 @@ void write(Sink& sink, const SolverState& state) {
     }
 }
 
-/// What is not in a snapshot. Throws std::bad_alloc.
+/// What is not in a snapshot, but for the plan. Throws std::bad_alloc.
 void complete(Body& body) {
     body.links.resize(body.size());
     for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
@@ -130,10 +133,6 @@ void complete(Body& body) {
     for (size_t i = 0; i < body.touches.size(); ++i) {
         if (body.touches[i].model != 0) body.touch_count[i / touches_per_particle] = i % touches_per_particle + 1;
     }
-    Plan& plan = body.plan;
-    note_kinds(body);
-    complete_direct(plan);
-    if (plan.method == GPHYS_SOLVE_GRAPH) pack_cloth(body);
 }
 
 const char* read(Reader& archive, SolverState& state) {
@@ -148,6 +147,8 @@ const char* read(Reader& archive, SolverState& state) {
         if (!archive.good()) return cut_short;
         if (const char* wrong = defect(body)) return wrong;
         complete(body);
+        if (const char* wrong = defect_of_plan(body)) return wrong;
+        complete_plan(body);
     }
     if (const char* wrong = defect_of_joints(state)) return wrong;
     return archive.finished() ? nullptr : cut_short;

@@ -3,16 +3,34 @@
 namespace gphys {
 namespace {
 
-bool in_range(double value) { return std::fabs(value) <= GPHYS_MAX_COORDINATE; }
-bool in_range(Vec3 value) { return in_range(value.x) && in_range(value.y) && in_range(value.z); }
-bool is_amount(double value) { return value >= 0 && value <= GPHYS_MAX_COORDINATE; }
-/// Between places in range, or the volume among them.
-bool is_finite_amount(double value) { return value >= 0 && std::isfinite(value); }
-bool finite(double value) { return std::isfinite(value); }
-bool finite(Vec3 value) { return finite(value.x) && finite(value.y) && finite(value.z); }
+constexpr double range = GPHYS_MAX_COORDINATE;
+// A place that was in range, as it is relative to another origin: both origins are in range as well. Three times the
+// range, and some rounding.
+constexpr double far_range = 4 * range;
 // Crossing all coordinates in the shortest substep, 2e15 m in 1e-9 s, takes 2e24 m/s; beyond this,
 // squares of speeds would soon leave the doubles.
-bool is_speed(Vec3 value) { return max_component(abs(value)) <= 1e30; }
+constexpr double fastest = 1e30;
+// The least float, shared among as many particles as a body may have.
+constexpr double least_mass = 0x1p-149 * 0x1p-24;
+// Of a model, in whose coordinates the whole range is divided by its scale, which is 1e-15 at least.
+constexpr double farthest_in_model = 1e32;
+
+bool finite(double value) { return std::isfinite(value); }
+bool finite(Vec3 value) { return finite(value.x) && finite(value.y) && finite(value.z); }
+/// Within the limit, in each coordinate.
+bool within(double limit, Vec3 value) {
+    return std::fabs(value.x) <= limit && std::fabs(value.y) <= limit && std::fabs(value.z) <= limit;
+}
+bool is_amount(double value) { return value >= 0 && value <= range; }
+bool is_finite_amount(double value) { return value >= 0 && finite(value); }
+/// Seconds of a step or a part of one; 0: none.
+bool is_time(double value) { return value >= 0 && value <= longest_step; }
+/// Between two particles, wherever they are.
+bool is_length(double value) { return value >= 0 && value <= far_range; }
+/// On its way to where it is, a place may be rounded beyond the range.
+bool is_place(Vec3 value) { return within(range * (1 + 0x1p-40), value); }
+bool is_earlier_place(Vec3 value) { return within(far_range, value); }
+bool is_speed(Vec3 value) { return within(fastest, value); }
 
 template <class T, class Is>
 bool all(const Vector<T>& values, Is&& is) {
@@ -31,26 +49,47 @@ bool sizes_agree(const Body& body) {
            none_or(body.cloth.looked.size(), 4 * n) && body.triangles.size() % 3 == 0;
 }
 
+bool settings_fine(const Body& body) {
+    const BodySettings& settings = body.settings;
+    return body.kind >= GPHYS_BODY_PARTICLES && body.kind <= GPHYS_BODY_CLOTH && is_amount(settings.damping) &&
+           is_amount(settings.friction) && is_amount(settings.static_friction) && settings.restitution >= 0 &&
+           settings.restitution <= 1 && is_time(body.wanted_substep);
+}
+
 /// Empty, or of finite floats.
 bool fine_box(const Box& box) {
     return std::all_of(box.min, box.min + 3, [](float v) { return std::isfinite(v); }) &&
            std::all_of(box.max, box.max + 3, [](float v) { return std::isfinite(v); });
 }
 
+bool is_touch(const Touch& touch) {
+    constexpr double unit = 1 + 0x1p-20;
+    return finite(widen(touch.point)) && within(unit, widen(touch.normal));
+}
+
+bool looked_fine(const Vector<float>& looked) {
+    for (size_t i = 0; i < looked.size(); i += 4) {
+        const float reach = looked[i + 3];
+        if (!within(far_range, {looked[i], looked[i + 1], looked[i + 2]})) return false;
+        if (reach != ClothState::not_looked && !(reach >= 0 && reach <= far_range)) return false;
+    }
+    return true;
+}
+
 bool particles_fine(const Body& body) {
     for (uint32_t p = 0; p < body.size(); ++p) {
         const double mass = body.mass[p], inverse = body.inverse_mass[p];
-        if (!(mass > 0 && mass <= GPHYS_MAX_COORDINATE && (inverse == 0 || inverse == 1 / mass))) return false;
+        if (!(mass >= least_mass && mass <= range && (inverse == 0 || inverse == 1 / mass))) return false;
     }
-    const auto vector_finite = [](Vec3 value) { return finite(value); };
-    const auto float_finite = [](float value) { return std::isfinite(value); };
-    return all(body.position, [](Vec3 at) { return in_range(at); }) && all(body.velocity, is_speed) &&
-           all(body.force, [](Vec3 force) { return in_range(force); }) && all(body.radius, is_amount) &&
-           all(body.rest_position, vector_finite) && all(body.placed, vector_finite) &&
-           all(body.start, vector_finite) && all(body.start_velocity, is_speed) &&
-           all(body.cloth.moved, float_finite) && all(body.cloth.velocity_before, float_finite) &&
-           all(body.cloth.looked, float_finite) && in_range(body.cloth.origin) && is_amount(body.earlier_step) &&
-           is_amount(body.cloth.balance.lost) && is_amount(body.sleep.calm) && fine_box(body.sleep.box);
+    const auto is_force = [](Vec3 force) { return within(range, force); };
+    const auto is_finite = [](float value) { return std::isfinite(value); };
+    return all(body.position, is_place) && all(body.velocity, is_speed) && all(body.force, is_force) &&
+           all(body.radius, is_amount) && all(body.rest_position, is_place) && all(body.placed, is_place) &&
+           all(body.start, is_earlier_place) && all(body.start_velocity, is_speed) && is_time(body.earlier_step) &&
+           all(body.touches, is_touch) && all(body.stuck, [](uint32_t stuck) { return stuck <= 1; }) &&
+           all(body.cloth.moved, is_finite) && all(body.cloth.velocity_before, is_finite) &&
+           looked_fine(body.cloth.looked) && is_place(body.cloth.origin) && is_finite_amount(body.cloth.balance.lost) &&
+           is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
 bool impulses_fine(const Body& body) {
@@ -63,7 +102,10 @@ bool impulses_fine(const Body& body) {
 bool attachments_fine(const Body& body) {
     for (size_t i = 0; i < body.attachments.size(); ++i) {
         const Attachment& a = body.attachments[i];
-        if (a.particle >= body.size() || !body.pinned(a.particle) || !finite(a.local)) return false;
+        if (a.particle >= body.size() || !body.pinned(a.particle) || !within(farthest_in_model, a.local) ||
+            !is_earlier_place(a.begin) || !is_earlier_place(a.end)) {
+            return false;
+        }
         if (i > 0 && a.particle <= body.attachments[i - 1].particle) return false;
     }
     return true;
@@ -75,53 +117,105 @@ bool constraints_fine(const Body& body) {
         if (!body.constraint_ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints[slot];
         if (c.a >= body.size() || c.b >= body.size() || c.a == c.b) return false;
-        if (!(c.rest >= 0 && finite(c.rest) && is_amount(c.compliance) && is_amount(c.damping) && c.limit <= 1))
-            return false;
+        if (!is_length(c.rest) || !is_amount(c.compliance) || !is_amount(c.damping) || c.limit > 1) return false;
     }
     return true;
 }
 
-/// Every index lies within its array; what a chain leads along need not be what the constraints say.
-bool plan_fine(const Body& body) {
+/// One behind the other, from the beginning to the end of the arrays; those of a family from the longest on.
+bool chains_fit(const Plan& plan) {
+    uint64_t particles = 0, links = 0;
+    for (const Chain& chain : plan.chains) {
+        if (chain.first_particle != particles || chain.first_link != links || chain.link_count == 0) return false;
+        particles += uint64_t{chain.link_count} + 1;
+        links += chain.link_count;
+        if (particles > plan.particles.size() || links > plan.slots.size()) return false;
+    }
+    return particles == plan.particles.size() && links == plan.slots.size();
+}
+
+bool families_fit(const Plan& plan) {
+    if (plan.families.empty() || plan.families.front() != 0 || plan.families.back() != plan.chains.size() ||
+        !std::is_sorted(plan.families.begin(), plan.families.end())) {
+        return false;
+    }
+    const auto longer = [](const Chain& a, const Chain& b) { return a.link_count > b.link_count; };
+    for (size_t family = 0; family + 1 < plan.families.size(); ++family) {
+        const auto first = plan.chains.begin() + plan.families[family];
+        if (!std::is_sorted(first, plan.chains.begin() + plan.families[family + 1], longer)) return false;
+    }
+    return true;
+}
+
+/// Each constraint stands in one chain, between the particles that it joins.
+bool chains_lead_along_constraints(const Body& body) {
     const Plan& plan = body.plan;
-    const auto is_particle = [&](uint32_t p) { return p < body.size(); };
-    const auto in_arrays = [&](const Chain& chain) {
-        return uint64_t{chain.first_particle} + chain.link_count < plan.particles.size() &&
-               uint64_t{chain.first_link} + chain.link_count <= plan.rest.size();
-    };
-    const auto fine_limit = [&](const ReachLimit& limit) {
-        return is_particle(limit.particle) && is_particle(limit.anchor) && limit.distance >= 0 &&
-               finite(limit.distance);
-    };
-    const bool direct = plan.method == GPHYS_SOLVE_DIRECT, graph = plan.method == GPHYS_SOLVE_GRAPH;
-    return (plan.method == GPHYS_SOLVE_FREE || direct || graph) && plan.compliance.size() == plan.rest.size() &&
-           plan.damping.size() == plan.rest.size() && plan.limit.size() == plan.rest.size() &&
-           (!direct || plan.tension.size() == plan.rest.size()) && all(plan.particles, is_particle) &&
-           all(plan.chains, in_arrays) && all(plan.rest, is_finite_amount) && all(plan.compliance, is_amount) &&
-           all(plan.damping, is_amount) && all(plan.limit, [](uint32_t limit) { return limit <= 1; }) &&
-           all(plan.tension, [](double tension) { return finite(tension); }) && all(plan.reach_limits, fine_limit) &&
-           std::is_sorted(plan.families.begin(), plan.families.end()) &&
-           all(plan.families, [&](uint32_t first) { return first <= plan.chains.size(); });
+    if (plan.slots.size() != body.constraint_ids.size()) return false;
+    Vector<uint8_t> used(body.constraint_ids.slots(), 0, plan.slots.get_allocator());
+    for (const Chain& chain : plan.chains) {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t slot = plan.slots[chain.first_link + i];
+            if (slot >= body.constraint_ids.slots() || !body.constraint_ids.live(slot) || used[slot]) return false;
+            used[slot] = 1;
+            const uint32_t from = plan.particles[chain.first_particle + i];
+            const uint32_t to = plan.particles[chain.first_particle + i + 1];
+            const DistanceConstraint& c = body.constraints[slot];
+            if (!(c.a == from && c.b == to) && !(c.b == from && c.a == to)) return false;
+        }
+    }
+    return true;
+}
+
+/// What is solved side by side has no particle in common, and is of one kind.
+bool families_are_independent(const Body& body) {
+    const Plan& plan = body.plan;
+    Vector<uint32_t> family_of(body.size(), 0, plan.slots.get_allocator());  // the last one, from 1 on
+    for (uint32_t family = 1; family < plan.families.size(); ++family) {
+        const uint32_t begin = plan.families[family - 1], end = plan.families[family];
+        for (uint32_t i = begin; i < end; ++i) {
+            const Chain& chain = plan.chains[i];
+            const uint64_t kind = body.constraints[plan.slots[plan.chains[begin].first_link]].limit;
+            for (uint32_t j = 0; j <= chain.link_count; ++j) {
+                uint32_t& last = family_of[plan.particles[chain.first_particle + j]];
+                if (last == family) return false;
+                last = family;
+                if (j < chain.link_count && body.constraints[plan.slots[chain.first_link + j]].limit != kind)
+                    return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool is_reach_limit(const Body& body, const ReachLimit& limit) {
+    return limit.particle < body.size() && limit.anchor < body.size() && !body.pinned(limit.particle) &&
+           body.pinned(limit.anchor) && limit.distance >= 0 && limit.distance <= far_range * IdTable::capacity;
+}
+
+bool is_seen(const PlacedModel& seen) {
+    gphys_transform world = seen.world;
+    world.position = {0, 0, 0};
+    return is_earlier_place(widen(seen.world.position)) && !defect(world);
 }
 
 }  // namespace
 
 const char* defect_of_globals(const SolverState& state) {
     const SolverSettings& settings = state.settings;
-    if (!in_range(settings.gravity) || !in_range(state.origin) || !is_amount(state.owed)) {
-        return "words: a setting is out of range";
-    }
-    if (!is_amount(settings.sleep_speed) || !is_amount(settings.sleep_strain) || !is_amount(settings.sleep_time) ||
-        !is_amount(settings.max_strain) || !is_amount(settings.tolerance)) {
-        return "words: a setting is out of range";
-    }
     const auto is_substeps = [](uint32_t count) { return count >= 1 && count <= most_substeps; };
-    if (!is_substeps(settings.substeps) || !is_substeps(settings.max_substeps) || settings.max_steps < 1 ||
-        !(settings.fixed_step >= shortest_step && settings.fixed_step <= longest_step)) {
+    if (!within(range, settings.gravity) || !within(range, state.origin) || !is_amount(settings.sleep_speed) ||
+        !is_amount(settings.sleep_strain) || !is_amount(settings.sleep_time) || !is_amount(settings.max_strain) ||
+        !is_amount(settings.tolerance) || !is_substeps(settings.substeps) || !is_substeps(settings.max_substeps) ||
+        settings.max_steps < 1 || !(settings.fixed_step >= shortest_step && settings.fixed_step <= longest_step) ||
+        !(state.owed >= 0 && state.owed <= settings.fixed_step)) {
         return "words: a setting is out of range";
     }
     if (state.ids.defect()) return "words: the ids of the bodies contradict each other";
-    if (!std::is_sorted(state.seen.begin(), state.seen.end())) return "words: models are out of order";
+    const auto out_of_order = [](const PlacedModel& a, const PlacedModel& b) { return !(a < b); };
+    if (std::adjacent_find(state.seen.begin(), state.seen.end(), out_of_order) != state.seen.end() ||
+        !all(state.seen, is_seen)) {
+        return "words: models are out of order or in no place";
+    }
     return nullptr;
 }
 
@@ -136,7 +230,7 @@ const char* defect_of_joints(const SolverState& state) {
         if (!state.joint_ids.live(slot)) continue;
         const Joint& j = state.joints[slot];
         if (!is_end(j.body_a, j.particle_a) || !is_end(j.body_b, j.particle_b) || j.body_a == j.body_b ||
-            !(j.rest >= 0 && finite(j.rest)) || !is_amount(j.compliance) || !finite(j.tension)) {
+            !is_length(j.rest) || !is_amount(j.compliance) || !finite(j.tension)) {
             return "words: a joint is none";
         }
     }
@@ -145,12 +239,7 @@ const char* defect_of_joints(const SolverState& state) {
 
 const char* defect(const Body& body) {
     if (!sizes_agree(body)) return "words: the arrays of a body have different lengths";
-    const BodySettings& settings = body.settings;
-    if (body.kind < GPHYS_BODY_PARTICLES || body.kind > GPHYS_BODY_CLOTH || !is_amount(settings.damping) ||
-        !is_amount(settings.friction) || !is_amount(settings.static_friction) ||
-        !(settings.restitution >= 0 && settings.restitution <= 1) || !is_amount(body.wanted_substep)) {
-        return "words: a setting of a body is out of range";
-    }
+    if (!settings_fine(body)) return "words: a setting of a body is out of range";
     if (!particles_fine(body)) return "words: a particle's state is out of range";
     const Volume& volume = body.volume;
     if (!is_finite_amount(volume.rest) || !is_amount(volume.compliance) || !finite(volume.pressure)) {
@@ -160,8 +249,24 @@ const char* defect(const Body& body) {
     if (!attachments_fine(body)) return "words: an attachment is none";
     if (!constraints_fine(body)) return "words: a constraint is none";
     if (!all(body.triangles, [&](uint32_t p) { return p < body.size(); })) return "words: a triangle is none";
-    if (!plan_fine(body)) return "words: the plan of a body is none";
     return nullptr;
+}
+
+const char* defect_of_plan(const Body& body) {
+    constexpr const char* wrong = "words: the plan of a body is none";
+    const Plan& plan = body.plan;
+    if (!plan.chains_current) return nullptr;
+    if (plan.method != method_of(body)) return wrong;
+    if (plan.method == GPHYS_SOLVE_DIRECT) {
+        const bool fine = plan.tension.size() == body.constraint_ids.size() &&
+                          all(plan.tension, [](double tension) { return finite(tension); });
+        return fine ? nullptr : wrong;
+    }
+    if (plan.method == GPHYS_SOLVE_FREE) return nullptr;
+    const bool fine = all(plan.particles, [&](uint32_t p) { return p < body.size(); }) && chains_fit(plan) &&
+                      families_fit(plan) && chains_lead_along_constraints(body) && families_are_independent(body) &&
+                      all(plan.reach_limits, [&](const ReachLimit& limit) { return is_reach_limit(body, limit); });
+    return fine ? nullptr : wrong;
 }
 
 }  // namespace gphys
