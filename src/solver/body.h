@@ -49,12 +49,14 @@ struct Touch {
 };
 constexpr uint32_t touches_per_particle = 4;  // a corner is three models; one more for good measure
 
-/// A particle that leaves the range of coordinates stops at its border.
+/// A particle that leaves the range of coordinates stops at its border, and so does one that is no number any more:
+/// then forces were too large for doubles.
 inline void keep_in_range(Vec3& position, Vec3& velocity) {
     constexpr double limit = GPHYS_MAX_COORDINATE;
-    if (max_component(abs(position)) <= limit) return;
-    const Vec3 corner{limit, limit, limit};
-    position = min(max(position, -corner), corner);
+    const auto in_range = [](double x) { return std::fabs(x) <= limit; };
+    if (in_range(position.x) && in_range(position.y) && in_range(position.z)) return;
+    const auto kept = [](double x) { return x > -limit ? (x < limit ? x : limit) : -limit; };
+    position = {kept(position.x), kept(position.y), kept(position.z)};
     velocity = {};
 }
 

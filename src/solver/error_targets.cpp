@@ -91,6 +91,13 @@ double error_rate(const Body& body, double h) {
 
 }  // namespace
 
+namespace {
+
+/// What is no number counts as the most.
+uint32_t count_of(double count, uint32_t most) { return count < most ? static_cast<uint32_t>(count) : most; }
+
+}  // namespace
+
 uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt) {
     const bool targeted = settings.max_strain > 0 || settings.tolerance > 0;
     double count = settings.substeps;
@@ -109,14 +116,14 @@ uint32_t substeps_near_models(const Body& body, const SolverSettings& settings, 
     constexpr double longest_way = 0.5;
     if (body.cloth.most_strain == 0 || body.plan.batches.link_length == 0) return 0;
     const double count = std::ceil(dt * fastest / (longest_way * body.plan.batches.link_length));
-    return static_cast<uint32_t>(std::min<double>(count, settings.max_substeps));
+    return count_of(count, settings.max_substeps);
 }
 
 uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, double dt, double done, uint32_t made) {
     if (body.cloth.most_strain == 0 || made >= settings.max_substeps) return 0;
     const double wanted = std::max(body.cloth.wanted_substep, dt / settings.max_substeps);
     const double count = std::ceil(dt * (1 - done) / wanted);
-    return static_cast<uint32_t>(std::min<double>(count, settings.max_substeps - made));
+    return count_of(count, settings.max_substeps - made);
 }
 
 void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_t substeps) {

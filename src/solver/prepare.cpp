@@ -63,10 +63,9 @@ void each_kept_array(Body& body, bool collides, Visit&& visit) {
 /// Room that tasks work in.
 void make_room(Body& body, bool collides) {
     each_kept_array(body, collides, [](auto& values, size_t size) { values.reserve(size); });
-    if (collides) {
-        body.touch_count.resize(body.size());
-        body.held.resize(body.size());
-    }
+    if (collides) body.touch_count.resize(body.size());
+    // What sticks is looked at in steps without a scene, too.
+    if (collides || !body.stuck.empty()) body.held.resize(body.size());
     if (is_graph(body)) {
         reserve_cloth(body);
         if (body.joined) reserve_joined_cloth(body);
