@@ -34,14 +34,22 @@ void* Memory::do_allocate(std::size_t size, std::size_t alignment) {
         advise(memory, size);
         return memory;
     }
-    void* memory = hooks_.allocate(hooks_.user, size, alignment);
+    void* memory = nullptr;
+    try {
+        memory = hooks_.allocate(hooks_.user, size, alignment);
+    } catch (...) {  // it has no memory either
+    }
     if (!memory) throw std::bad_alloc();
     return memory;
 }
 
 void Memory::do_deallocate(void* memory, std::size_t size, std::size_t alignment) {
     if (hooks_.release) {
-        hooks_.release(hooks_.user, memory, size, alignment);
+        // Often from a destructor: whatever it throws, the memory counts as released.
+        try {
+            hooks_.release(hooks_.user, memory, size, alignment);
+        } catch (...) {
+        }
     } else {
         ::operator delete(memory, std::align_val_t(alignment_for(size, alignment)));
     }

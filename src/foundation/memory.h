@@ -1,4 +1,5 @@
-// The caller's memory functions as a std::pmr resource, which all containers of an object share.
+// The caller's memory functions as a std::pmr resource, which all containers of an object share. Hooks written in C++
+// may throw, and destructors call them: no exception of theirs passes this file.
 #pragma once
 
 #include <algorithm>

@@ -92,8 +92,19 @@ bool Workers::in_forked_child() const { return process_ != this_process(); }
 
 void Workers::share(Job& job) const noexcept {
     if (runner_.run) {
-        const auto take_part = [](void* context, uint32_t) { static_cast<Job*>(context)->drain(); };
-        runner_.run(runner_.user, take_part, &job, std::min(count_, job.count));
+        const auto take_part = [](void* context, uint32_t) {
+            Job& shared = *static_cast<Job*>(context);
+            shared.taking_part.fetch_add(1, std::memory_order_relaxed);
+            shared.drain();
+            shared.taking_part.fetch_sub(1, std::memory_order_release);
+        };
+        try {
+            runner_.run(runner_.user, take_part, &job, std::min(count_, job.count));
+        } catch (...) {  // one in C++ that could not go on
+        }
+        // What it has left undone; half a step cannot be taken back.
+        job.drain();
+        while (job.taking_part.load(std::memory_order_acquire) > 0) std::this_thread::yield();
         return;
     }
     if (in_forked_child() || !meeting_->serving.try_lock()) {

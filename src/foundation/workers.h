@@ -7,7 +7,8 @@
 // number alone decides, and results are the same for any count of workers.
 //
 // A task neither throws nor allocates: the hooks of an object's memory are called on the caller's
-// thread only. What tasks need is made ready before.
+// thread only. What tasks need is made ready before. A runner may throw, if it is written in C++; then the caller's
+// thread does what is left, and the results are those of any other count of workers.
 #pragma once
 
 #include <atomic>
@@ -63,7 +64,8 @@ private:
         gphys_task call;
         void* context;
         uint32_t count;
-        std::atomic<uint64_t> next{0};  // wider than count: every thread goes one beyond
+        std::atomic<uint64_t> next{0};         // wider than count: every thread goes one beyond
+        std::atomic<uint32_t> taking_part{0};  // threads of a runner
     };
 
     /// Where a caller and the threads meet.
