@@ -7,13 +7,15 @@
 # instruction set, and the workers under the thread sanitizer. --bindings instead tests the packages
 # in bindings/, --platforms runs the C tests on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and
 # WebAssembly (Node); both install what they need.
-# The last line is "N passed, N failed"; a build that fails counts as one failed test.
+# The last line is "N passed, N failed", then what was skipped because something is not installed; a
+# build that fails counts as one failed test.
 set -uo pipefail
 cd "$(dirname "$0")"
 source cmake/install_packages.sh
+source cmake/test_summary.sh
 
 presets=(release asan-ubsan)
-packages=(cmake ninja-build g++ clang pkg-config dpkg-dev file catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
+packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
     python3 python3-cffi luajit abigail-tools)
 configuration=()
 case ${1:-} in
@@ -42,8 +44,9 @@ esac
 
 passed=0
 failed=0
+builds=()
 finish() {
-    echo "$passed passed, $failed failed"
+    closing_line "$passed" "$failed" "${builds[@]}"
     [ "$failed" -eq 0 ]
     exit
 }
@@ -62,21 +65,20 @@ fi
 jobs=$(nproc)
 for preset in "${presets[@]}"; do
     echo "== $preset"
+    build=build/${preset/bindings/release}
+    builds+=("$build")
     if ! { cmake --preset "${preset/bindings/release}" && cmake --build --preset "$preset" --parallel "$jobs"; }; then
         failed=$((failed + 1))
         continue
     fi
-    log=build/$preset.log
+    log=$build.log
     ctest --preset "$preset" --parallel "$jobs" "${configuration[@]}" | tee "$log"
     configuration=() # the first build only
-    # ctest: "98% tests passed, 2 tests failed out of 100"
-    read -r missed total < <(sed -n 's/^[0-9]*% tests passed, \([0-9]*\) tests\{0,1\} failed out of \([0-9]*\)$/\1 \2/p' "$log")
-    if [ -z "${total:-}" ]; then
+    if ! count_tests "$log"; then
         failed=$((failed + 1))
         continue
     fi
-    passed=$((passed + total - missed))
-    failed=$((failed + missed))
-    unset total
+    passed=$((passed + ran_well))
+    failed=$((failed + ran_badly))
 done
 finish

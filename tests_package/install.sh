@@ -5,7 +5,9 @@ source "$SOURCE/tests_package/common.sh"
 DESTDIR=$WORK/destdir "$CMAKE" --install "$BUILD" --config "$CONFIG" --prefix /opt/gamephys >/dev/null
 mv destdir/opt/gamephys moved
 expect_no_match "files that name a directory of the build" -rlE "$SOURCE|$BUILD|/opt/gamephys" moved
-for file in include/gamephys_c.h "$LIBDIR"/libgamephys.{a,so,so.1} "$LIBDIR/pkgconfig/gamephys.pc"; do
+for file in "$LIBDIR"/libgamephys.{a,so,so.1} "$LIBDIR/pkgconfig/gamephys.pc"; do
     [ -e "moved/$file" ] || fail "$file is not installed"
 done
-[ "$(find moved/include -type f | wc -l)" = 1 ] || fail "more than one header is installed"
+[ "$(cd moved/include && echo *)" = "gamephys.hpp gamephys_c.h gamephys_support.hpp" ] ||
+    fail "other headers than those for C and C++ are installed: $(ls moved/include)"
+cmp "$SOURCE/LICENSE" moved/share/licenses/gamephys/LICENSE || fail "the licence is not installed"

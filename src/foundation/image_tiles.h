@@ -2,6 +2,7 @@
 // are taken by tiles, as neighbours above and below have as much in common as those of a row.
 #pragma once
 
+#include "foundation/floating_point.h"
 #include "foundation/strided.h"
 
 namespace gphys {

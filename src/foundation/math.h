@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 
+#include "foundation/floating_point.h"
 #include "gamephys_c.h"
 
 namespace gphys {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "foundation/floating_point.h"
+
 #define GPHYS_ISA_IS_scalar 1
 #define GPHYS_ISA_IS_sse2 2
 #define GPHYS_ISA_IS_avx2 3

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "foundation/floating_point.h"
 #include "foundation/memory.h"
 
 namespace gphys {

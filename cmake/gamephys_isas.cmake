@@ -1,0 +1,59 @@
+# The instruction sets that kernels are compiled for (src/foundation/isa.h has the same lists):
+#   GAMEPHYS_ISAS               their names
+#   GAMEPHYS_OPTIONS_<isa>      the compiler options of each, the definition of GPHYS_ISA among them
+
+set(isa_options_sse2 -msse2)
+set(isa_options_avx2 -mavx2)
+set(isa_options_avx512 -mavx2 -mavx512f -mavx512vl -mavx512dq -mavx512bw)
+
+# gamephys_isas_of(OUT PROCESSOR)
+function(gamephys_isas_of out processor)
+  set(isas scalar)
+  if(processor MATCHES "^(x86_64h?|AMD64|amd64|i[3-6]86)$")
+    list(APPEND isas sse2 avx2 avx512)
+  elseif(processor MATCHES "^(aarch64|arm64e?|ARM64)$")
+    list(APPEND isas neon)
+  elseif(processor MATCHES "^wasm" AND CMAKE_CXX_FLAGS MATCHES "-msimd128")
+    list(APPEND isas wasm)
+  endif()
+  set(${out} ${isas} PARENT_SCOPE)
+endfunction()
+
+# On macOS the target is CMAKE_OSX_ARCHITECTURES, whatever processor compiles.
+set(architectures ${CMAKE_SYSTEM_PROCESSOR})
+if(APPLE AND CMAKE_OSX_ARCHITECTURES)
+  set(architectures ${CMAKE_OSX_ARCHITECTURES})
+endif()
+list(LENGTH architectures architecture_count)
+
+set(GAMEPHYS_ISAS)
+foreach(architecture IN LISTS architectures)
+  gamephys_isas_of(isas_${architecture} "${architecture}")
+  list(APPEND GAMEPHYS_ISAS ${isas_${architecture}})
+endforeach()
+list(REMOVE_DUPLICATES GAMEPHYS_ISAS)
+
+foreach(isa IN LISTS GAMEPHYS_ISAS)
+  if(architecture_count LESS_EQUAL 1)
+    set(GAMEPHYS_OPTIONS_${isa} -DGPHYS_ISA=${isa} ${isa_options_${isa}})
+    continue()
+  endif()
+  # One compilation makes the objects of all architectures. Where an architecture lacks the
+  # instruction set, it gets plain code in a namespace that nothing refers to.
+  set(GAMEPHYS_OPTIONS_${isa})
+  foreach(architecture IN LISTS architectures)
+    set(for "SHELL:-Xarch_${architecture}")
+    if(isa IN_LIST isas_${architecture})
+      list(APPEND GAMEPHYS_OPTIONS_${isa} "${for} -DGPHYS_ISA=${isa}")
+      foreach(option IN LISTS isa_options_${isa})
+        list(APPEND GAMEPHYS_OPTIONS_${isa} "${for} ${option}")
+      endforeach()
+    else()
+      list(APPEND GAMEPHYS_OPTIONS_${isa} "${for} -DGPHYS_ISA=without_${isa}")
+    endif()
+  endforeach()
+endforeach()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # gcc 12 warns of undefined registers in its own avx512fintrin.h (bug 105593).
+  list(APPEND GAMEPHYS_OPTIONS_avx512 -Wno-maybe-uninitialized -Wno-uninitialized)
+endif()
