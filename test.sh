@@ -13,7 +13,6 @@ set -uo pipefail
 cd "$(dirname "$0")"
 source cmake/install_packages.sh
 source cmake/test_summary.sh
-export EM_CACHE=$PWD/build/emscripten # not the home directory
 
 presets=(release asan-ubsan)
 packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev

@@ -33,7 +33,8 @@ linked() {
     local name=$1
     shift
     parent "$name" "$@" || fail "$(cat "$name.log")"
-    ninja -C "$name" -t commands gamephys/libgamephys.so | grep -m 1 -- ' -shared ' >link.txt
+    ninja -C "$name" -t commands gamephys/libgamephys.so >commands.txt
+    grep -m 1 -- ' -shared ' commands.txt >link.txt
     sed -E 's/^: && //; s/ && :$//; s/ [^ ]*\.cpp\.o//g; s|-o [^ ]*|one.o -o '"$name.so"'|; s/-Wl,--dependency-file=[^ ]*//' \
         link.txt >link.sh
     sh -e link.sh || fail "$name: $(cat link.sh)"
