@@ -18,16 +18,15 @@ function(gamephys_flags out)
   set(${out} " ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${config}} ${options} " PARENT_SCOPE)
 endfunction()
 
-# A build type without flags, such as none at all, means -O0. Our targets take the flags of Release
-# then, unless an optimisation level is given elsewhere.
+# A build type that is none, or unknown, means -O0. Our targets are optimised all the same, unless a
+# level is given elsewhere.
 set(GAMEPHYS_OPTIMISATION)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 if(NOT CMAKE_CONFIGURATION_TYPES AND NOT build_type STREQUAL "DEBUG")
   gamephys_flags(flags ${CMAKE_BUILD_TYPE})
-  if(NOT flags MATCHES "[ ;]-O")
-    separate_arguments(GAMEPHYS_OPTIMISATION UNIX_COMMAND "${CMAKE_CXX_FLAGS_RELEASE}")
-    message(STATUS "gamephys: the build type \"${CMAKE_BUILD_TYPE}\" does not optimise, "
-                   "so the library is compiled with ${CMAKE_CXX_FLAGS_RELEASE}")
+  if(NOT flags MATCHES "[ ;]-O([0-9sgz]|fast)?[ ;]")
+    set(GAMEPHYS_OPTIMISATION -O3)
+    message(STATUS "gamephys: the build type \"${CMAKE_BUILD_TYPE}\" does not optimise, so the library is compiled with -O3")
   endif()
 endif()
 # -Ofast is an optimisation level, which no -fno-... takes back; the linker's driver reads it too.
