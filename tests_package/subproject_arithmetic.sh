@@ -7,13 +7,14 @@ source "$here/parent.sh"
 "$CXX" -std=c++17 -O1 -I"$SOURCE/src" -I"$SOURCE/include" -c "$here/orientation.cpp" -o orientation.o
 
 object=gamephys/CMakeFiles/gamephys_core.dir/src/foundation/exact.cpp.o
-# signs NAME OPTION...: right with exact.cpp compiled in such a project.
+# signs NAME OPTION...: right with exact.cpp compiled in such a project, and linked with $link_options.
+link_options=
 signs() {
     local name=$1
     shift
     parent "$name" "$@" || fail "$(cat "$name.log")"
     ninja -C "$name" $object >"$name.log" || fail "$(cat "$name.log")"
-    "$CXX" orientation.o $name/$object -o "$name.run"
+    "$CXX" $link_options orientation.o $name/$object -o "$name.run"
     "./$name.run" || fail "$name"
 }
 signs fast_math -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-ffast-math
@@ -23,6 +24,12 @@ signs parts -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="-O3 -funsafe-math-opti
 signs unoptimised -DCMAKE_CXX_FLAGS=-O0
 if grep -qw fma /proc/cpuinfo; then
     signs fused -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="-march=haswell -mfma -ffp-contract=fast"
+fi
+# What is optimised at link time keeps its options. clang would need another linker.
+"$CXX" --version >version.txt
+if ! grep -qi clang version.txt; then
+    link_options='-O3 -ffast-math -flto'
+    signs link_time -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="$link_options"
 fi
 
 # The linker's driver adds an object that flushes denormals to zero, wherever the library is loaded.
