@@ -78,7 +78,7 @@
 #endif
 
 #define GPHYS_VERSION_MAJOR 1
-#define GPHYS_VERSION_MINOR 0
+#define GPHYS_VERSION_MINOR 1
 #define GPHYS_VERSION_PATCH 0
 
 #ifdef __cplusplus
@@ -527,6 +527,7 @@ typedef struct gphys_scene_desc {
     uint32_t reserve_models;              /* models to make room for at once; 0 */
     const gphys_task_runner* task_runner; /* whose threads worker_count counts; NULL: the scene's own */
     uint32_t worker_count; /* threads for one call, its own included, at most 1024; 0 and 1: that alone */
+    uint32_t reserved;     /* must be 0 */
 } gphys_scene_desc;
 
 GPHYS_API gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t size);
@@ -759,6 +760,7 @@ typedef struct gphys_camera_desc {
     int32_t reverse_z;    /* 1: near has the high depth, for float depth buffers */
     float viewport_width; /* pixels, 1e-3 .. 1e6 */
     float viewport_height;
+    uint32_t reserved; /* not read: a client of release 1.0 has padding here */
 } gphys_camera_desc;
 
 GPHYS_API gphys_status gphys_camera_desc_init(gphys_camera_desc* desc, uint32_t size);
@@ -939,6 +941,7 @@ typedef struct gphys_solver_desc {
     float max_strain;      /* target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0 */
     float tolerance;       /* target of positions: metres of error that a second of motion adds; 0: none; default 0 */
     uint32_t max_substeps; /* the most that a target may ask for, 1 .. 1000; default 64 */
+    uint32_t reserved;     /* must be 0 */
 } gphys_solver_desc;
 
 GPHYS_API gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size);

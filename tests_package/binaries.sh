@@ -19,17 +19,18 @@ END
     abidiff --no-added-syms --suppressions suppressions.ini "$1" "$2"
 }
 
-# exports_match LIBRARY: the header's functions, the version script's list and the library's
-# exports are the same set.
+# exports_match LIBRARY [HEADER [MAP]]: the header's functions, the version script's list and the
+# library's exports are the same set, each function in the node of the release that it came with.
 exports_match() {
-    "$here/functions.sh" | sort >header.txt
-    sed -n 's/^ *\(gphys_[a-z0-9_]*\);$/\1/p' "$SOURCE/cmake/gamephys.map" | sort >map.txt
-    # T: functions. Anything else, such as a weak or unique symbol of the C++ library, is a leak.
+    local header=${2:-$SOURCE/include/gamephys_c.h} map=${3:-$SOURCE/cmake/gamephys.map}
+    local released=$SOURCE/cmake/interface
+    python3 "$released/releases.py" check-map "$header" "$released" "$map" || fail "cmake/gamephys.map differs from the header"
+    python3 "$released/releases.py" nodes "$header" "$released" | sort >expected.txt
+    # A: the nodes. T: functions. Anything else, such as a weak or unique symbol of the C++ library, is a leak.
     nm -D --defined-only --with-symbol-versions "$1" | grep -v ' A GAMEPHYS_' >nm.txt
-    sed -n 's/^[0-9a-f]* T \(gphys_[a-z0-9_]*\)@@GAMEPHYS_1\.0$/\1/p' nm.txt | sort >binary.txt
-    diff header.txt map.txt || fail "cmake/gamephys.map differs from the header"
-    diff header.txt binary.txt || fail "the exports differ from the header"
-    expect_no_match "exported without being in the list" -v ' T gphys_' nm.txt
+    expect_no_match "exported without being in the list" -vE ' T gphys_[a-z0-9_]+(@@GAMEPHYS_[0-9.]+)?$' nm.txt
+    sed -E 's/^[0-9a-f]* T //; s/@@/ /' nm.txt | sort >binary.txt
+    diff expected.txt binary.txt || fail "the exports differ from the header: < expected, > found"
 }
 
 # well_behaved LIBRARY: named as clients expect, without unexpected dependencies, search paths or an

@@ -466,7 +466,7 @@ func (o *Scene) SetLayers(model ModelID, layers uint32) (err error) {
 	return
 }
 
-// Change which queries see a model, or what its hits report. Children are not affected.
+// SetTag calls gphys_scene_set_tag.
 func (o *Scene) SetTag(model ModelID, tag uint32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -522,8 +522,7 @@ func (o *Scene) SetTransforms(models []ModelID, transforms []Transform) (err err
 	return
 }
 
-// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-// that moves when few move, O(n) when many do.
+// Transforms calls gphys_scene_get_transforms.
 func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -542,8 +541,7 @@ func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error)
 	return
 }
 
-// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-// that moves when few move, O(n) when many do.
+// WorldTransforms calls gphys_scene_get_world_transforms.
 func (o *Scene) WorldTransforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -579,8 +577,7 @@ func (o *Scene) Raycast(ray Ray, layers uint32) (hit Hit, found bool, err error)
 	return
 }
 
-// Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-// @return GPHYS_OK or GPHYS_NO_HIT
+// RaycastBatch calls gphys_scene_raycast_batch.
 func (o *Scene) RaycastBatch(rays []Ray, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -614,7 +611,7 @@ func (o *Scene) RaycastAny(ray Ray, layers uint32) (hit bool, err error) {
 	return
 }
 
-// Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+// RaycastAnyBatch calls gphys_scene_raycast_any_batch.
 func (o *Scene) RaycastAnyBatch(rays []Ray, layers uint32, hits []int32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -686,7 +683,7 @@ func (o *Scene) SegmentTest(segment Segment, layers uint32) (hit Hit, found bool
 	return
 }
 
-// Closest model along a segment from a to b, both included; t in 0..1.
+// SegmentTestBatch calls gphys_scene_segment_test_batch.
 func (o *Scene) SegmentTestBatch(segments []Segment, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -784,9 +781,7 @@ func (o *Scene) Nearest(point Vec3, maxDistance float32, layers uint32) (nearest
 	return
 }
 
-// The model nearest to a point, and its closest point.
-// @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-// @return GPHYS_OK or GPHYS_NO_HIT
+// NearestBatch calls gphys_scene_nearest_batch.
 func (o *Scene) NearestBatch(points []Vec3, maxDistance float32, layers uint32, nearest []Nearest) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -822,8 +817,7 @@ func (o *Scene) SweepSphere(sphere Sphere, displacement Vec3, layers uint32) (hi
 	return
 }
 
-// First model that a sphere touches while it moves by displacement; t in 0..1.
-// Fields as in gphys_shape_sweep_sphere.
+// SweepSphereBatch calls gphys_scene_sweep_sphere_batch.
 func (o *Scene) SweepSphereBatch(spheres []Sphere, displacements []Vec3, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1604,9 +1598,7 @@ func (o *Solver) AddClothMesh(mesh *Mesh, transform *Transform, desc *BodyDesc) 
 	return
 }
 
-// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-// with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-// @param transform  places the mesh; may be NULL
+// RemoveBody calls gphys_solver_remove_body.
 func (o *Solver) RemoveBody(body BodyID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1743,7 +1735,7 @@ func (o *Solver) Velocities(body BodyID, first uint32, velocities []Vec3) (err e
 	return
 }
 
-// m/s
+// SetVelocities calls gphys_solver_set_velocities.
 func (o *Solver) SetVelocities(body BodyID, first uint32, velocities []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1775,7 +1767,7 @@ func (o *Solver) Masses(body BodyID, first uint32, masses []float32) (err error)
 	return
 }
 
-// kg, > 0. A pinned particle keeps its mass for the time when it is released.
+// SetMasses calls gphys_solver_set_masses.
 func (o *Solver) SetMasses(body BodyID, first uint32, masses []float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1962,10 +1954,7 @@ func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err erro
 	return
 }
 
-// The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
-// held at the end of the last step: above 0 it pushes outward.
-// @param out_volume, out_pressure  may be NULL
-// @return GPHYS_ERROR_UNSUPPORTED if none is held
+// RemoveConstraint calls gphys_solver_remove_constraint.
 func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2277,11 +2266,7 @@ func Contains(shape Shape, point Vec3, tolerance float32) (contains bool, err er
 	return
 }
 
-// Whether the point is within tolerance metres of the shape (solid or surface).
-// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-// axes are those of its rotation in double precision).
-// @param tolerance  >= 0
-// @param out_contains  0 or 1
+// ContainsBatch calls gphys_shape_contains_batch.
 func ContainsBatch(shape Shape, points []Vec3, tolerance float32, contains []int32) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {

@@ -230,6 +230,8 @@ export interface SceneDesc {
     reserve_models: number;
     /** threads for one call, its own included, at most 1024; 0 and 1: that alone */
     worker_count: number;
+    /** must be 0 */
+    reserved: number;
 }
 export interface ModelDesc {
     /** 0: none */
@@ -257,6 +259,8 @@ export interface CameraDesc {
     /** pixels, 1e-3 .. 1e6 */
     viewport_width: number;
     viewport_height: number;
+    /** not read: a client of release 1.0 has padding here */
+    reserved: number;
 }
 /** Orbit control: the camera circles a target. Inputs accumulate between updates in plain units;
  * nothing depends on the frame time or on how often update is called. Frozen. */
@@ -310,6 +314,8 @@ export interface SolverDesc {
     tolerance: number;
     /** the most that a target may ask for, 1 .. 1000; default 64 */
     max_substeps: number;
+    /** must be 0 */
+    reserved: number;
 }
 /** Settings shared by all kinds of bodies. */
 export interface BodyDesc {
@@ -543,7 +549,6 @@ export class Scene {
     getSceneBounds(): Aabb | null;
     /** Change which queries see a model, or what its hits report. Children are not affected. */
     setLayers(model: number, layers?: number): void;
-    /** Change which queries see a model, or what its hits report. Children are not affected. */
     setTag(model: number, tag: number): void;
     /** Hang a model below another one, or below none (0).
      * @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
@@ -555,21 +560,14 @@ export class Scene {
     /** Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
      * that moves when few move, O(n) when many do. */
     setTransforms(models: Elements, transforms: Elements): void;
-    /** Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-     * that moves when few move, O(n) when many do. */
     getTransforms(models: Elements, out?: Elements): Records<Transform>;
-    /** Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-     * that moves when few move, O(n) when many do. */
     getWorldTransforms(models: Elements, out?: Elements): Records<Transform>;
     /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
      * @return GPHYS_OK or GPHYS_NO_HIT */
     raycast(ray: Given<Ray>, layers?: number): Hit | null;
-    /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-     * @return GPHYS_OK or GPHYS_NO_HIT */
     raycastBatch(rays: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit. */
     raycastAny(ray: Given<Ray>, layers?: number): boolean;
-    /** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit. */
     raycastAnyBatch(rays: Elements, layers?: number, out?: Elements): Records<number>;
     /** Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
      * the first. */
@@ -582,7 +580,6 @@ export class Scene {
     raycastAllBatch(rays: Elements, layers?: number): { values: Records<Hit>; offsets: Uint32Array };
     /** Closest model along a segment from a to b, both included; t in 0..1. */
     segmentTest(segment: Given<Segment>, layers?: number): Hit | null;
-    /** Closest model along a segment from a to b, both included; t in 0..1. */
     segmentTestBatch(segments: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
      * ascending. Kept when too many: the lowest. */
@@ -599,15 +596,10 @@ export class Scene {
      * @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
      * @return GPHYS_OK or GPHYS_NO_HIT */
     nearest(point: Given<number[]>, max_distance: number, layers?: number): Nearest | null;
-    /** The model nearest to a point, and its closest point.
-     * @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-     * @return GPHYS_OK or GPHYS_NO_HIT */
     nearestBatch(points: Elements, max_distance: number, layers?: number, out?: Elements): Records<Nearest>;
     /** First model that a sphere touches while it moves by displacement; t in 0..1.
      * Fields as in gphys_shape_sweep_sphere. */
     sweepSphere(sphere: Given<Sphere>, displacement: Given<number[]>, layers?: number): Hit | null;
-    /** First model that a sphere touches while it moves by displacement; t in 0..1.
-     * Fields as in gphys_shape_sweep_sphere. */
     sweepSphereBatch(spheres: Elements, displacements: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Cost: O(nodes). */
     getOctreeStats(): OctreeStats;
@@ -763,9 +755,6 @@ export class Solver {
      * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
      * @param transform  places the mesh; may be NULL */
     addClothMesh(mesh: Mesh, transform?: Given<Transform> | null, desc?: Partial<BodyDesc> | null): number;
-    /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-     * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-     * @param transform  places the mesh; may be NULL */
     removeBody(body: number): void;
     /** Ids of all bodies, ascending. Kept when too many: the lowest. */
     getBodies(): Records<number>;
@@ -791,11 +780,9 @@ export class Solver {
     setPositions(body: number, first: number, positions: Elements): void;
     /** m/s */
     getVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
-    /** m/s */
     setVelocities(body: number, first: number, velocities: Elements): void;
     /** kg, > 0. A pinned particle keeps its mass for the time when it is released. */
     getMasses(body: number, first: number, count: number, out?: Elements): Records<number>;
-    /** kg, > 0. A pinned particle keeps its mass for the time when it is released. */
     setMasses(body: number, first: number, masses: Elements): void;
     /** Collision radius, metres, >= 0. */
     setRadii(body: number, first: number, radii: Elements): void;
@@ -845,10 +832,6 @@ export class Solver {
      * @param out_volume, out_pressure  may be NULL
      * @return GPHYS_ERROR_UNSUPPORTED if none is held */
     getVolume(body: number): [number, number];
-    /** The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
-     * held at the end of the last step: above 0 it pushes outward.
-     * @param out_volume, out_pressure  may be NULL
-     * @return GPHYS_ERROR_UNSUPPORTED if none is held */
     removeConstraint(body: number, constraint: number): void;
     /** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest. */
     getConstraints(body: number): Records<ConstraintInfo>;
@@ -937,11 +920,6 @@ export function bounds(shape: AnyShape): Aabb | null;
  * @param tolerance  >= 0
  * @param out_contains  0 or 1 */
 export function contains(shape: AnyShape, point: Given<number[]>, tolerance: number): boolean;
-/** Whether the point is within tolerance metres of the shape (solid or surface).
- * With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
- * axes are those of its rotation in double precision).
- * @param tolerance  >= 0
- * @param out_contains  0 or 1 */
 export function containsBatch(shape: AnyShape, points: Elements, tolerance: number, out?: Elements): Records<number>;
 /** The point of the shape that is closest to the given point: the point itself inside a solid.
  * Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest

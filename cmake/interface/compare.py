@@ -2,8 +2,9 @@
 """Compare two descriptions of the header: compare.py OLD.json NEW.json [--compatible]
 
 Prints every difference in meaning or layout, comments included, and fails if there is any. With
---compatible only those are printed and counted that break a program or a binding made for OLD:
-functions and values may be added, and *_desc structs may grow at their end.
+--compatible, where OLD is a release, only what docs/releasing.md forbids is printed and counted: what
+breaks a program or a binding made for OLD, and additions (functions, values, types, fields at the end
+of *_desc structs) without a raised minor version.
 """
 import json
 import sys
@@ -44,6 +45,30 @@ def struct_breaks(name, old, new):
         yield f"{name} is frozen and has the new field {new['fields'][len(old['fields'])]['name']}"
     elif new["size"] != old["size"] and not grows:
         yield f"{name}: size was {old['size']}, is {new['size']}"
+    if new["align"] != old["align"]:
+        yield f"{name}: alignment was {old['align']}, is {new['align']}"
+
+
+def additions(old, new):
+    for key, entry in new.items():
+        if key not in old:
+            yield key[1]
+        elif key[0] == "structs":
+            yield from (f"{key[1]}.{field['name']}" for field in entry["fields"][len(old[key]["fields"]):])
+
+
+def version(api):
+    return [int(number) for number in api["version"].split(".")]
+
+
+def version_breaks(old, new, added):
+    was, now = version(old), version(new)
+    if now[0] != was[0]:
+        yield f"the major version was {was[0]}, is {now[0]}: a new major version begins its own record, see docs/releasing.md"
+    elif now < was:
+        yield f"the version was {old['version']}, is {new['version']}"
+    elif added and now[1] == was[1]:
+        yield f"new since {old['version']}, so the minor version must be raised: {', '.join(added)}"
 
 
 def breaks(old, new):
@@ -71,7 +96,8 @@ def main():
     with open(paths[0]) as old, open(paths[1]) as new:
         old, new = json.load(old), json.load(new)
     if "--compatible" in sys.argv:
-        found = list(breaks(named(without_comments(old)), named(without_comments(new))))
+        was, now = named(without_comments(old)), named(without_comments(new))
+        found = [*breaks(was, now), *version_breaks(old, new, list(additions(was, now)))]
     else:
         found = list(differences(named(old), named(new)))
         if not found and old != new:

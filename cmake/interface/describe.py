@@ -11,7 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from roles import with_roles
+sys.dont_write_bytecode = True  # the source tree stays as it is
+from roles import with_roles  # noqa: E402
 
 # All targets of a width must agree, so that one number stands for them.
 TARGETS = {
@@ -44,11 +45,9 @@ class Comments:
         return "\n".join(re.sub(r"^\s*\*? {0,2}", "", line).rstrip() for line in lines).strip()
 
     def above(self, offset):
-        """The /** */ above the declaration, in its paragraph."""
+        """The /** */ that ends on the line above the declaration: a neighbour's is not its own."""
         line = self.line_of(offset) - 1
-        while self.lines[line].strip() and not self.lines[line].rstrip().endswith("*/"):
-            line -= 1
-        if not self.lines[line].strip():
+        if not self.lines[line].rstrip().endswith("*/"):
             return ""
         end = self.starts[line + 1] - 1
         start = self.text.rfind("/*", 0, end)
@@ -134,7 +133,8 @@ def describe(header):
             named = previous and previous["kind"] == "TypedefDecl" and previous["type"]["qualType"] == "int32_t"
             api["enums"].append({"name": previous["name"] if named else None, "values": values})
         elif not name.startswith("gphys_"):
-            continue
+            if kind in ("FunctionDecl", "VarDecl"):
+                sys.exit(f"{name} does not begin with gphys_")
         elif kind == "TypedefDecl":
             of = node["type"]["qualType"]
             if "(*)" in of:
@@ -149,12 +149,16 @@ def describe(header):
                     if field["kind"] != "FieldDecl":
                         continue
                     of, count = split_type(field["type"]["qualType"])
+                    if field.get("isBitfield"):
+                        of += " bit-field"
                     fields.append({"name": field["name"], "type": of, "count": count,
                                    "doc": comments.beside(place(field))})
                 api["structs"].append({"name": name, "doc": comments.above(begin(node)), "fields": fields})
             elif name not in api["handles"]:
                 api["handles"].append(name)
         elif kind == "FunctionDecl":
+            if "storageClass" in node or node.get("inline"):
+                sys.exit(f"{name} is defined in the header: foreign-function interfaces cannot call it")
             parameters = []
             for parameter in node.get("inner", []):
                 if parameter["kind"] != "ParmVarDecl":
@@ -173,12 +177,18 @@ def describe(header):
     api["handles"] = [name for name in api["handles"] if name not in defined]
     places = [(struct, None) for struct in api["structs"]]
     places += [(struct, field) for struct in api["structs"] for field in struct["fields"]]
-    asked = [f'offsetof({s["name"]},{f["name"]})' if f else f'sizeof({s["name"]})' for s, f in places]
-    for (struct, field), value in zip(places, sized(asked, header.resolve())):
+    # Of a field its offset and size, of a struct its size and alignment.
+    asked = []
+    for struct, field in places:
+        name = struct["name"]
+        asked += ([f'offsetof({name},{field["name"]})', f'sizeof((({name}*)0)->{field["name"]})'] if field else
+                  [f"sizeof({name})", f"_Alignof({name})"])
+    values = sized(asked, header.resolve())
+    for (struct, field), first, second in zip(places, values[::2], values[1::2]):
         if field:
-            field["offset"] = value
+            field["offset"], field["size"] = first, second
         else:
-            struct["size"] = value
+            struct["size"], struct["align"] = first, second
     return with_roles(api)
 
 

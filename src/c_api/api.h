@@ -66,6 +66,11 @@ inline bool valid_position_stride(uint32_t stride, uint32_t count) {
 }
 inline bool valid_out_stride(uint32_t stride, size_t element) { return stride % 4 == 0 && stride >= element; }
 
+/// A desc that uses what a later release added.
+inline gphys_status newer_desc() noexcept {
+    return fail(GPHYS_ERROR_STRUCT_SIZE, "desc: a field that this library does not know is set");
+}
+
 /// Copy the caller's desc over the defaults of this release. `first_size` is sizeof the desc in
 /// release 1.0. Larger descs of newer clients are taken if their unknown tail is zero.
 template <class Desc>
@@ -78,7 +83,7 @@ gphys_status read_desc(const Desc* from, Desc& to, size_t first_size) noexcept {
     }
     const unsigned char* bytes = reinterpret_cast<const unsigned char*>(from);
     for (size_t i = sizeof(Desc); i < size; ++i) {
-        if (bytes[i] != 0) return fail(GPHYS_ERROR_STRUCT_SIZE, "desc: a field that this library does not know is set");
+        if (bytes[i] != 0) return newer_desc();
     }
     std::memcpy(&to, from, size < sizeof(Desc) ? size : sizeof(Desc));
     to.struct_size = sizeof(Desc);

@@ -8,7 +8,8 @@ using namespace gphys;
 
 namespace {
 
-constexpr size_t first_desc_size = sizeof(gphys_camera_desc);
+// Of release 1.0, without the padding that it ended in on 64-bit targets.
+constexpr size_t first_desc_size = offsetof(gphys_camera_desc, reserved);
 
 // Ranges of sizes that appear in a divisor: wide enough for any picture, and narrow enough that no
 // element of a matrix leaves the range of float.

@@ -18,7 +18,7 @@ namespace {
 constexpr size_t scene_desc_size = offsetof(gphys_scene_desc, task_runner);
 constexpr size_t model_desc_size = sizeof(gphys_model_desc);
 
-constexpr gphys_scene_desc default_scene_desc{sizeof(gphys_scene_desc), nullptr, 0, nullptr, 0};
+constexpr gphys_scene_desc default_scene_desc{sizeof(gphys_scene_desc), nullptr, 0, nullptr, 0, 0};
 constexpr gphys_model_desc default_model_desc{sizeof(gphys_model_desc), 0, 1, 0};
 
 gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const void* shapes, uint32_t stride,
@@ -101,6 +101,7 @@ gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_
         GPHYS_REQUIRE(out_scene, "out_scene is null");
         gphys_scene_desc known = default_scene_desc;
         GPHYS_TRY(read_desc(desc, known, scene_desc_size));
+        if (known.reserved != 0) return newer_desc();
         GPHYS_REQUIRE_VALID(known.allocator);
         if (known.reserve_models > IdTable::capacity) {
             return fail(GPHYS_ERROR_CAPACITY, "desc.reserve_models: a scene holds at most 2^24 - 1 models");

@@ -19,7 +19,7 @@ constexpr size_t body_desc_size = offsetof(gphys_body_desc, static_friction);  /
 constexpr uint32_t most_particles = (1u << 24) - 1;  // as many as constraints
 
 constexpr gphys_solver_desc default_solver_desc{
-    sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8, nullptr, 0, 0, 0.01f, 0.5f, 0, 0, 64};
+    sizeof(gphys_solver_desc), nullptr, {0, -9.81f, 0}, 8, 1.0f / 60, 8, nullptr, 0, 0, 0.01f, 0.5f, 0, 0, 64, 0};
 constexpr gphys_body_desc default_body_desc{sizeof(gphys_body_desc),
                                             1,
                                             0.01f,
@@ -93,6 +93,7 @@ gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** o
     return guarded([&]() -> gphys_status {
         gphys_solver_desc settings = default_solver_desc;
         GPHYS_TRY(read_desc(desc, settings, solver_desc_size));
+        if (settings.reserved != 0) return newer_desc();
         GPHYS_REQUIRE_VALID(settings.allocator);
         GPHYS_REQUIRE_VALID(settings.gravity);
         GPHYS_REQUIRE(is_substeps(settings.substeps), "desc.substeps: must be 1 to 1000");

@@ -311,7 +311,6 @@ public:
         check(gphys_scene_set_layers(handle(), model, layers));
     }
 
-    // Change which queries see a model, or what its hits report. Children are not affected.
     void set_tag(gphys_model_id model, uint32_t tag) {
         check(gphys_scene_set_tag(handle(), model, tag));
     }
@@ -336,16 +335,12 @@ public:
         check(gphys_scene_set_transforms(handle(), models.data, transforms.data, transforms.stride, count));
     }
 
-    // Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    // that moves when few move, O(n) when many do.
     void get_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
         const uint32_t count = common_size({models.sizes()});
         require_size(out_transforms.size, count);
         check(gphys_scene_get_transforms(handle(), models.data, count, out_transforms.data, out_transforms.stride));
     }
 
-    // Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    // that moves when few move, O(n) when many do.
     void get_world_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
         const uint32_t count = common_size({models.sizes()});
         require_size(out_transforms.size, count);
@@ -360,8 +355,6 @@ public:
         return out_hit;
     }
 
-    // Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-    // @return GPHYS_OK or GPHYS_NO_HIT
     void raycast_batch(Span<const Ray> rays, uint32_t layers, Span<Hit> out_hits) const {
         const uint32_t count = common_size({rays.sizes()});
         require_size(out_hits.size, count);
@@ -375,7 +368,6 @@ public:
         return out_hit != 0;
     }
 
-    // Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
     void raycast_any_batch(Span<const Ray> rays, uint32_t layers, Span<int32_t> out_hits) const {
         const uint32_t count = common_size({rays.sizes()});
         require_size(out_hits.size, count);
@@ -405,7 +397,6 @@ public:
         return out_hit;
     }
 
-    // Closest model along a segment from a to b, both included; t in 0..1.
     void segment_test_batch(Span<const Segment> segments, uint32_t layers, Span<Hit> out_hits) const {
         const uint32_t count = common_size({segments.sizes()});
         require_size(out_hits.size, count);
@@ -442,9 +433,6 @@ public:
         return out_nearest;
     }
 
-    // The model nearest to a point, and its closest point.
-    // @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-    // @return GPHYS_OK or GPHYS_NO_HIT
     void nearest_batch(Span<const Vec3> points, float max_distance, uint32_t layers, Span<Nearest> out_nearest) const {
         const uint32_t count = common_size({points.sizes()});
         require_size(out_nearest.size, count);
@@ -459,8 +447,6 @@ public:
         return out_hit;
     }
 
-    // First model that a sphere touches while it moves by displacement; t in 0..1.
-    // Fields as in gphys_shape_sweep_sphere.
     void sweep_sphere_batch(Span<const Sphere> spheres, Span<const Vec3> displacements, uint32_t layers, Span<Hit> out_hits) const {
         const uint32_t count = common_size({spheres.sizes(), displacements.sizes()});
         require_size(out_hits.size, count);
@@ -816,9 +802,6 @@ public:
         return out_body;
     }
 
-    // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    // with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    // @param transform  places the mesh; may be NULL
     void remove_body(gphys_body_id body) {
         check(gphys_solver_remove_body(handle(), body));
     }
@@ -876,7 +859,6 @@ public:
         check(gphys_solver_get_velocities(handle(), body, first, count, out_velocities.data, out_velocities.stride));
     }
 
-    // m/s
     void set_velocities(gphys_body_id body, uint32_t first, Span<const Vec3> velocities) {
         const uint32_t count = common_size({velocities.sizes()});
         check(gphys_solver_set_velocities(handle(), body, first, count, velocities.data, velocities.stride));
@@ -888,7 +870,6 @@ public:
         check(gphys_solver_get_masses(handle(), body, first, count, out_masses.data, out_masses.stride));
     }
 
-    // kg, > 0. A pinned particle keeps its mass for the time when it is released.
     void set_masses(gphys_body_id body, uint32_t first, Span<const float> masses) {
         const uint32_t count = common_size({masses.sizes()});
         check(gphys_solver_set_masses(handle(), body, first, count, masses.data, masses.stride));
@@ -981,10 +962,6 @@ public:
         return std::make_tuple(out_volume, out_pressure);
     }
 
-    // The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
-    // held at the end of the last step: above 0 it pushes outward.
-    // @param out_volume, out_pressure  may be NULL
-    // @return GPHYS_ERROR_UNSUPPORTED if none is held
     void remove_constraint(gphys_body_id body, gphys_constraint_id constraint) {
         check(gphys_solver_remove_constraint(handle(), body, constraint));
     }
@@ -1141,11 +1118,6 @@ inline bool contains(ShapeRef shape, const Vec3& point, float tolerance) {
     return out_contains != 0;
 }
 
-// Whether the point is within tolerance metres of the shape (solid or surface).
-// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-// axes are those of its rotation in double precision).
-// @param tolerance  >= 0
-// @param out_contains  0 or 1
 inline void contains_batch(ShapeRef shape, Span<const Vec3> points, float tolerance, Span<int32_t> out_contains) {
     const uint32_t count = common_size({points.sizes()});
     require_size(out_contains.size, count);

@@ -302,7 +302,6 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_set_layers(Handle, model, layers));
     }
 
-    /// <summary>Change which queries see a model, or what its hits report. Children are not affected.</summary>
     public unsafe void SetTag(uint model, uint tag) {
         Check(Low.gphys_scene_set_tag(Handle, model, tag));
     }
@@ -333,10 +332,6 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_set_transforms(Handle, models_, transforms_, StrideOf(transforms), count));
     }
 
-    /// <summary>
-    /// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    /// that moves when few move, O(n) when many do.
-    /// </summary>
     public unsafe void GetTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
         var count = CommonLength(models.Length, 1);
         RequireLength(transforms.Length, count);
@@ -345,10 +340,6 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_get_transforms(Handle, models_, count, transforms_, (uint)sizeof(Transform)));
     }
 
-    /// <summary>
-    /// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    /// that moves when few move, O(n) when many do.
-    /// </summary>
     public unsafe void GetWorldTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
         var count = CommonLength(models.Length, 1);
         RequireLength(transforms.Length, count);
@@ -367,10 +358,6 @@ public sealed partial class Scene : IDisposable {
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-    /// @return GPHYS_OK or GPHYS_NO_HIT
-    /// </summary>
     public unsafe void RaycastBatch(ReadOnlySpan<Ray> rays, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
         RequireLength(hits.Length, count);
@@ -386,7 +373,6 @@ public sealed partial class Scene : IDisposable {
         return hit != 0;
     }
 
-    /// <summary>Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.</summary>
     public unsafe void RaycastAnyBatch(ReadOnlySpan<Ray> rays, Span<int> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
         RequireLength(hits.Length, count);
@@ -449,7 +435,6 @@ public sealed partial class Scene : IDisposable {
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>Closest model along a segment from a to b, both included; t in 0..1.</summary>
     public unsafe void SegmentTestBatch(ReadOnlySpan<Segment> segments, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, segments.Length);
         RequireLength(hits.Length, count);
@@ -537,11 +522,6 @@ public sealed partial class Scene : IDisposable {
         return Found(status) ? nearest : (Nearest?)null;
     }
 
-    /// <summary>
-    /// The model nearest to a point, and its closest point.
-    /// @param max_distance  &gt;= 0, INFINITY allowed; a model at exactly this distance counts
-    /// @return GPHYS_OK or GPHYS_NO_HIT
-    /// </summary>
     public unsafe void NearestBatch(ReadOnlySpan<Vec3> points, Span<Nearest> nearest, float maxDistance = float.PositiveInfinity, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, points.Length);
         RequireLength(nearest.Length, count);
@@ -560,10 +540,6 @@ public sealed partial class Scene : IDisposable {
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// First model that a sphere touches while it moves by displacement; t in 0..1.
-    /// Fields as in gphys_shape_sweep_sphere.
-    /// </summary>
     public unsafe void SweepSphereBatch(ReadOnlySpan<Sphere> spheres, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, spheres.Length, displacements.Length);
         RequireLength(hits.Length, count);
@@ -1032,11 +1008,6 @@ public sealed partial class Solver : IDisposable {
         return body;
     }
 
-    /// <summary>
-    /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    /// with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    /// @param transform  places the mesh; may be NULL
-    /// </summary>
     public unsafe void RemoveBody(uint body) {
         Check(Low.gphys_solver_remove_body(Handle, body));
     }
@@ -1139,7 +1110,6 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_get_velocities(Handle, body, first, count, velocities_, (uint)sizeof(Vec3)));
     }
 
-    /// <summary>m/s</summary>
     public unsafe void SetVelocities(uint body, uint first, ReadOnlySpan<Vec3> velocities) {
         var count = CommonLength(-1, velocities.Length);
         fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
@@ -1153,7 +1123,6 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_get_masses(Handle, body, first, count, masses_, (uint)sizeof(float)));
     }
 
-    /// <summary>kg, &gt; 0. A pinned particle keeps its mass for the time when it is released.</summary>
     public unsafe void SetMasses(uint body, uint first, ReadOnlySpan<float> masses) {
         var count = CommonLength(-1, masses.Length);
         fixed (float* masses_ = &MemoryMarshal.GetReference(masses))
@@ -1266,12 +1235,6 @@ public sealed partial class Solver : IDisposable {
         return (volume, pressure);
     }
 
-    /// <summary>
-    /// The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
-    /// held at the end of the last step: above 0 it pushes outward.
-    /// @param out_volume, out_pressure  may be NULL
-    /// @return GPHYS_ERROR_UNSUPPORTED if none is held
-    /// </summary>
     public unsafe void RemoveConstraint(uint body, uint constraint) {
         Check(Low.gphys_solver_remove_constraint(Handle, body, constraint));
     }
@@ -1526,13 +1489,6 @@ public static partial class Geometry {
         return contains != 0;
     }
 
-    /// <summary>
-    /// Whether the point is within tolerance metres of the shape (solid or surface).
-    /// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-    /// axes are those of its rotation in double precision).
-    /// @param tolerance  &gt;= 0
-    /// @param out_contains  0 or 1
-    /// </summary>
     public static unsafe void ContainsBatch(Shape shape, ReadOnlySpan<Vec3> points, Span<int> contains, float tolerance = 0) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var count = CommonLength(-1, points.Length);

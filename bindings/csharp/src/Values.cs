@@ -121,7 +121,7 @@ public static class Constants {
     /// <summary>constraints that resist folding</summary>
     public const uint ClothBend = 2;
     public const uint VersionMajor = 1;
-    public const uint VersionMinor = 0;
+    public const uint VersionMinor = 1;
     public const uint VersionPatch = 0;
     public const float MaxCoordinate = 1e15f;
     public const uint NoTriangle = 0xffffffffu;
@@ -419,6 +419,8 @@ public partial struct SceneDesc {
     public IntPtr TaskRunner;
     /// <summary>threads for one call, its own included, at most 1024; 0 and 1: that alone</summary>
     public uint WorkerCount;
+    /// <summary>must be 0</summary>
+    public uint Reserved;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe SceneDesc Default {
         get {
@@ -475,6 +477,8 @@ public partial struct CameraDesc {
     /// <summary>pixels, 1e-3 .. 1e6</summary>
     public float ViewportWidth;
     public float ViewportHeight;
+    /// <summary>not read: a client of release 1.0 has padding here</summary>
+    public uint Reserved;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe CameraDesc Default {
         get {
@@ -557,6 +561,8 @@ public partial struct SolverDesc {
     public float Tolerance;
     /// <summary>the most that a target may ask for, 1 .. 1000; default 64</summary>
     public uint MaxSubsteps;
+    /// <summary>must be 0</summary>
+    public uint Reserved;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe SolverDesc Default {
         get {

@@ -57,7 +57,7 @@ export function objects(memory) {
     class Scene extends Handle {
         constructor(desc) {
             super(() => {
-                if (desc != null) { check(native.gphys_scene_desc_init(base, v.wide ? 40 : 20)); writeSceneDesc(v, 0, desc); }
+                if (desc != null) { check(native.gphys_scene_desc_init(base, v.wide ? 40 : 24)); writeSceneDesc(v, 0, desc); }
                 check(native.gphys_scene_create(desc == null ? 0 : base, base + 40));
                 return made(40);
             }, native.gphys_scene_destroy);
@@ -271,7 +271,7 @@ export function objects(memory) {
     class Camera extends Handle {
         constructor(desc) {
             super(() => {
-                if (desc != null) { check(native.gphys_camera_desc_init(base, v.wide ? 40 : 28)); writeCameraDesc(v, 0, desc); }
+                if (desc != null) { check(native.gphys_camera_desc_init(base, v.wide ? 40 : 32)); writeCameraDesc(v, 0, desc); }
                 check(native.gphys_camera_create(desc == null ? 0 : base, base + 40));
                 return made(40);
             }, native.gphys_camera_destroy);
@@ -420,7 +420,7 @@ export function objects(memory) {
     class Solver extends Handle {
         constructor(desc) {
             super(() => {
-                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 80 : 64)); writeSolverDesc(v, 0, desc); }
+                if (desc != null) { check(native.gphys_solver_desc_init(base, v.wide ? 80 : 68)); writeSolverDesc(v, 0, desc); }
                 check(native.gphys_solver_create(desc == null ? 0 : base, base + 80));
                 return made(80);
             }, native.gphys_solver_destroy);

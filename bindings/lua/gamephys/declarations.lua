@@ -39,12 +39,12 @@ typedef struct gphys_mesh_report { uint32_t triangle_count; uint32_t degenerate_
 typedef struct gphys_mesh_desc { uint32_t struct_size; const gphys_allocator *allocator; } gphys_mesh_desc;
 typedef struct gphys_octree_stats { uint32_t item_count; uint32_t unbounded_count; uint32_t node_count; uint32_t leaf_count; uint32_t depth; uint32_t rebuilds; float cost; uint32_t memory_bytes; } gphys_octree_stats;
 typedef struct gphys_octree_box { gphys_aabb bounds; uint32_t depth; uint32_t item_count; } gphys_octree_box;
-typedef struct gphys_scene_desc { uint32_t struct_size; const gphys_allocator *allocator; uint32_t reserve_models; const gphys_task_runner *task_runner; uint32_t worker_count; } gphys_scene_desc;
+typedef struct gphys_scene_desc { uint32_t struct_size; const gphys_allocator *allocator; uint32_t reserve_models; const gphys_task_runner *task_runner; uint32_t worker_count; uint32_t reserved; } gphys_scene_desc;
 typedef struct gphys_model_desc { uint32_t struct_size; gphys_model_id parent; uint32_t layers; uint32_t tag; } gphys_model_desc;
 typedef struct gphys_model_info { gphys_shape_type type; gphys_model_id parent; uint32_t layers; uint32_t tag; uint32_t child_count; } gphys_model_info;
-typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; } gphys_camera_desc;
+typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; uint32_t reserved; } gphys_camera_desc;
 typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; float yaw; float pitch; float radians_per_unit; float metres_per_unit; float min_distance; float max_distance; float min_pitch; float max_pitch; } gphys_orbit;
-typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; } gphys_solver_desc;
+typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t reserved; } gphys_solver_desc;
 typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; uint32_t self_collision; uint32_t body_layers; } gphys_body_desc;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
 typedef struct gphys_constraint_info { gphys_constraint_id id; uint32_t particle_a; uint32_t particle_b; float rest_length; float compliance; } gphys_constraint_info;
@@ -264,7 +264,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         SOLVE_DIRECT = 1,
         SOLVE_GRAPH = 2,
         VERSION_MAJOR = 1,
-        VERSION_MINOR = 0,
+        VERSION_MINOR = 1,
         VERSION_PATCH = 0,
         MAX_COORDINATE = 1000000000000000.0,
         NO_TRIANGLE = 4294967295,
@@ -292,12 +292,12 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "mesh_desc", fields = { "struct_size", "allocator" } },
         { name = "octree_stats", fields = { "item_count", "unbounded_count", "node_count", "leaf_count", "depth", "rebuilds", "cost", "memory_bytes" } },
         { name = "octree_box", fields = { "bounds", "depth", "item_count" } },
-        { name = "scene_desc", fields = { "struct_size", "allocator", "reserve_models", "task_runner", "worker_count" } },
+        { name = "scene_desc", fields = { "struct_size", "allocator", "reserve_models", "task_runner", "worker_count", "reserved" } },
         { name = "model_desc", fields = { "struct_size", "parent", "layers", "tag" } },
         { name = "model_info", fields = { "type", "parent", "layers", "tag", "child_count" } },
-        { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height" } },
+        { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height", "reserved" } },
         { name = "orbit", fields = { "target", "up", "distance", "yaw", "pitch", "radians_per_unit", "metres_per_unit", "min_distance", "max_distance", "min_pitch", "max_pitch" } },
-        { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps" } },
+        { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "reserved" } },
         { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction", "self_collision", "body_layers" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
         { name = "constraint_info", fields = { "id", "particle_a", "particle_b", "rest_length", "compliance" } },

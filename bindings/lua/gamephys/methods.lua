@@ -239,7 +239,6 @@ function Scene:set_layers(model, layers)
     check(C.gphys_scene_set_layers(opened(self), model, layers))
 end
 
---- Change which queries see a model, or what its hits report. Children are not affected.
 function Scene:set_tag(model, tag)
     check(C.gphys_scene_set_tag(opened(self), model, tag))
 end
@@ -266,8 +265,6 @@ function Scene:set_transforms(models, transforms)
     check(C.gphys_scene_set_transforms(opened(self), models, transforms, transforms_stride, count))
 end
 
---- Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
---- that moves when few move, O(n) when many do.
 function Scene:get_transforms(models, out)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local count = common(models_count)
@@ -276,8 +273,6 @@ function Scene:get_transforms(models, out)
     return out
 end
 
---- Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
---- that moves when few move, O(n) when many do.
 function Scene:get_world_transforms(models, out)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local count = common(models_count)
@@ -293,8 +288,6 @@ function Scene:raycast(ray, layers, out_hit)
     if found(C.gphys_scene_raycast(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out_hit)) then return out_hit end
 end
 
---- Closest model on a ray; the fields are exact as in gphys_shape_raycast.
---- @return GPHYS_OK or GPHYS_NO_HIT
 function Scene:raycast_batch(rays, layers, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
@@ -312,7 +305,6 @@ do
     end
 end
 
---- Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
 function Scene:raycast_any_batch(rays, layers, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
@@ -348,7 +340,6 @@ function Scene:segment_test(segment, layers, out_hit)
     if found(C.gphys_scene_segment_test(opened(self), to_value(Segment, segment), layers or ALL_LAYERS, out_hit)) then return out_hit end
 end
 
---- Closest model along a segment from a to b, both included; t in 0..1.
 function Scene:segment_test_batch(segments, layers, out)
     local segments, segments_count, segments_stride = to_array(Segment, segments)
     local count = common(segments_count)
@@ -393,9 +384,6 @@ function Scene:nearest(point, max_distance, layers, out_nearest)
     if found(C.gphys_scene_nearest(opened(self), to_value(Vec3, point), max_distance or math.huge, layers or ALL_LAYERS, out_nearest)) then return out_nearest end
 end
 
---- The model nearest to a point, and its closest point.
---- @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
---- @return GPHYS_OK or GPHYS_NO_HIT
 function Scene:nearest_batch(points, max_distance, layers, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)
@@ -411,8 +399,6 @@ function Scene:sweep_sphere(sphere, displacement, layers, out_hit)
     if found(C.gphys_scene_sweep_sphere(opened(self), to_value(Sphere, sphere), to_value(Vec3, displacement), layers or ALL_LAYERS, out_hit)) then return out_hit end
 end
 
---- First model that a sphere touches while it moves by displacement; t in 0..1.
---- Fields as in gphys_shape_sweep_sphere.
 function Scene:sweep_sphere_batch(spheres, displacements, layers, out)
     local spheres, spheres_count, spheres_stride = to_array(Sphere, spheres)
     local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
@@ -773,9 +759,6 @@ do
     end
 end
 
---- Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
---- with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
---- @param transform  places the mesh; may be NULL
 function Solver:remove_body(body)
     check(C.gphys_solver_remove_body(opened(self), body))
 end
@@ -842,7 +825,6 @@ function Solver:get_velocities(body, first, count, out)
     return out
 end
 
---- m/s
 function Solver:set_velocities(body, first, velocities)
     local velocities, velocities_count, velocities_stride = to_array(Vec3, velocities)
     local count = common(velocities_count)
@@ -856,7 +838,6 @@ function Solver:get_masses(body, first, count, out)
     return out
 end
 
---- kg, > 0. A pinned particle keeps its mass for the time when it is released.
 function Solver:set_masses(body, first, masses)
     local masses, masses_count, masses_stride = to_array(float, masses)
     local count = common(masses_count)
@@ -958,10 +939,6 @@ do
     end
 end
 
---- The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
---- held at the end of the last step: above 0 it pushes outward.
---- @param out_volume, out_pressure  may be NULL
---- @return GPHYS_ERROR_UNSUPPORTED if none is held
 function Solver:remove_constraint(body, constraint)
     check(C.gphys_solver_remove_constraint(opened(self), body, constraint))
 end
@@ -1134,11 +1111,6 @@ do
     end
 end
 
---- Whether the point is within tolerance metres of the shape (solid or surface).
---- With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
---- axes are those of its rotation in double precision).
---- @param tolerance  >= 0
---- @param out_contains  0 or 1
 function gp.contains_batch(shape, points, tolerance, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)

@@ -69,7 +69,7 @@ SOLVE_DIRECT = 1  # chains and trees: Newton on the whole body at once
 SOLVE_GRAPH = 2  # what has rings, volume, or a particle with more than 64 constraints: chain families, then the rest, then reach limits
 
 VERSION_MAJOR = 1
-VERSION_MINOR = 0
+VERSION_MINOR = 1
 VERSION_PATCH = 0
 MAX_COORDINATE = 1e15
 NO_TRIANGLE = 0xffffffff
@@ -314,7 +314,8 @@ class SceneDesc(Desc, Structure):
     reserve_models: int  # models to make room for at once; 0
     task_runner: int | None  # whose threads worker_count counts; NULL: the scene's own
     worker_count: int  # threads for one call, its own included, at most 1024; 0 and 1: that alone
-    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("reserve_models", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32)]
+    reserved: int  # must be 0
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("reserve_models", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("reserved", c_uint32)]
 
 
 class ModelDesc(Desc, Structure):
@@ -351,7 +352,8 @@ class CameraDesc(Desc, Structure):
     reverse_z: int  # 1: near has the high depth, for float depth buffers
     viewport_width: float  # pixels, 1e-3 .. 1e6
     viewport_height: float
-    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("handedness", c_int32), ("depth_range", c_int32), ("reverse_z", c_int32), ("viewport_width", c_float), ("viewport_height", c_float)]
+    reserved: int  # not read: a client of release 1.0 has padding here
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("handedness", c_int32), ("depth_range", c_int32), ("reverse_z", c_int32), ("viewport_width", c_float), ("viewport_height", c_float), ("reserved", c_uint32)]
 
 
 class Orbit(Value, Structure):
@@ -390,7 +392,8 @@ class SolverDesc(Desc, Structure):
     max_strain: float  # target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0
     tolerance: float  # target of positions: metres of error that a second of motion adds; 0: none; default 0
     max_substeps: int  # the most that a target may ask for, 1 .. 1000; default 64
-    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float), ("max_strain", c_float), ("tolerance", c_float), ("max_substeps", c_uint32)]
+    reserved: int  # must be 0
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float), ("max_strain", c_float), ("tolerance", c_float), ("max_substeps", c_uint32), ("reserved", c_uint32)]
 
 
 class BodyDesc(Desc, Structure):

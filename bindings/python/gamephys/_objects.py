@@ -188,7 +188,6 @@ class Scene(Models):
         check(low.gphys_scene_set_layers(self._handle, model, layers))
 
     def set_tag(self, model: int, tag: int) -> None:
-        """Change which queries see a model, or what its hits report. Children are not affected."""
         check(low.gphys_scene_set_tag(self._handle, model, tag))
 
     def set_parent(self, model: int, parent: int, keep_world: int) -> None:
@@ -212,8 +211,6 @@ class Scene(Models):
         check(low.gphys_scene_set_transforms(self._handle, models_.address, transforms_.address, transforms_.stride, count))
 
     def get_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-        that moves when few move, O(n) when many do."""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
@@ -221,8 +218,6 @@ class Scene(Models):
         return out_.array
 
     def get_world_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-        that moves when few move, O(n) when many do."""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
@@ -237,8 +232,6 @@ class Scene(Models):
         return out_hit if found(low.gphys_scene_raycast(self._handle, ray_.address, layers, ctypes.byref(out_hit))) else None
 
     def raycast_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-        @return GPHYS_OK or GPHYS_NO_HIT"""
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
         out_ = result_array(out, count, low.hit_dtype)
@@ -253,7 +246,6 @@ class Scene(Models):
         return bool(out_hit.value)
 
     def raycast_any_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit."""
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
         out_ = result_array(out, count, "<i4")
@@ -283,7 +275,6 @@ class Scene(Models):
         return out_hit if found(low.gphys_scene_segment_test(self._handle, segment_.address, layers, ctypes.byref(out_hit))) else None
 
     def segment_test_batch(self, segments: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Closest model along a segment from a to b, both included; t in 0..1."""
         segments_ = array_of(segments, low.segment_dtype)
         count = common_length(segments_)
         out_ = result_array(out, count, low.hit_dtype)
@@ -320,9 +311,6 @@ class Scene(Models):
         return out_nearest if found(low.gphys_scene_nearest(self._handle, point_.address, max_distance, layers, ctypes.byref(out_nearest))) else None
 
     def nearest_batch(self, points: ArrayLike, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """The model nearest to a point, and its closest point.
-        @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-        @return GPHYS_OK or GPHYS_NO_HIT"""
         points_ = array_of(points, low.vec3_dtype)
         count = common_length(points_)
         out_ = result_array(out, count, low.nearest_dtype)
@@ -338,8 +326,6 @@ class Scene(Models):
         return out_hit if found(low.gphys_scene_sweep_sphere(self._handle, sphere_.address, displacement_.address, layers, ctypes.byref(out_hit))) else None
 
     def sweep_sphere_batch(self, spheres: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """First model that a sphere touches while it moves by displacement; t in 0..1.
-        Fields as in gphys_shape_sweep_sphere."""
         spheres_ = array_of(spheres, low.sphere_dtype)
         displacements_ = array_of(displacements, low.vec3_dtype)
         count = common_length(spheres_, displacements_)
@@ -671,9 +657,6 @@ class Solver(Object):
         return out_body.value
 
     def remove_body(self, body: int) -> None:
-        """Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-        with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-        @param transform  places the mesh; may be NULL"""
         check(low.gphys_solver_remove_body(self._handle, body))
 
     def get_bodies(self) -> np.ndarray:
@@ -725,7 +708,6 @@ class Solver(Object):
         return out_.array
 
     def set_velocities(self, body: int, first: int, velocities: ArrayLike) -> None:
-        """m/s"""
         velocities_ = array_of(velocities, low.vec3_dtype)
         count = common_length(velocities_)
         check(low.gphys_solver_set_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
@@ -737,7 +719,6 @@ class Solver(Object):
         return out_.array
 
     def set_masses(self, body: int, first: int, masses: ArrayLike) -> None:
-        """kg, > 0. A pinned particle keeps its mass for the time when it is released."""
         masses_ = array_of(masses, "<f4")
         count = common_length(masses_)
         check(low.gphys_solver_set_masses(self._handle, body, first, count, masses_.address, masses_.stride))
@@ -823,10 +804,6 @@ class Solver(Object):
         return out_volume.value, out_pressure.value
 
     def remove_constraint(self, body: int, constraint: int) -> None:
-        """The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
-        held at the end of the last step: above 0 it pushes outward.
-        @param out_volume, out_pressure  may be NULL
-        @return GPHYS_ERROR_UNSUPPORTED if none is held"""
         check(low.gphys_solver_remove_constraint(self._handle, body, constraint))
 
     def get_constraints(self, body: int) -> np.ndarray:
@@ -975,11 +952,6 @@ def contains(shape: Shape, point: low.Vec3 | Sequence, tolerance: float = 0) -> 
 
 
 def contains_batch(shape: Shape, points: ArrayLike, tolerance: float = 0, *, out: np.ndarray | None = None) -> np.ndarray:
-    """Whether the point is within tolerance metres of the shape (solid or surface).
-    With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-    axes are those of its rotation in double precision).
-    @param tolerance  >= 0
-    @param out_contains  0 or 1"""
     type_, shape_ = shape_of(shape)
     points_ = array_of(points, low.vec3_dtype)
     count = common_length(points_)

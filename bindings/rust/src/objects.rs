@@ -375,7 +375,6 @@ impl Scene {
         check(unsafe { sys::gphys_scene_set_layers(self.handle.as_ptr(), model, layers) })
     }
 
-    /// Change which queries see a model, or what its hits report. Children are not affected.
     pub fn set_tag(&mut self, model: ModelId, tag: u32) -> Result<()> {
         check(unsafe { sys::gphys_scene_set_tag(self.handle.as_ptr(), model, tag) })
     }
@@ -404,8 +403,6 @@ impl Scene {
         check(unsafe { sys::gphys_scene_set_transforms(self.handle.as_ptr(), models.data, transforms.data, transforms.stride, count) })
     }
 
-    /// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    /// that moves when few move, O(n) when many do.
     pub fn get_transforms<'a>(&self, models: &[ModelId], out_transforms: impl Into<BatchMut<'a, Transform>>) -> Result<()> {
         let models = Batch::from(models);
         let out_transforms = out_transforms.into();
@@ -414,8 +411,6 @@ impl Scene {
         check(unsafe { sys::gphys_scene_get_transforms(self.handle.as_ptr(), models.data, count, out_transforms.data, out_transforms.stride) })
     }
 
-    /// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    /// that moves when few move, O(n) when many do.
     pub fn get_world_transforms<'a>(&self, models: &[ModelId], out_transforms: impl Into<BatchMut<'a, Transform>>) -> Result<()> {
         let models = Batch::from(models);
         let out_transforms = out_transforms.into();
@@ -432,9 +427,6 @@ impl Scene {
         Ok(found(unsafe { sys::gphys_scene_raycast(self.handle.as_ptr(), ray, layers, &mut out_hit) })?.then_some(out_hit))
     }
 
-    /// Closest model on a ray; the fields are exact as in `gphys_shape_raycast`.
-    ///
-    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
     pub fn raycast_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let rays = rays.into();
         let out_hits = out_hits.into();
@@ -450,7 +442,6 @@ impl Scene {
         Ok(out_hit != 0)
     }
 
-    /// Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
     pub fn raycast_any_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
         let rays = rays.into();
         let out_hits = out_hits.into();
@@ -483,7 +474,6 @@ impl Scene {
         Ok(found(unsafe { sys::gphys_scene_segment_test(self.handle.as_ptr(), segment, layers, &mut out_hit) })?.then_some(out_hit))
     }
 
-    /// Closest model along a segment from a to b, both included; t in 0..1.
     pub fn segment_test_batch<'a>(&self, segments: impl Into<Batch<'a, Segment>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let segments = segments.into();
         let out_hits = out_hits.into();
@@ -524,10 +514,6 @@ impl Scene {
         Ok(found(unsafe { sys::gphys_scene_nearest(self.handle.as_ptr(), point, max_distance, layers, &mut out_nearest) })?.then_some(out_nearest))
     }
 
-    /// The model nearest to a point, and its closest point.
-    /// * `max_distance`: >= 0, INFINITY allowed; a model at exactly this distance counts
-    ///
-    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
     pub fn nearest_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, max_distance: f32, layers: u32, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
         let points = points.into();
         let out_nearest = out_nearest.into();
@@ -544,8 +530,6 @@ impl Scene {
         Ok(found(unsafe { sys::gphys_scene_sweep_sphere(self.handle.as_ptr(), sphere, displacement, layers, &mut out_hit) })?.then_some(out_hit))
     }
 
-    /// First model that a sphere touches while it moves by displacement; t in 0..1.
-    /// Fields as in `gphys_shape_sweep_sphere`.
     pub fn sweep_sphere_batch<'a>(&self, spheres: impl Into<Batch<'a, Sphere>>, displacements: impl Into<Batch<'a, Vec3>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let spheres = spheres.into();
         let displacements = displacements.into();
@@ -951,9 +935,6 @@ impl Solver {
         Ok(out_body)
     }
 
-    /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    /// with `GPHYS_CLOTH_BEND` one across each inner edge. Vertices at the same place stay separate.
-    /// * `transform`: places the mesh; may be NULL
     pub fn remove_body(&mut self, body: BodyId) -> Result<()> {
         check(unsafe { sys::gphys_solver_remove_body(self.handle.as_ptr(), body) })
     }
@@ -1014,7 +995,6 @@ impl Solver {
         check(unsafe { sys::gphys_solver_get_velocities(self.handle.as_ptr(), body, first, count, out_velocities.data, out_velocities.stride) })
     }
 
-    /// m/s
     pub fn set_velocities<'a>(&mut self, body: BodyId, first: u32, velocities: impl Into<Batch<'a, Vec3>>) -> Result<()> {
         let velocities = velocities.into();
         let count = common_length(&[velocities.length])?;
@@ -1028,7 +1008,6 @@ impl Solver {
         check(unsafe { sys::gphys_solver_get_masses(self.handle.as_ptr(), body, first, count, out_masses.data, out_masses.stride) })
     }
 
-    /// kg, > 0. A pinned particle keeps its mass for the time when it is released.
     pub fn set_masses<'a>(&mut self, body: BodyId, first: u32, masses: impl Into<Batch<'a, f32>>) -> Result<()> {
         let masses = masses.into();
         let count = common_length(&[masses.length])?;
@@ -1132,11 +1111,6 @@ impl Solver {
         Ok((out_volume, out_pressure))
     }
 
-    /// The volume held by `gphys_solver_set_volume`, m^3, as it is, and the pressure in pascals with which it was
-    /// held at the end of the last step: above 0 it pushes outward.
-    /// * `out_volume, out_pressure`: may be NULL
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` if none is held
     pub fn remove_constraint(&mut self, body: BodyId, constraint: ConstraintId) -> Result<()> {
         check(unsafe { sys::gphys_solver_remove_constraint(self.handle.as_ptr(), body, constraint) })
     }
@@ -1304,11 +1278,6 @@ pub fn contains(shape: &dyn Shape, point: impl Into<Vec3>, tolerance: f32) -> Re
     Ok(out_contains != 0)
 }
 
-/// Whether the point is within tolerance metres of the shape (solid or surface).
-/// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-/// axes are those of its rotation in double precision).
-/// * `tolerance`: >= 0
-/// * `out_contains`: 0 or 1
 pub fn contains_batch<'a>(shape: &dyn Shape, points: impl Into<Batch<'a, Vec3>>, tolerance: f32, out_contains: impl Into<BatchMut<'a, i32>>) -> Result<()> {
     let points = points.into();
     let out_contains = out_contains.into();

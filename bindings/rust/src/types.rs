@@ -151,7 +151,7 @@ impl SolveMethod {
 }
 
 pub const VERSION_MAJOR: u32 = 1;
-pub const VERSION_MINOR: u32 = 0;
+pub const VERSION_MINOR: u32 = 1;
 pub const VERSION_PATCH: u32 = 0;
 pub const MAX_COORDINATE: f32 = 1e15;
 pub const NO_TRIANGLE: u32 = 0xffffffff;
@@ -423,6 +423,8 @@ pub struct SceneDesc {
     pub task_runner: Hook<TaskRunner>,
     /// threads for one call, its own included, at most 1024; 0 and 1: that alone
     pub worker_count: u32,
+    /// must be 0
+    pub reserved: u32,
 }
 
 #[repr(C)]
@@ -463,6 +465,8 @@ pub struct CameraDesc {
     /// pixels, 1e-3 .. 1e6
     pub viewport_width: f32,
     pub viewport_height: f32,
+    /// not read: a client of release 1.0 has padding here
+    pub reserved: u32,
 }
 
 /// Orbit control: the camera circles a target. Inputs accumulate between updates in plain units;
@@ -527,6 +531,8 @@ pub struct SolverDesc {
     pub tolerance: f32,
     /// the most that a target may ask for, 1 .. 1000; default 64
     pub max_substeps: u32,
+    /// must be 0
+    pub reserved: u32,
 }
 
 /// Settings shared by all kinds of bodies.
@@ -713,12 +719,12 @@ const _: () = {
     assert!(std::mem::size_of::<MeshDesc>() == 8);
     assert!(std::mem::size_of::<OctreeStats>() == 32);
     assert!(std::mem::size_of::<OctreeBox>() == 32);
-    assert!(std::mem::size_of::<SceneDesc>() == 20);
+    assert!(std::mem::size_of::<SceneDesc>() == 24);
     assert!(std::mem::size_of::<ModelDesc>() == 16);
     assert!(std::mem::size_of::<ModelInfo>() == 20);
-    assert!(std::mem::size_of::<CameraDesc>() == 28);
+    assert!(std::mem::size_of::<CameraDesc>() == 32);
     assert!(std::mem::size_of::<Orbit>() == 60);
-    assert!(std::mem::size_of::<SolverDesc>() == 64);
+    assert!(std::mem::size_of::<SolverDesc>() == 68);
     assert!(std::mem::size_of::<BodyDesc>() == 52);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
@@ -852,6 +858,7 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).reserve_models) } as usize - p as usize, 16);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).task_runner) } as usize - p as usize, 24);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).worker_count) } as usize - p as usize, 32);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).reserved) } as usize - p as usize, 36);
     let s = std::mem::MaybeUninit::<ModelDesc>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
@@ -874,6 +881,7 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).reverse_z) } as usize - p as usize, 24);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).viewport_width) } as usize - p as usize, 28);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).viewport_height) } as usize - p as usize, 32);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).reserved) } as usize - p as usize, 36);
     let s = std::mem::MaybeUninit::<Orbit>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).target) } as usize - p as usize, 0);
@@ -903,6 +911,7 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).max_strain) } as usize - p as usize, 64);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).tolerance) } as usize - p as usize, 68);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).max_substeps) } as usize - p as usize, 72);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).reserved) } as usize - p as usize, 76);
     let s = std::mem::MaybeUninit::<BodyDesc>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);

@@ -9,7 +9,7 @@ module Gamephys
     end
 
     class SceneDesc < FFI::Struct
-      layout :struct_size, :uint32, :allocator, :pointer, :reserve_models, :uint32, :task_runner, :pointer, :worker_count, :uint32
+      layout :struct_size, :uint32, :allocator, :pointer, :reserve_models, :uint32, :task_runner, :pointer, :worker_count, :uint32, :reserved, :uint32
     end
 
     class ModelDesc < FFI::Struct
@@ -17,11 +17,11 @@ module Gamephys
     end
 
     class CameraDesc < FFI::Struct
-      layout :struct_size, :uint32, :allocator, :pointer, :handedness, :int32, :depth_range, :int32, :reverse_z, :int32, :viewport_width, :float, :viewport_height, :float
+      layout :struct_size, :uint32, :allocator, :pointer, :handedness, :int32, :depth_range, :int32, :reverse_z, :int32, :viewport_width, :float, :viewport_height, :float, :reserved, :uint32
     end
 
     class SolverDesc < FFI::Struct
-      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32, :sleep_speed, :float, :sleep_strain, :float, :sleep_time, :float, :max_strain, :float, :tolerance, :float, :max_substeps, :uint32
+      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32, :sleep_speed, :float, :sleep_strain, :float, :sleep_time, :float, :max_strain, :float, :tolerance, :float, :max_substeps, :uint32, :reserved, :uint32
     end
 
     class BodyDesc < FFI::Struct

@@ -196,7 +196,6 @@ module Gamephys
       nil
     end
 
-    # Change which queries see a model, or what its hits report. Children are not affected.
     def set_tag(model, tag)
       Low.check(Low.gphys_scene_set_tag(opened, model, tag))
       nil
@@ -227,8 +226,6 @@ module Gamephys
       nil
     end
 
-    # Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    # that moves when few move, O(n) when many do.
     def get_transforms(models, out: nil)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -237,8 +234,6 @@ module Gamephys
       out
     end
 
-    # Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    # that moves when few move, O(n) when many do.
     def get_world_transforms(models, out: nil)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -254,8 +249,6 @@ module Gamephys
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_raycast(opened, Ray.pack(ray), layers, out_hit))
     end
 
-    # Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-    # @return GPHYS_OK or GPHYS_NO_HIT
     def raycast_batch(rays, layers: ALL_LAYERS, out: nil)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
@@ -271,7 +264,6 @@ module Gamephys
       Int32.unpack(out_hit) != 0
     end
 
-    # Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
     def raycast_any_batch(rays, layers: ALL_LAYERS, out: nil)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
@@ -303,7 +295,6 @@ module Gamephys
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_segment_test(opened, Segment.pack(segment), layers, out_hit))
     end
 
-    # Closest model along a segment from a to b, both included; t in 0..1.
     def segment_test_batch(segments, layers: ALL_LAYERS, out: nil)
       segments = Low.array(Segment, segments)
       count = Low.common(segments)
@@ -342,9 +333,6 @@ module Gamephys
       Nearest.unpack(out_nearest) if Low.found(Low.gphys_scene_nearest(opened, Vec3.pack(point), max_distance, layers, out_nearest))
     end
 
-    # The model nearest to a point, and its closest point.
-    # @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-    # @return GPHYS_OK or GPHYS_NO_HIT
     def nearest_batch(points, max_distance: Float::INFINITY, layers: ALL_LAYERS, out: nil)
       points = Low.array(Vec3, points)
       count = Low.common(points)
@@ -360,8 +348,6 @@ module Gamephys
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_sweep_sphere(opened, Sphere.pack(sphere), Vec3.pack(displacement), layers, out_hit))
     end
 
-    # First model that a sphere touches while it moves by displacement; t in 0..1.
-    # Fields as in gphys_shape_sweep_sphere.
     def sweep_sphere_batch(spheres, displacements, layers: ALL_LAYERS, out: nil)
       spheres = Low.array(Sphere, spheres)
       displacements = Low.array(Vec3, displacements)
@@ -731,9 +717,6 @@ module Gamephys
       UInt32.unpack(out_body)
     end
 
-    # Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    # with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    # @param transform  places the mesh; may be NULL
     def remove_body(body)
       Low.check(Low.gphys_solver_remove_body(opened, body))
       nil
@@ -797,7 +780,6 @@ module Gamephys
       out
     end
 
-    # m/s
     def set_velocities(body, first, velocities)
       velocities = Low.array(Vec3, velocities)
       count = Low.common(velocities)
@@ -812,7 +794,6 @@ module Gamephys
       out
     end
 
-    # kg, > 0. A pinned particle keeps its mass for the time when it is released.
     def set_masses(body, first, masses)
       masses = Low.array(Float32, masses)
       count = Low.common(masses)
@@ -916,10 +897,6 @@ module Gamephys
       [Float32.unpack(out_volume), Float32.unpack(out_pressure)]
     end
 
-    # The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
-    # held at the end of the last step: above 0 it pushes outward.
-    # @param out_volume, out_pressure  may be NULL
-    # @return GPHYS_ERROR_UNSUPPORTED if none is held
     def remove_constraint(body, constraint)
       Low.check(Low.gphys_solver_remove_constraint(opened, body, constraint))
       nil
@@ -1080,11 +1057,6 @@ module Gamephys
     Int32.unpack(out_contains) != 0
   end
 
-  # Whether the point is within tolerance metres of the shape (solid or surface).
-  # With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-  # axes are those of its rotation in double precision).
-  # @param tolerance  >= 0
-  # @param out_contains  0 or 1
   def self.contains_batch(shape, points, tolerance: 0, out: nil)
     points = Low.array(Vec3, points)
     count = Low.common(points)

@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 
 /** Settings: the library's defaults, until one is changed. */
 public final class CameraDesc {
-    private final ByteBuffer memory = Batch.direct(Low.pick(40, 28));
+    private final ByteBuffer memory = Batch.direct(Low.pick(40, 32));
 
     public CameraDesc() {
         Low.check(Low.gphys_camera_desc_init(pointer(), memory.capacity()));
@@ -79,5 +79,19 @@ public final class CameraDesc {
 
     public float viewportHeight() {
         return memory.getFloat(Low.pick(32, 24));
+    }
+
+    /**
+     * <pre>
+     * not read: a client of release 1.0 has padding here
+     * </pre>
+     */
+    public CameraDesc reserved(int value) {
+        memory.putInt(Low.pick(36, 28), value);
+        return this;
+    }
+
+    public int reserved() {
+        return memory.getInt(Low.pick(36, 28));
     }
 }

@@ -57,7 +57,7 @@ public final class Gamephys extends GamephysBase {
     public static final int SOLVE_DIRECT = 1;
     public static final int SOLVE_GRAPH = 2;
     public static final int VERSION_MAJOR = 1;
-    public static final int VERSION_MINOR = 0;
+    public static final int VERSION_MINOR = 1;
     public static final int VERSION_PATCH = 0;
     public static final float MAX_COORDINATE = 1000000000000000.0f;
     public static final int NO_TRIANGLE = 0xffffffff;
@@ -112,15 +112,6 @@ public final class Gamephys extends GamephysBase {
         return contains(shape, point, 0);
     }
 
-    /**
-     * <pre>
-     * Whether the point is within tolerance metres of the shape (solid or surface).
-     * With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-     * axes are those of its rotation in double precision).
-     * &#64;param tolerance  &gt;= 0
-     * &#64;param out_contains  0 or 1
-     * </pre>
-     */
     public static Batch<Integer> containsBatch(Shape shape, Batch<Vec3> points, float tolerance, Batch<Integer> out) {
         Scratch scratch = Scratch.get();
         int count = Low.common(points.common());

@@ -241,11 +241,6 @@ public final class Scene extends SceneBase {
         Low.check(status);
     }
 
-    /**
-     * <pre>
-     * Change which queries see a model, or what its hits report. Children are not affected.
-     * </pre>
-     */
     public void setTag(int model, int tag) {
         int status = Low.gphys_scene_set_tag(opened(), model, tag);
         Low.keep(this);
@@ -301,12 +296,6 @@ public final class Scene extends SceneBase {
         setTransforms(models, (Batch<Transform>) null);
     }
 
-    /**
-     * <pre>
-     * Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-     * that moves when few move, O(n) when many do.
-     * </pre>
-     */
     public Batch<Transform> getTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
         Batch<Transform> room = Batch.room(Transform.LAYOUT, count, out);
@@ -321,12 +310,6 @@ public final class Scene extends SceneBase {
         return getTransforms(models, (Batch<Transform>) null);
     }
 
-    /**
-     * <pre>
-     * Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-     * that moves when few move, O(n) when many do.
-     * </pre>
-     */
     public Batch<Transform> getWorldTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
         Batch<Transform> room = Batch.room(Transform.LAYOUT, count, out);
@@ -359,12 +342,6 @@ public final class Scene extends SceneBase {
         return raycast(ray, Gamephys.ALL_LAYERS);
     }
 
-    /**
-     * <pre>
-     * Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT
-     * </pre>
-     */
     public Batch<Hit> raycastBatch(Batch<Ray> rays, int layers, Batch<Hit> out) {
         int count = Low.common(rays.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
@@ -402,11 +379,6 @@ public final class Scene extends SceneBase {
         return raycastAny(ray, Gamephys.ALL_LAYERS);
     }
 
-    /**
-     * <pre>
-     * Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-     * </pre>
-     */
     public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, int layers, Batch<Integer> out) {
         int count = Low.common(rays.common());
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
@@ -486,11 +458,6 @@ public final class Scene extends SceneBase {
         return segmentTest(segment, Gamephys.ALL_LAYERS);
     }
 
-    /**
-     * <pre>
-     * Closest model along a segment from a to b, both included; t in 0..1.
-     * </pre>
-     */
     public Batch<Hit> segmentTestBatch(Batch<Segment> segments, int layers, Batch<Hit> out) {
         int count = Low.common(segments.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
@@ -596,13 +563,6 @@ public final class Scene extends SceneBase {
         return nearest(point, Float.POSITIVE_INFINITY, Gamephys.ALL_LAYERS);
     }
 
-    /**
-     * <pre>
-     * The model nearest to a point, and its closest point.
-     * &#64;param max_distance  &gt;= 0, INFINITY allowed; a model at exactly this distance counts
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT
-     * </pre>
-     */
     public Batch<Nearest> nearestBatch(Batch<Vec3> points, float maxDistance, int layers, Batch<Nearest> out) {
         int count = Low.common(points.common());
         Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
@@ -645,12 +605,6 @@ public final class Scene extends SceneBase {
         return sweepSphere(sphere, displacement, Gamephys.ALL_LAYERS);
     }
 
-    /**
-     * <pre>
-     * First model that a sphere touches while it moves by displacement; t in 0..1.
-     * Fields as in gphys_shape_sweep_sphere.
-     * </pre>
-     */
     public Batch<Hit> sweepSphereBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, int layers, Batch<Hit> out) {
         int count = Low.common(spheres.common(), displacements.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);

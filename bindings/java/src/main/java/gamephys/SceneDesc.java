@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 
 /** Settings: the library's defaults, until one is changed. */
 public final class SceneDesc {
-    private final ByteBuffer memory = Batch.direct(Low.pick(40, 20));
+    private final ByteBuffer memory = Batch.direct(Low.pick(40, 24));
 
     public SceneDesc() {
         Low.check(Low.gphys_scene_desc_init(pointer(), memory.capacity()));
@@ -62,5 +62,19 @@ public final class SceneDesc {
 
     public int workerCount() {
         return memory.getInt(Low.pick(32, 16));
+    }
+
+    /**
+     * <pre>
+     * must be 0
+     * </pre>
+     */
+    public SceneDesc reserved(int value) {
+        memory.putInt(Low.pick(36, 20), value);
+        return this;
+    }
+
+    public int reserved() {
+        return memory.getInt(Low.pick(36, 20));
     }
 }

@@ -171,13 +171,6 @@ public final class Solver extends Owned {
         return addClothMesh(mesh, (Transform) null, (BodyDesc) null);
     }
 
-    /**
-     * <pre>
-     * Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-     * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-     * &#64;param transform  places the mesh; may be NULL
-     * </pre>
-     */
     public void removeBody(int body) {
         int status = Low.gphys_solver_remove_body(opened(), body);
         Low.keep(this);
@@ -303,11 +296,6 @@ public final class Solver extends Owned {
         return getVelocities(body, first, count, (Batch<Vec3>) null);
     }
 
-    /**
-     * <pre>
-     * m/s
-     * </pre>
-     */
     public void setVelocities(int body, int first, Batch<Vec3> velocities) {
         int count = Low.common(velocities.common());
         int status = Low.gphys_solver_set_velocities(opened(), body, first, count, velocities.pointer(), velocities.stride());
@@ -333,11 +321,6 @@ public final class Solver extends Owned {
         return getMasses(body, first, count, (Batch<Float>) null);
     }
 
-    /**
-     * <pre>
-     * kg, &gt; 0. A pinned particle keeps its mass for the time when it is released.
-     * </pre>
-     */
     public void setMasses(int body, int first, Batch<Float> masses) {
         int count = Low.common(masses.common());
         int status = Low.gphys_solver_set_masses(opened(), body, first, count, masses.pointer(), masses.stride());
@@ -515,14 +498,6 @@ public final class Solver extends Owned {
         return new VolumeResult(scratch.getFloat(2), scratch.getFloat(3));
     }
 
-    /**
-     * <pre>
-     * The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
-     * held at the end of the last step: above 0 it pushes outward.
-     * &#64;param out_volume, out_pressure  may be NULL
-     * &#64;return GPHYS_ERROR_UNSUPPORTED if none is held
-     * </pre>
-     */
     public void removeConstraint(int body, int constraint) {
         int status = Low.gphys_solver_remove_constraint(opened(), body, constraint);
         Low.keep(this);

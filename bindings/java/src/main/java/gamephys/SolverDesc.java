@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 
 /** Settings: the library's defaults, until one is changed. */
 public final class SolverDesc {
-    private final ByteBuffer memory = Batch.direct(Low.pick(80, 64));
+    private final ByteBuffer memory = Batch.direct(Low.pick(80, 68));
 
     public SolverDesc() {
         Low.check(Low.gphys_solver_desc_init(pointer(), memory.capacity()));
@@ -188,5 +188,19 @@ public final class SolverDesc {
 
     public int maxSubsteps() {
         return memory.getInt(Low.pick(72, 60));
+    }
+
+    /**
+     * <pre>
+     * must be 0
+     * </pre>
+     */
+    public SolverDesc reserved(int value) {
+        memory.putInt(Low.pick(76, 64), value);
+        return this;
+    }
+
+    public int reserved() {
+        return memory.getInt(Low.pick(76, 64));
     }
 }
