@@ -34,6 +34,14 @@
  *            an error (no hit, list cut short) is positive, an error is negative. On an error
  *            outputs are untouched and the object is unchanged; gphys_last_error() explains it.
  *            The checks are the same in every build. The library never prints, aborts or throws.
+ * Errors     Those below are not repeated at each function; its comment names all others.
+ *            GPHYS_ERROR_INVALID_ARGUMENT for NULL where that is not allowed, NaN, a number outside
+ *            its range, an unknown type or a wrong stride; GPHYS_ERROR_INVALID_ID for the id of
+ *            something that does not exist; GPHYS_ERROR_STRUCT_SIZE for a desc that was not
+ *            initialised or uses what a later release added; GPHYS_ERROR_OUT_OF_MEMORY from
+ *            functions that allocate, which are those that create, add, or say so.
+ * Cost       Time. n is the number of models of a scene, of triangles of a mesh or of an array's
+ *            elements, k the number of results; O(1) depends on none of them.
  * Handles    gphys_mesh, gphys_scene, gphys_camera and gphys_solver belong to the caller:
  *            create / destroy; destroying NULL does nothing.
  * Ids        uint32_t, 0 is none. A removed id stays invalid for at least 260 000 additions: a
@@ -53,7 +61,7 @@
  * Memory     Queries allocate nothing. Nothing that the library returns has to be freed except
  *            handles. Arrays are copied in and copied out, never kept.
  * Threads    Different objects: any threads. One object: functions that take it as const may run
- *            at the same time, all others need the caller's lock. No thread is started unless a
+ *            at the same time; all others need external synchronisation. No thread is started unless a
  *            desc asks for it (gphys_scene_create and gphys_solver_create say which calls its workers
  *            share). Callbacks come on the thread that called the library, never on a worker.
  */
@@ -106,16 +114,18 @@ enum {
     GPHYS_ERROR_INTERNAL = -100   /* a defect of the library; please report it */
 };
 
-/** Version of the loaded library as major << 16 | minor << 8 | patch. Threads: any. */
+/** Version of the loaded library as major << 16 | minor << 8 | patch. It may differ from that of the header
+ *  (GPHYS_VERSION_...): one of the same major version that is earlier lacks functions and desc fields.
+ *  Threads: any. Cost: O(1). */
 GPHYS_API uint32_t gphys_version(void);
 
-/** Name of a status, such as "GPHYS_NO_HIT"; "unknown" for other values. Static string, never
- *  NULL. Threads: any. */
+/** Name of a status, such as "GPHYS_NO_HIT"; "unknown" for other values. Static string, never NULL.
+ *  Threads: any. Cost: O(1). */
 GPHYS_API const char* gphys_status_name(gphys_status status);
 
 /** What the last failed call on this thread objected to: one English sentence, UTF-8, at most 255
  *  bytes, empty before the first error. The text is overwritten by the next error on this thread
- *  and kept by successful calls. Threads: each has its own. */
+ *  and kept by successful calls. Threads: each has its own. Cost: O(1). */
 GPHYS_API const char* gphys_last_error(void);
 
 /** Memory functions for one object and everything in it. Both are called on the thread that calls
@@ -285,19 +295,23 @@ typedef struct gphys_solver gphys_solver;
  * ------------------------------------------------------------------------------------------ */
 
 /** Whether the shape fulfils the ranges beside its struct.
- *  @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field. */
+ *  @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_shape_validate(gphys_shape_type type, const void* shape);
 
 /** The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
  *  @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
- *          and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum */
+ *          and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+ *  Cost: O(1), for a mesh too. */
 GPHYS_API gphys_status gphys_shape_bounds(gphys_shape_type type, const void* shape, gphys_aabb* out_bounds);
 
 /** Move a shape. Error: each float of the result within 1 ulp of its largest coordinate.
+ *  @param transform  scale > 0
  *  @param out_shape  same struct as shape, except that an AABB becomes a gphys_obb; may be shape
  *                    itself where the types agree. A ray's t_max is kept (its direction scales).
  *  @return GPHYS_ERROR_UNSUPPORTED for a mesh; GPHYS_ERROR_INVALID_ARGUMENT if the result leaves
- *          the range of coordinates. */
+ *          the range of coordinates
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_shape_transform(gphys_shape_type type, const void* shape, const gphys_transform* transform,
                                              void* out_shape);
 
@@ -305,9 +319,14 @@ GPHYS_API gphys_status gphys_shape_transform(gphys_shape_type type, const void* 
  *  With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
  *  axes are those of its rotation in double precision).
  *  @param tolerance  >= 0
- *  @param out_contains  0 or 1 */
+ *  @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_contains(gphys_shape_type type, const void* shape, const gphys_vec3* point,
                                             float tolerance, int32_t* out_contains);
+/** Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
+ *  @param points        a stride of 0 asks for one point count times
+ *  @param tolerance     metres, >= 0, for all points
+ *  @param out_contains  count elements, each 0 or 1
+ *  Cost: that of count single calls. */
 GPHYS_API gphys_status gphys_shape_contains_batch(gphys_shape_type type, const void* shape, const gphys_vec3* points,
                                                   uint32_t point_stride, uint32_t count, float tolerance,
                                                   int32_t* out_contains, uint32_t out_stride);
@@ -316,16 +335,23 @@ GPHYS_API gphys_status gphys_shape_contains_batch(gphys_shape_type type, const v
  *  Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
  *  coordinate difference. If several are equally close, one of them,
  *  always the same. For a ray, t is limited by t_max.
- *  @return GPHYS_NO_HIT only for an empty mesh or an empty frustum. */
+ *  @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+ *  Cost: O(1); O(log n) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_closest_point(gphys_shape_type type, const void* shape, const gphys_vec3* point,
                                                  gphys_nearest* out_nearest);
-/** The same for count points. An element for which there is none gets distance INFINITY. */
+/** The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
+ *  element for which there is none gets distance INFINITY.
+ *  @param points       a stride of 0 asks for one point count times
+ *  @param out_nearest  count elements
+ *  Cost: that of count single calls. */
 GPHYS_API gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* shape,
                                                        const gphys_vec3* points, uint32_t point_stride, uint32_t count,
                                                        gphys_nearest* out_nearest, uint32_t out_stride);
 
 /** The closest points of two segments and their distance. Parallel segments have many: the first
- *  along a, always the same. out_a, out_b, out_distance may each be NULL. */
+ *  along a, always the same.
+ *  @param out_a, out_b, out_distance  each may be NULL; metres
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_segment_closest_points(const gphys_segment* a, const gphys_segment* b, gphys_vec3* out_a,
                                                     gphys_vec3* out_b, float* out_distance);
 
@@ -334,10 +360,16 @@ GPHYS_API gphys_status gphys_segment_closest_points(const gphys_segment* a, cons
  *  A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
  *  Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
  *  precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
- *  @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test). */
+ *  @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+ *  Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh. */
 GPHYS_API gphys_status gphys_shape_overlaps(gphys_shape_type a_type, const void* a, gphys_shape_type b_type,
                                             const void* b, int32_t* out_overlaps);
-/** Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0. */
+/** Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
+ *  @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
+ *                       needs 0
+ *  @param out_overlaps  count elements, each 0 or 1
+ *  @return GPHYS_ERROR_UNSUPPORTED for rays and segments
+ *  Cost: that of count single calls. */
 GPHYS_API gphys_status gphys_shape_overlaps_batch(gphys_shape_type a_type, const void* a, uint32_t a_stride,
                                                   gphys_shape_type b_type, const void* b, uint32_t b_stride,
                                                   uint32_t count, int32_t* out_overlaps, uint32_t out_stride);
@@ -351,13 +383,17 @@ enum {
 };
 
 /** Classify a sphere, capsule, AABB, OBB or triangle against a plane.
- *  @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
- *                              behind, 0 when crossing; may be NULL */
+ *  @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
+ *                              behind, 0 when crossing; may be NULL
+ *  @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_shape_classify_plane(gphys_shape_type type, const void* shape, const gphys_plane* plane,
                                                   gphys_side* out_side, float* out_signed_distance);
 
 /** Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
- *  that no point is shared, inside that the frustum holds the whole shape. */
+ *  that no point is shared, inside that the frustum holds the whole shape.
+ *  @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_shape_classify_frustum(gphys_shape_type type, const void* shape,
                                                     const gphys_frustum* frustum, gphys_side* out_side);
 
@@ -367,11 +403,16 @@ GPHYS_API gphys_status gphys_shape_classify_frustum(gphys_shape_type type, const
  *  Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
  *  and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
  *  smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
- *  @return GPHYS_OK or GPHYS_NO_HIT */
+ *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+ *  Cost: O(1); O(log n) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_raycast(gphys_shape_type type, const void* shape, const gphys_ray* ray,
                                            gphys_hit* out_hit);
-/** The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
- *  GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK */
+/** First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
+ *  t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
+ *  @param rays      a stride of 0 casts one ray count times
+ *  @param out_hits  count elements
+ *  @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+ *  Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way. */
 GPHYS_API gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape, const gphys_ray* rays,
                                                  uint32_t ray_stride, uint32_t count, gphys_hit* out_hits,
                                                  uint32_t out_stride);
@@ -379,25 +420,28 @@ GPHYS_API gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const vo
 /** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
  *  A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
  *  then is met from no direction, the normal is zero.
- *  @return GPHYS_OK or GPHYS_NO_HIT */
+ *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+ *  Cost: as gphys_shape_raycast. */
 GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const void* shape, const gphys_segment* segment,
                                                 gphys_hit* out_hit);
 
-/** First contact of a sphere that moves by displacement (which may be zero) with a sphere,
- *  capsule, AABB, OBB, plane, triangle, frustum or mesh.
+/** First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
+ *  triangle, frustum or mesh.
+ *  @param displacement  metres; may be zero
  *  @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
  *                  the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
  *                  and where the centre itself is in a solid, the normal is opposite to the
  *                  displacement (zero if that is zero).
+ *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
  *  Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
- *  Cost: a frustum, approached step by step, takes about 10 us.
- *  @return GPHYS_OK or GPHYS_NO_HIT */
+ *  Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void* shape, const gphys_sphere* sphere,
                                                 const gphys_vec3* displacement, gphys_hit* out_hit);
 
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  *  left-bottom, right-bottom, right-top, left-top.
- *  @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane) */
+ *  @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_frustum_corners(const gphys_frustum* frustum, gphys_vec3 out_corners[8]);
 
 /** Depth range of clip space. */
@@ -410,7 +454,8 @@ enum {
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
  *  origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
  *  @param reverse_z  0: near has the low depth; 1: near has the high depth
- *  @return GPHYS_ERROR_SINGULAR if the matrix has no volume */
+ *  @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_depth_range depth_range,
                                                  int32_t reverse_z, gphys_frustum* out_frustum);
 
@@ -431,10 +476,13 @@ typedef struct gphys_mesh_report {
     uint32_t open_edge_count;  /* edges that do not join exactly two triangles; 0 for a closed mesh */
 } gphys_mesh_report;
 
-/** Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
- *  @param vertices       vertex_count elements of 3 floats
+/** Examine arrays without building anything. Allocates while it runs.
+ *  @param vertices       vertex_count elements of 3 floats, metres
  *  @param vertex_stride  bytes between vertices, at least 12
- *  @param indices        index_count numbers, three for each triangle */
+ *  @param indices        index_count numbers, three for each triangle
+ *  @param out_report     what was found; indices out of range and bad vertices are counted, not refused
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
+ *  Cost: O(n log n). */
 GPHYS_API gphys_status gphys_mesh_check(const float* vertices, uint32_t vertex_stride, uint32_t vertex_count,
                                         const uint32_t* indices, uint32_t index_count, gphys_mesh_report* out_report);
 
@@ -443,7 +491,10 @@ typedef struct gphys_mesh_desc {
     const gphys_allocator* allocator; /* NULL: the C++ runtime's */
 } gphys_mesh_desc;
 
-/** Fill a desc with the defaults. size is sizeof(gphys_mesh_desc) of the caller. */
+/** Fill a desc with the defaults of gphys_mesh_create.
+ *  @param size  sizeof(gphys_mesh_desc) of the caller; no byte beyond is written
+ *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_mesh_desc_init(gphys_mesh_desc* desc, uint32_t size);
 
 /** Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
@@ -456,28 +507,40 @@ GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const floa
                                          uint32_t vertex_count, const uint32_t* indices, uint32_t index_count,
                                          gphys_mesh** out_mesh);
 
-/** Give up the caller's hold. Models that use the mesh keep it alive as long as they exist. */
+/** Release the caller's reference to a mesh; NULL does nothing. The handle is invalid from then on. Models
+ *  that use the mesh keep it alive as long as they exist.
+ *  Cost: O(1); O(n) to free a mesh that no model uses. */
 GPHYS_API void gphys_mesh_destroy(gphys_mesh* mesh);
 
-/** What the mesh was built from. */
+/** What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report);
-/** Copy the vertices out; in their original order. */
+/** Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+ *  Cost: O(vertices). */
 GPHYS_API gphys_status gphys_mesh_get_vertices(const gphys_mesh* mesh, gphys_vec3* out_vertices, uint32_t capacity,
                                                uint32_t* out_total);
-/** Copy the indices out; in their original order. */
+/** Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
+ *  *out_total counts indices, not triangles.
+ *  Cost: O(n). */
 GPHYS_API gphys_status gphys_mesh_get_indices(const gphys_mesh* mesh, uint32_t* out_indices, uint32_t capacity,
                                               uint32_t* out_total);
 
 /** All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
- *  Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits) */
+ *  Kept when the array is too small: the first ones.
+ *  @return GPHYS_OK (also for 0 hits)
+ *  Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray, gphys_hit* out_hits,
                                               uint32_t capacity, uint32_t* out_total);
 
-/** Whether a ray hits anything; cheaper than the closest hit. */
+/** Whether a ray hits anything; cheaper than the closest hit.
+ *  @param out_hit  0 or 1
+ *  Cost: O(log n) expected. */
 GPHYS_API gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray, int32_t* out_hit);
 
 /** Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
- *  ascending. Kept when the array is too small: the lowest. */
+ *  ascending. Kept when the array is too small: the lowest.
+ *  @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+ *  Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, const void* shape,
                                           uint32_t* out_triangles, uint32_t capacity, uint32_t* out_total);
 
@@ -500,9 +563,10 @@ typedef struct gphys_octree_box {
     uint32_t item_count; /* 0 for an inner node */
 } gphys_octree_box;
 
-/** Cost: O(nodes). */
+/** How the mesh's octree is made up. Cost: O(nodes). */
 GPHYS_API gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_stats* out_stats);
-/** Boxes of the tree, each parent before its children. Kept when too many: the first. */
+/** Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+ *  Cost: O(nodes). */
 GPHYS_API gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys_octree_box* out_boxes,
                                                    uint32_t capacity, uint32_t* out_total);
 
@@ -530,17 +594,27 @@ typedef struct gphys_scene_desc {
     uint32_t reserved;     /* must be 0 */
 } gphys_scene_desc;
 
+/** Fill a desc with the defaults of gphys_scene_create, which stand beside its fields.
+ *  @param size  sizeof(gphys_scene_desc) of the caller; no byte beyond is written
+ *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t size);
-/** With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
+/** Create a scene without models.
+ *  With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
  *  adding and moving many models, share their work among n threads; the results have the same bits
  *  for every n. Without a task_runner n - 1 threads are started here and joined by
  *  gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
  *  work. They take no signals but faults, and the floating-point settings of the thread that
  *  created them. In a child of fork they are gone: calls there run on one thread, as they do on a
  *  platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
- *  @param desc  may be NULL
- *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started */
+ *  @param desc  NULL: the defaults
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
+ *          reserve_models is above 2^24 - 1
+ *  Cost: O(reserve_models), and that of starting the threads. */
 GPHYS_API gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_scene);
+/** Destroy a scene and its models; NULL does nothing. Handles and ids are invalid from then on. Joins its
+ *  worker threads. No other call on the scene may be under way.
+ *  Cost: O(n). */
 GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
 
 /** Move the point of the world that all coordinates of the scene count from, those that it is given
@@ -553,7 +627,7 @@ GPHYS_API void gphys_scene_destroy(gphys_scene* scene);
  *  Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
  *  on. Queries cost nothing more. */
 GPHYS_API gphys_status gphys_scene_set_origin(gphys_scene* scene, const double origin[3]);
-/** Where in the world the scene's coordinates count from. */
+/** Where in the world the scene's coordinates count from. Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_origin(const gphys_scene* scene, double out_origin[3]);
 
 typedef struct gphys_model_desc {
@@ -563,6 +637,10 @@ typedef struct gphys_model_desc {
     uint32_t tag;          /* any number of the caller's, returned with each hit; 0 */
 } gphys_model_desc;
 
+/** Fill a desc with the defaults of gphys_scene_add, which stand beside its fields.
+ *  @param size  sizeof(gphys_model_desc) of the caller; no byte beyond is written
+ *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t size);
 
 /** Add a model.
@@ -577,25 +655,35 @@ GPHYS_API gphys_status gphys_scene_add(gphys_scene* scene, gphys_shape_type type
                                        const gphys_transform* transform, const gphys_model_desc* desc,
                                        gphys_model_id* out_model);
 
-/** Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
- *  needs shape_stride 0). transforms may be NULL. out_models has count elements. */
+/** Add count models of one type, all or none, as gphys_scene_add does one.
+ *  @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
+ *  @param transforms  local; a stride of 0 shares one; NULL is the identity
+ *  @param desc        for all; NULL: no parent, layer 1, tag 0
+ *  @param out_models  count elements
+ *  @return as gphys_scene_add
+ *  Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n. */
 GPHYS_API gphys_status gphys_scene_add_batch(gphys_scene* scene, gphys_shape_type type, const void* shapes,
                                              uint32_t shape_stride, const gphys_transform* transforms,
                                              uint32_t transform_stride, uint32_t count, const gphys_model_desc* desc,
                                              gphys_model_id* out_models);
 
-/** Remove a model. Its children stay where they are in the world and lose their parent. */
+/** Remove a model. Its children stay where they are in the world and lose their parent.
+ *  Cost: O(log n) amortised, and O(1) a child. */
 GPHYS_API gphys_status gphys_scene_remove(gphys_scene* scene, gphys_model_id model);
-/** Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID. */
+/** Remove models, all or none.
+ *  @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
+ *  Cost: that of count calls of gphys_scene_remove. */
 GPHYS_API gphys_status gphys_scene_remove_batch(gphys_scene* scene, const gphys_model_id* models, uint32_t count);
-/** Remove a model and all its descendants. */
+/** Remove a model and all its descendants. Cost: O(log n) amortised for each. */
 GPHYS_API gphys_status gphys_scene_remove_subtree(gphys_scene* scene, gphys_model_id model);
-/** Remove all. Ids given out before stay invalid. */
+/** Remove all models. Ids given out before stay invalid. Cost: O(n). */
 GPHYS_API gphys_status gphys_scene_clear(gphys_scene* scene);
 
-/** GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID. */
+/** Whether an id names a model of this scene.
+ *  @return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_has(const gphys_scene* scene, gphys_model_id model);
-/** Ids of all models, ascending. Kept when too many: the lowest. */
+/** Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n). */
 GPHYS_API gphys_status gphys_scene_get_models(const gphys_scene* scene, gphys_model_id* out_models, uint32_t capacity,
                                               uint32_t* out_total);
 
@@ -608,39 +696,68 @@ typedef struct gphys_model_info {
     uint32_t child_count; /* direct children */
 } gphys_model_info;
 
-/** Kind, parent, layers, tag and number of children of a model. */
+/** Kind, parent, layers, tag and number of children of a model. Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model, gphys_model_info* out_info);
-/** Copy a model's shape, in its own coordinates, to out_shape, which has room for the struct of
- *  its type: out_size is that room in bytes. For a mesh GPHYS_ERROR_UNSUPPORTED. */
+/** Copy a model's shape, in its own coordinates.
+ *  @param out_shape  has room for the struct of the model's type (gphys_scene_get_info)
+ *  @param out_size   that room, in bytes
+ *  @return GPHYS_ERROR_UNSUPPORTED for a mesh
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id model, void* out_shape,
                                              uint32_t out_size);
 /** World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
- *  of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position. */
+ *  of its sizes wider. That of an empty mesh is its position.
+ *  @return GPHYS_UNBOUNDED for a plane
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id model, gphys_aabb* out_bounds);
-/** World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out. */
+/** World box of all bounded models. Planes are left out.
+ *  @return GPHYS_NO_HIT if there are none
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds);
 
-/** Change which queries see a model, or what its hits report. Children are not affected. */
+/** Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
+ *  affected.
+ *  @param layers  any mask; 0: no query sees it
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_set_layers(gphys_scene* scene, gphys_model_id model, uint32_t layers);
+/** Change the number that a model's hits report beside its id. Children are not affected.
+ *  @param tag  any number of the caller's
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_set_tag(gphys_scene* scene, gphys_model_id model, uint32_t tag);
 
 /** Hang a model below another one, or below none (0).
  *  @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
  *                     changed so that the world transform stays (within float32 rounding)
- *  @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants */
+ *  @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+ *  Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves. */
 GPHYS_API gphys_status gphys_scene_set_parent(gphys_scene* scene, gphys_model_id model, gphys_model_id parent,
                                               int32_t keep_world);
 
-/** Set one local transform. Descendants follow. Cost: O(log n) for each model that moves. */
+/** Set a model's local transform. Descendants follow.
+ *  @param transform  relative to the parent; scale > 0
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
+ *  Cost: O(log n) for each model that moves. */
 GPHYS_API gphys_status gphys_scene_set_transform(gphys_scene* scene, gphys_model_id model,
                                                  const gphys_transform* transform);
-/** Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
- *  that moves when few move, O(n) when many do. */
+/** Set the local transforms of many models, all or none; a model that stands twice gets the last.
+ *  Descendants follow.
+ *  @param models      count ids
+ *  @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
+ *  Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. */
 GPHYS_API gphys_status gphys_scene_set_transforms(gphys_scene* scene, const gphys_model_id* models,
                                                   const gphys_transform* transforms, uint32_t transform_stride,
                                                   uint32_t count);
+/** Local transforms of count models, as they were set: relative to the parent.
+ *  @param models          count ids; one may stand twice
+ *  @param out_transforms  count elements
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_scene_get_transforms(const gphys_scene* scene, const gphys_model_id* models,
                                                   uint32_t count, gphys_transform* out_transforms, uint32_t out_stride);
+/** World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+ *  answer is exact with respect to these.
+ *  @param models          count ids; one may stand twice
+ *  @param out_transforms  count elements
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene, const gphys_model_id* models,
                                                         uint32_t count, gphys_transform* out_transforms,
                                                         uint32_t out_stride);
@@ -653,46 +770,76 @@ GPHYS_API gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene
  * an image. */
 
 /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
- *  @return GPHYS_OK or GPHYS_NO_HIT */
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: O(log n) expected; no allocation. */
 GPHYS_API gphys_status gphys_scene_raycast(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
                                            gphys_hit* out_hit);
+/** Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
+ *  t = INFINITY.
+ *  @param rays      a stride of 0 casts one ray count times
+ *  @param out_hits  count elements
+ *  Cost: at most that of count single calls; shared among workers. */
 GPHYS_API gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
                                                  uint32_t count, uint32_t layers, gphys_hit* out_hits,
                                                  uint32_t out_stride);
 
-/** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit. */
+/** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+ *  @param out_hit  0 or 1
+ *  Cost: O(log n) expected. */
 GPHYS_API gphys_status gphys_scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
                                                int32_t* out_hit);
+/** Whether each of count rays meets anything, as gphys_scene_raycast_any.
+ *  @param rays      a stride of 0 casts one ray count times
+ *  @param out_hits  count elements, each 0 or 1
+ *  Cost: at most that of count single calls; shared among workers. */
 GPHYS_API gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* rays,
                                                      uint32_t ray_stride, uint32_t count, uint32_t layers,
                                                      int32_t* out_hits, uint32_t out_stride);
 
 /** Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
- *  the first. */
+ *  the first. Cost: O(log n + k log k) expected. */
 GPHYS_API gphys_status gphys_scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
                                                gphys_hit* out_hits, uint32_t capacity, uint32_t* out_total);
-/** The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+/** Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
+ *  out_hits[out_offsets[i]] up to out_offsets[i + 1].
+ *  @param rays         a stride of 0 casts one ray count times
  *  @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
  *                      room. Where a ray's range crosses capacity, its first hits are written.
  *  What stands in out_hits behind the last hit afterwards is unspecified.
- *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity */
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+ *  Cost: that of count single calls; shared among workers. */
 GPHYS_API gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* rays,
                                                      uint32_t ray_stride, uint32_t count, uint32_t layers,
                                                      gphys_hit* out_hits, uint32_t capacity, uint32_t* out_offsets);
 
-/** Closest model along a segment from a to b, both included; t in 0..1. */
+/** Closest model along a segment from a to b, both included; t in 0..1. Fields as in
+ *  gphys_shape_segment_test.
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: O(log n) expected. */
 GPHYS_API gphys_status gphys_scene_segment_test(const gphys_scene* scene, const gphys_segment* segment, uint32_t layers,
                                                 gphys_hit* out_hit);
+/** Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
+ *  model = 0 and t = INFINITY.
+ *  @param segments  a stride of 0 tests one segment count times
+ *  @param out_hits  count elements
+ *  Cost: that of count single calls; shared among workers. */
 GPHYS_API gphys_status gphys_scene_segment_test_batch(const gphys_scene* scene, const gphys_segment* segments,
                                                       uint32_t segment_stride, uint32_t count, uint32_t layers,
                                                       gphys_hit* out_hits, uint32_t out_stride);
 
-/** Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
- *  ascending. Kept when too many: the lowest. */
+/** Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
+ *  gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
+ *  @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+ *  Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_scene_overlap(const gphys_scene* scene, gphys_shape_type type, const void* shape,
                                            uint32_t layers, gphys_model_id* out_models, uint32_t capacity,
                                            uint32_t* out_total);
-/** Offsets as in gphys_scene_raycast_all_batch. */
+/** Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
+ *  i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
+ *  @param shapes       a stride of 0 asks for one shape count times
+ *  @param out_offsets  count + 1 numbers, always complete
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
+ *  Cost: at most that of count single calls; shared among workers. */
 GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
                                                  uint32_t shape_stride, uint32_t count, uint32_t layers,
                                                  gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets);
@@ -701,37 +848,55 @@ GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys
  *  own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
  *  per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
  *  too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
- *  as scratch memory to order them. */
+ *  as scratch memory to order them. Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
                                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 
 /** The model nearest to a point, and its closest point.
  *  @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
- *  @return GPHYS_OK or GPHYS_NO_HIT */
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: O(log n) expected. */
 GPHYS_API gphys_status gphys_scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance,
                                            uint32_t layers, gphys_nearest* out_nearest);
+/** The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
+ *  distance = INFINITY.
+ *  @param points        a stride of 0 asks for one point count times
+ *  @param max_distance  metres, >= 0, INFINITY allowed, for all points
+ *  @param out_nearest   count elements
+ *  Cost: that of count single calls; shared among workers. */
 GPHYS_API gphys_status gphys_scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* points,
                                                  uint32_t point_stride, uint32_t count, float max_distance,
                                                  uint32_t layers, gphys_nearest* out_nearest, uint32_t out_stride);
 
 /** First model that a sphere touches while it moves by displacement; t in 0..1.
- *  Fields as in gphys_shape_sweep_sphere. */
+ *  Fields as in gphys_shape_sweep_sphere.
+ *  @param displacement  metres; may be zero
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: O(log n + k) expected, k the models that the swept box touches. */
 GPHYS_API gphys_status gphys_scene_sweep_sphere(const gphys_scene* scene, const gphys_sphere* sphere,
                                                 const gphys_vec3* displacement, uint32_t layers, gphys_hit* out_hit);
+/** First models that count spheres touch while each moves by its displacement, as
+ *  gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
+ *  @param spheres        a stride of 0 takes one sphere throughout
+ *  @param displacements  metres; a stride of 0 moves all alike
+ *  @param out_hits       count elements
+ *  Cost: that of count single calls; shared among workers. */
 GPHYS_API gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, const gphys_sphere* spheres,
                                                       uint32_t sphere_stride, const gphys_vec3* displacements,
                                                       uint32_t displacement_stride, uint32_t count, uint32_t layers,
                                                       gphys_hit* out_hits, uint32_t out_stride);
 
-/** Cost: O(nodes). */
+/** How the scene's octree is made up. Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);
-/** Boxes of the tree, each parent before its children. Kept when too many: the first. */
+/** Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+ *  Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_boxes(const gphys_scene* scene, gphys_octree_box* out_boxes,
                                                     uint32_t capacity, uint32_t* out_total);
 
 /** Check the scene's own structure: every model once in the tree, every box around its content,
- *  parents and children in agreement, free slots free. For tests; O(n).
- *  @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong */
+ *  parents and children in agreement, free slots free. For tests.
+ *  @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+ *  Cost: O(n). */
 GPHYS_API gphys_status gphys_scene_validate(const gphys_scene* scene);
 
 /* ------------------------------------------------------------------------------------------
@@ -763,60 +928,82 @@ typedef struct gphys_camera_desc {
     uint32_t reserved; /* not read: a client of release 1.0 has padding here */
 } gphys_camera_desc;
 
+/** Fill a desc with the defaults of gphys_camera_create, which stand beside its fields.
+ *  @param size  sizeof(gphys_camera_desc) of the caller; no byte beyond is written
+ *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_desc_init(gphys_camera_desc* desc, uint32_t size);
-/** @param desc  may be NULL */
+/** Create a camera with the defaults above.
+ *  @param desc  NULL: the defaults
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_create(const gphys_camera_desc* desc, gphys_camera** out_camera);
+/** Destroy a camera; NULL does nothing. The handle is invalid from then on. Cost: O(1). */
 GPHYS_API void gphys_camera_destroy(gphys_camera* camera);
 
 /** Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
  *  The camera and the target of its orbit stay where they are in the world. Picking and culling need a
- *  scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT. */
+ *  scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
+ *  @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_origin(gphys_camera* camera, const double origin[3]);
-/** Where in the world the camera's coordinates count from. */
+/** Where in the world the camera's coordinates count from, metres. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_origin(const gphys_camera* camera, double out_origin[3]);
 
-/** @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
- *  @param near_distance  > 0
- *  @param far_distance   > near_distance; INFINITY allowed */
+/** See with a perspective projection; what is further away is smaller.
+ *  @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
+ *  @param near_distance  metres, > 0
+ *  @param far_distance   metres, > near_distance; INFINITY allowed
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_perspective(gphys_camera* camera, float fov_y, float near_distance,
                                                     float far_distance);
-/** @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
- *  @param near_distance, far_distance  far at least 1e-6 above near, which may be negative */
+/** See with an orthographic projection; the distance changes no size.
+ *  @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+ *  @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float height, float near_distance,
                                                      float far_distance);
-/** Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
- *  library's). It is not changed by gphys_camera_set_viewport.
+/** See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
+ *  another library's). It is not changed by gphys_camera_set_viewport.
  *  @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
  *          GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
- *          the matrix is for another depth range */
+ *          the matrix is for another depth range
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const gphys_mat4* projection);
-/** The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height. */
+/** The viewport was resized. Perspective keeps fov_y, orthographic its height.
+ *  @param width, height  pixels, 1e-3 .. 1e6
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height);
 
-/** Place the camera. */
+/** Place the camera.
+ *  @param position  metres, of its centre
+ *  @param rotation  from its own axes to those of the world
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_transform(gphys_camera* camera, const gphys_vec3* position,
                                                   const gphys_quat* rotation);
 /** Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
- *  kept, then up), so that a matrix which drifted is mended.
+ *  kept, then up), so that a matrix which drifted is corrected.
  *  @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
- *          they mirror or the last row is not 0 0 0 1 */
+ *          they mirror or the last row is not 0 0 0 1
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_world_matrix(gphys_camera* camera, const gphys_mat4* world);
 /** Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
  *  chosen in its place, always the same for the same input.
- *  @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero */
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_look_at(gphys_camera* camera, const gphys_vec3* eye, const gphys_vec3* target,
                                             const gphys_vec3* up);
 
-/** Where the camera stands and how it is turned. */
+/** Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_transform(const gphys_camera* camera, gphys_vec3* out_position,
                                                   gphys_quat* out_rotation);
-/** Camera to world. */
+/** The matrix from camera to world. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_world_matrix(const gphys_camera* camera, gphys_mat4* out_world);
-/** World to camera: the transpose of the orthonormal world axes, and the position through them. */
+/** The matrix from world to camera: the transpose of the orthonormal world axes, and the position
+ *  through them. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_view_matrix(const gphys_camera* camera, gphys_mat4* out_view);
-/** Camera to clip space. */
+/** The matrix from camera to clip space. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_projection_matrix(const gphys_camera* camera, gphys_mat4* out_projection);
-/** Projection * view, multiplied in double precision and rounded once. */
+/** Projection * view, multiplied in double precision and rounded once. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_view_projection_matrix(const gphys_camera* camera,
                                                                gphys_mat4* out_view_projection);
 
@@ -835,48 +1022,72 @@ typedef struct gphys_orbit {
     float min_pitch, max_pitch;       /* within -pi/2 .. pi/2 */
 } gphys_orbit;
 
-/** Defaults: target 0, up +Y, distance 10, yaw and pitch 0, one radian and one metre per unit,
- *  distance 0.01 .. INFINITY, pitch -89 .. 89 degrees. */
+/** Fill in the defaults: target 0, up +Y, distance 10, yaw and pitch 0, one radian and one metre per
+ *  unit, distance 0.01 .. INFINITY, pitch -89 .. 89 degrees. Cost: O(1). */
 GPHYS_API gphys_status gphys_orbit_init(gphys_orbit* orbit);
 /** Start orbiting with these settings; places the camera at once and drops pending input. An angle
- *  or a distance outside its limits is brought inside. */
+ *  or a distance outside its limits is brought inside. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_orbit(gphys_camera* camera, const gphys_orbit* orbit);
-/** The present settings, angles and distance.
- *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit */
+/** The present settings, angles and distance of the orbit.
+ *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_orbit(const gphys_camera* camera, gphys_orbit* out_orbit);
-/** Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size. */
+/** Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+ *  @param units_x, units_y  finite, any size
+ *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float units_x, float units_y);
-/** Add input: come closer by units times metres_per_unit (go back if negative). */
+/** Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+ *  @param units  finite, any size
+ *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_zoom(gphys_camera* camera, float units);
-/** Add input: move the target to the camera's right and up, as the last update left them, by units
- *  times metres_per_unit. */
+/** Add input to the orbit: move the target to the camera's right and up, as the last update left them,
+ *  by units times metres_per_unit.
+ *  @param units_right, units_up  finite, any size
+ *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_pan(gphys_camera* camera, float units_right, float units_up);
 /** Apply the input since the last update, within the limits, and place the camera. Angles are
- *  wrapped to -pi .. pi in constant time. The orbit's settings must have been set. */
+ *  wrapped to -pi .. pi in constant time.
+ *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_update(gphys_camera* camera);
 
 /** The seen volume, with origin at the camera's position and planes from its parameters: each
- *  number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double. */
+ *  number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphys_frustum* out_frustum);
-/** World positions of its corners, in the order of gphys_frustum_corners.
- *  @return GPHYS_UNBOUNDED with an infinite far plane */
+/** World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
+ *  @return GPHYS_UNBOUNDED with an infinite far plane
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_corners(const gphys_camera* camera, gphys_vec3 out_corners[8]);
 
-/** World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
- * depth in the camera's range.
+/** World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
+ *  z is the depth in the camera's range.
  *  @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
- *          image lies beyond the range of coordinates */
+ *          image lies beyond the range of coordinates
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_project(const gphys_camera* camera, const gphys_vec3* point, gphys_vec3* out_pixel);
-/** The same for count points; a point without an image gets x = y = z = INFINITY. */
+/** Pixels of count world points, as gphys_camera_project; a point without an image gets
+ *  x = y = z = INFINITY.
+ *  @param points      metres; a stride of 0 projects one point count times
+ *  @param out_pixels  count elements
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_camera_project_batch(const gphys_camera* camera, const gphys_vec3* points,
                                                   uint32_t point_stride, uint32_t count, gphys_vec3* out_pixels,
                                                   uint32_t out_stride);
 /** Pixel and depth to world point: the inverse of gphys_camera_project.
  *  @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
- *          beyond the range of coordinates */
+ *          beyond the range of coordinates
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_unproject(const gphys_camera* camera, const gphys_vec3* pixel,
                                               gphys_vec3* out_point);
-/** The same for count pixels; one at infinity gets x = y = z = INFINITY. */
+/** World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
+ *  x = y = z = INFINITY.
+ *  @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
+ *  @param out_points  count elements
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_camera_unproject_batch(const gphys_camera* camera, const gphys_vec3* pixels,
                                                     uint32_t pixel_stride, uint32_t count, gphys_vec3* out_points,
                                                     uint32_t out_stride);
@@ -885,32 +1096,46 @@ GPHYS_API gphys_status gphys_camera_unproject_batch(const gphys_camera* camera, 
  *  on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
  *  Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
  *  near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
- *  For perspective the stretch before the near plane is part of the ray. Pixels outside the
- *  viewport are allowed.
- *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections) */
+ *  For perspective the stretch before the near plane is part of the ray.
+ *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
+ *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_pick_ray(const gphys_camera* camera, float pixel_x, float pixel_y,
                                              gphys_ray* out_ray);
-/** Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32. */
+/** Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
+ *  @param x, y, width, height  pixels; width * height rays, fewer than 2^32
+ *  @param out_rays             width * height elements
+ *  @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+ *  Cost: O(width * height). */
 GPHYS_API gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32_t x, uint32_t y, uint32_t width,
                                               uint32_t height, gphys_ray* out_rays, uint32_t out_stride);
 
 /** The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
  *  float32; t is in metres.
- *  @return GPHYS_OK or GPHYS_NO_HIT */
+ *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: O(log n) expected. */
 GPHYS_API gphys_status gphys_camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x,
                                          float pixel_y, uint32_t layers, gphys_hit* out_hit);
-/** The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches. */
+/** The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
+ *  t = INFINITY.
+ *  @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
+ *  @param out_hits  count elements
+ *  Cost: at most that of count single calls; shared among the scene's workers. */
 GPHYS_API gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_scene* scene,
                                                const float* pixels, uint32_t pixel_stride, uint32_t count,
                                                uint32_t layers, gphys_hit* out_hits, uint32_t out_stride);
 /** Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
- *  rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
- *  @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area */
+ *  rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
+ *  @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+ *  Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0,
                                                    float y0, float x1, float y1, uint32_t layers,
                                                    gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 
-/** gphys_scene_cull with the camera's frustum. */
+/** Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+ *  Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* scene, uint32_t layers,
                                          gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 
@@ -944,28 +1169,44 @@ typedef struct gphys_solver_desc {
     uint32_t reserved;     /* must be 0 */
 } gphys_solver_desc;
 
+/** Fill a desc with the defaults of gphys_solver_create, which stand beside its fields.
+ *  @param size  sizeof(gphys_solver_desc) of the caller; no byte beyond is written
+ *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size);
-/** With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
+/** Create a solver without bodies.
+ *  With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
  *  every n. Threads are started, joined and lost as those of gphys_scene_create.
- *  @param desc  may be NULL
- *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started */
+ *  @param desc  NULL: the defaults
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+ *  Cost: O(1), and that of starting the threads. */
 GPHYS_API gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** out_solver);
+/** Destroy a solver with its bodies and joints; NULL does nothing. Handles and ids are invalid from then
+ *  on. Joins its worker threads. No other call on the solver may be under way.
+ *  Cost: O(particles + constraints). */
 GPHYS_API void gphys_solver_destroy(gphys_solver* solver);
 
 /** Move the point of the world that the coordinates of all particles count from; see
  *  gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
  *  step and an attachment need a scene of the same origin, else they return
- *  GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles). */
+ *  GPHYS_ERROR_INVALID_ARGUMENT.
+ *  @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+ *  Cost: O(particles). */
 GPHYS_API gphys_status gphys_solver_set_origin(gphys_solver* solver, const double origin[3]);
-/** Where in the world the particles' coordinates count from. */
+/** Where in the world the particles' coordinates count from, metres. Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_get_origin(const gphys_solver* solver, double out_origin[3]);
 
-/** m/s^2, from the next step on. */
+/** Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
+ *  @param gravity  m/s^2; may be zero
+ *  Cost: O(bodies). */
 GPHYS_API gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity);
-/** 1 .. 1000. More substeps: smaller errors, proportionally more time. The error of motion goes with the square
- *  of their length. Ropes that move calmly - in a substep no link turns by half a radian, or would swing by one if
- *  its ends were pushed - make each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the
- *  error. */
+/** Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
+ *  error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
+ *  by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
+ *  al. 1985): twice the time, a seventh of the error.
+ *  @param substeps  1 .. 1000
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps);
 
 enum {
@@ -999,35 +1240,55 @@ typedef struct gphys_body_desc {
  * step are moved by one thread, and fall asleep and wake together. Cost: some 2 microseconds for each
  * particle and substep, and 700 bytes for each particle. */
 
+/** Fill a desc with the defaults of the gphys_solver_add_... functions, which stand beside its fields.
+ *  @param size  sizeof(gphys_body_desc) of the caller; no byte beyond is written
+ *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_body_desc_init(gphys_body_desc* desc, uint32_t size);
 
-/** Add particles without constraints.
- *  @param desc  may be NULL
- *  @param positions  count elements, count >= 1 */
+/** Add a body of particles without constraints.
+ *  @param desc       NULL: the defaults
+ *  @param positions  metres; count elements, count >= 1
+ *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_add_particles(gphys_solver* solver, const gphys_body_desc* desc,
                                                   const gphys_vec3* positions, uint32_t position_stride, uint32_t count,
                                                   gphys_body_id* out_body);
 /** Add a rope through the given points, one particle at each.
- *  @param count  >= 2
- *  @param link_length  rest length of each link in metres; 0: as placed */
+ *  @param desc         NULL: the defaults
+ *  @param positions    metres; count elements, count >= 2
+ *  @param link_length  rest length of each link in metres; 0: as placed
+ *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_body_desc* desc,
                                              const gphys_vec3* positions, uint32_t position_stride, uint32_t count,
                                              float link_length, gphys_body_id* out_body);
 /** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
  *  corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
- *  @param columns, rows  >= 2 */
+ *  @param desc           NULL: the defaults
+ *  @param corner         metres
+ *  @param edge_u, edge_v metres, from the corner along a row and along a column
+ *  @param columns, rows  >= 2
+ *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+ *  Cost: O(columns * rows). */
 GPHYS_API gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_body_desc* desc,
                                               const gphys_vec3* corner, const gphys_vec3* edge_u,
                                               const gphys_vec3* edge_v, uint32_t columns, uint32_t rows,
                                               gphys_body_id* out_body);
 /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
  *  with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
- *  @param transform  places the mesh; may be NULL */
+ *  @param desc       NULL: the defaults
+ *  @param transform  places the mesh; NULL is the identity
+ *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+ *  Cost: O(n log n). */
 GPHYS_API gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const gphys_body_desc* desc,
                                                    const gphys_mesh* mesh, const gphys_transform* transform,
                                                    gphys_body_id* out_body);
+/** Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
+ *  last step are no longer listed.
+ *  Cost: O(particles + constraints of the body), and O(joints of the solver). */
 GPHYS_API gphys_status gphys_solver_remove_body(gphys_solver* solver, gphys_body_id body);
-/** Ids of all bodies, ascending. Kept when too many: the lowest. */
+/** Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies). */
 GPHYS_API gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
                                                uint32_t* out_total);
 
@@ -1037,11 +1298,12 @@ GPHYS_API gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys
  *  keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
  *  wakes in the step before which a model came, went or moved as near as it could come in a step at
  *  50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
- *  its state, of gravity or of the origin. */
+ *  its state, of gravity or of the origin. Cost: O(bodies). */
 GPHYS_API gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id* out_bodies,
                                                  uint32_t capacity, uint32_t* out_total);
 /** Wake a body; its time of rest begins again.
- *  @param body  0: all */
+ *  @param body  0: all
+ *  Cost: O(1) a body. */
 GPHYS_API gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id body);
 
 typedef int32_t gphys_body_kind;
@@ -1069,53 +1331,92 @@ typedef struct gphys_body_info {
  *  it allocates. */
 GPHYS_API gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body,
                                                   gphys_body_info* out_info);
-/** Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles. */
+/** Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
+ *  *out_total counts numbers, not triangles; it is 0 for other bodies.
+ *  Cost: O(triangles). */
 GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
                                                   uint32_t capacity, uint32_t* out_total);
 
 /* State of the particles first .. first + count - 1 of a body. A range that does not lie within
  * the body is GPHYS_ERROR_INVALID_ARGUMENT. Setters check all elements before they change any. */
 
-/** Metres. */
+/** Where the particles are, metres.
+ *  @param first, count   the particles first .. first + count - 1; a range beyond the body is
+ *                        GPHYS_ERROR_INVALID_ARGUMENT
+ *  @param out_positions  count elements
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, gphys_vec3* out_positions, uint32_t out_stride);
-/** Moves particles there at once and without collision on the way; velocities stay as they are. */
+/** Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param positions     metres; a stride of 0 moves all to one place
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                   uint32_t count, const gphys_vec3* positions, uint32_t stride);
-/** m/s */
+/** How fast the particles are, m/s.
+ *  @param first, count    as in gphys_solver_get_positions
+ *  @param out_velocities  count elements; 0 of what is pinned
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                    uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride);
+/** Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param velocities    m/s; a stride of 0 gives all the same
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                    uint32_t count, const gphys_vec3* velocities, uint32_t stride);
-/** kg, > 0. A pinned particle keeps its mass for the time when it is released. */
+/** Masses of particles, kg. That of a pinned particle is what it has when it is released.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param out_masses    count elements
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                                uint32_t count, float* out_masses, uint32_t out_stride);
+/** Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
+ *  Wakes the body.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param masses        kg, > 0; a stride of 0 gives all the same
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                const float* masses, uint32_t stride);
-/** Collision radius, metres, >= 0. */
+/** Change the collision radii of particles. Wakes the body.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param radii         metres, >= 0; a stride of 0 gives all the same
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                               const float* radii, uint32_t stride);
-/** Forces in newtons that act beside gravity, from now on until set again. */
+/** Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param forces        newtons; a stride of 0 gives all the same
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                const gphys_vec3* forces, uint32_t stride);
-/** Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
- *  gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment. */
+/** Pin or release particles. A pinned particle stays where it is put and moves only by
+ *  gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param pinned        1: pin; 0: release
+ *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                int32_t pinned);
 
 /** Fix a particle to a model: it follows the model's transform in each step, and is released when
  *  the model is gone. Steps must then be given this scene.
- *  @param local_point  in the model's coordinates; NULL: where the particle is now */
+ *  @param scene        of the same origin as the solver; not modified
+ *  @param local_point  metres, in the model's coordinates; NULL: where the particle is now
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene, gphys_body_id body,
                                            uint32_t particle, gphys_model_id model, const gphys_vec3* local_point);
 /** Release an attached particle.
- *  @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached */
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle);
 
 /** Hold two different particles of a body at a distance.
  *  @param rest_length  metres, >= 0; negative: the present distance
  *  @param compliance   metres per newton, >= 0; 0 is rigid
- *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one */
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
+ *          GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
+ *  Cost: O(1); the next step plans the body again, O(constraints). */
 GPHYS_API gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
                                                  uint32_t particle_b, float rest_length, float compliance,
                                                  gphys_constraint_id* out_constraint);
@@ -1126,7 +1427,7 @@ GPHYS_API gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_bod
  *  @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
  *  @return as gphys_solver_add_distance
  *  It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
- *  strained only when it is too long. */
+ *  strained only when it is too long. Cost: as gphys_solver_add_distance. */
 GPHYS_API gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
                                                      uint32_t particle_b, float max_length, float compliance,
                                                      gphys_constraint_id* out_constraint);
@@ -1134,7 +1435,8 @@ GPHYS_API gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys
  *  its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
  *  on steps. Rigid constraints have nothing to damp.
  *  @param damping  N s/m, >= 0; 0, which every constraint begins with: none
- *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist */
+ *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+ *  Cost: as gphys_solver_add_distance. */
 GPHYS_API gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_body_id body,
                                                            gphys_constraint_id constraint, float damping);
 /** Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
@@ -1150,9 +1452,13 @@ GPHYS_API gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_
 /** The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
  *  held at the end of the last step: above 0 it pushes outward.
  *  @param out_volume, out_pressure  may be NULL
- *  @return GPHYS_ERROR_UNSUPPORTED if none is held */
+ *  @return GPHYS_ERROR_UNSUPPORTED if none is held
+ *  Cost: O(triangles). */
 GPHYS_API gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
                                                float* out_pressure);
+/** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+ *  @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
+ *  Cost: as gphys_solver_add_distance. */
 GPHYS_API gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body,
                                                       gphys_constraint_id constraint);
 
@@ -1164,7 +1470,8 @@ typedef struct gphys_constraint_info {
     float compliance;  /* metres per newton */
 } gphys_constraint_info;
 
-/** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest. */
+/** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+ *  Cost: O(constraints). */
 GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,
                                                     gphys_constraint_info* out_constraints, uint32_t capacity,
                                                     uint32_t* out_total);
@@ -1186,8 +1493,9 @@ typedef uint32_t gphys_joint_id;
 GPHYS_API gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint32_t particle_a,
                                          gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance,
                                          gphys_joint_id* out_joint);
-/** End a joint.
- *  @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer */
+/** End a joint. Wakes both bodies.
+ *  @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
+ *  Cost: as gphys_solver_join. */
 GPHYS_API gphys_status gphys_solver_unjoin(gphys_solver* solver, gphys_joint_id joint);
 
 /** One joint. Frozen. */
@@ -1204,23 +1512,25 @@ typedef struct gphys_joint_info {
 } gphys_joint_info;
 
 /** Joints of a body, by id. Kept when too many: the lowest.
- *  @param body  0: of all bodies */
+ *  @param body  0: of all bodies
+ *  Cost: O(joints of the solver). */
 GPHYS_API gphys_status gphys_solver_get_joints(const gphys_solver* solver, gphys_body_id body,
                                                gphys_joint_info* out_joints, uint32_t capacity, uint32_t* out_total);
 
 /** Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
  *  takes more where they would be longer than 25 ms.
  *  @param scene  to collide with and to follow attachments; NULL: none. Not modified.
- *  @param dt     1e-6 .. 0.5
+ *  @param dt     seconds, 1e-6 .. 0.5
  *  Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
- *  through particles. Cost: O(particles + constraints)
- *  substeps, and a scene query for particles near models. */
+ *  through particles. May allocate.
+ *  Cost: O(particles + constraints) a substep, and a scene query for particles near models. */
 GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt);
 /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
  *  frame, so the motion does not depend on the frame rate.
  *  @param frame_time    seconds, >= 0
  *  @param out_steps     steps made; may be NULL
- *  @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL */
+ *  @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+ *  Cost: that of the steps made. */
 GPHYS_API gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene, float frame_time,
                                             uint32_t* out_steps, float* out_leftover);
 
@@ -1230,7 +1540,8 @@ GPHYS_API gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_sc
  *  and the local error of the time scheme, both of which go with its square. It is at
  *  most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
  *  target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
- *  met takes max_substeps. Where positions jump, by contacts, the error is that of the jump. */
+ *  met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+ *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body,
                                                  uint32_t* out_substeps);
 
@@ -1246,7 +1557,9 @@ typedef struct gphys_solver_stats {
     float potential_energy; /* joules: of gravity, 0 at the solver's origin, of stretch and of held volumes */
 } gphys_solver_stats;
 
-/** @param body  0: all bodies together.  Cost: O(particles + constraints). */
+/** Counts, strain and energy of a body at present.
+ *  @param body  0: all bodies together
+ *  Cost: O(particles + constraints). */
 GPHYS_API gphys_status gphys_solver_get_stats(const gphys_solver* solver, gphys_body_id body,
                                               gphys_solver_stats* out_stats);
 
@@ -1260,7 +1573,8 @@ typedef struct gphys_contact {
     gphys_vec3 normal; /* unit, from the model to the particle */
 } gphys_contact;
 
-/** Contacts of the last step by body, particle, model. Kept when too many: the first. */
+/** Contacts of the last step by body, particle, model. Kept when too many: the first.
+ *  Cost: O(contacts). */
 GPHYS_API gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact* out_contacts,
                                                  uint32_t capacity, uint32_t* out_total);
 

@@ -90,7 +90,8 @@ func (o *Mesh) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
-// What the mesh was built from.
+// What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+// Cost: O(1).
 func (o *Mesh) Report() (report MeshReport, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -105,7 +106,8 @@ func (o *Mesh) Report() (report MeshReport, err error) {
 	return
 }
 
-// Copy the vertices out; in their original order.
+// Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+// Cost: O(vertices).
 func (o *Mesh) Vertices() (result []Vec3, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -119,7 +121,9 @@ func (o *Mesh) Vertices() (result []Vec3, err error) {
 	return
 }
 
-// Copy the indices out; in their original order.
+// Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
+// *out_total counts indices, not triangles.
+// Cost: O(n).
 func (o *Mesh) Indices() (result []uint32, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -134,7 +138,9 @@ func (o *Mesh) Indices() (result []uint32, err error) {
 }
 
 // All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-// Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits)
+// Kept when the array is too small: the first ones.
+// @return GPHYS_OK (also for 0 hits)
+// Cost: O(log n + k) expected.
 func (o *Mesh) RaycastAll(ray Ray) (result []Hit, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -149,6 +155,8 @@ func (o *Mesh) RaycastAll(ray Ray) (result []Hit, err error) {
 }
 
 // Whether a ray hits anything; cheaper than the closest hit.
+// @param out_hit  0 or 1
+// Cost: O(log n) expected.
 func (o *Mesh) RaycastAny(ray Ray) (hit bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -165,6 +173,8 @@ func (o *Mesh) RaycastAny(ray Ray) (hit bool, err error) {
 
 // Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
 // ascending. Kept when the array is too small: the lowest.
+// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Cost: O(log n + k) expected.
 func (o *Mesh) Overlap(shape Shape) (result []uint32, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -183,7 +193,7 @@ func (o *Mesh) Overlap(shape Shape) (result []uint32, err error) {
 	return
 }
 
-// Cost: O(nodes).
+// How the mesh's octree is made up. Cost: O(nodes).
 func (o *Mesh) OctreeStats() (stats OctreeStats, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -198,7 +208,8 @@ func (o *Mesh) OctreeStats() (stats OctreeStats, err error) {
 	return
 }
 
-// Boxes of the tree, each parent before its children. Kept when too many: the first.
+// Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+// Cost: O(nodes).
 func (o *Mesh) OctreeBoxes() (result []OctreeBox, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -217,6 +228,7 @@ type Scene struct {
 	handle unsafe.Pointer
 }
 
+// Create a scene without models.
 // With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
 // adding and moving many models, share their work among n threads; the results have the same bits
 // for every n. Without a task_runner n - 1 threads are started here and joined by
@@ -224,8 +236,10 @@ type Scene struct {
 // work. They take no signals but faults, and the floating-point settings of the thread that
 // created them. In a child of fork they are gone: calls there run on one thread, as they do on a
 // platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-// @param desc  may be NULL
-// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+// @param desc  NULL: the defaults
+// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
+//         reserve_models is above 2^24 - 1
+// Cost: O(reserve_models), and that of starting the threads.
 func NewScene(desc *SceneDesc) (o *Scene, err error) {
 	r := C.go_gphys_scene_create((*C.gphys_scene_desc)(unsafe.Pointer(desc)))
 	if err = check(r.status, r.message); err != nil {
@@ -273,7 +287,7 @@ func (o *Scene) SetOrigin(origin [3]float64) (err error) {
 	return
 }
 
-// Where in the world the scene's coordinates count from.
+// Where in the world the scene's coordinates count from. Cost: O(1).
 func (o *Scene) Origin() (origin [3]float64, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -315,8 +329,13 @@ func (o *Scene) Add(shape Shape, transform *Transform, desc *ModelDesc) (model M
 	return
 }
 
-// Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
-// needs shape_stride 0). transforms may be NULL. out_models has count elements.
+// Add count models of one type, all or none, as gphys_scene_add does one.
+// @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
+// @param transforms  local; a stride of 0 shares one; NULL is the identity
+// @param desc        for all; NULL: no parent, layer 1, tag 0
+// @param out_models  count elements
+// @return as gphys_scene_add
+// Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
 func (o *Scene) AddBatch(shapes Shapes, transforms []Transform, desc *ModelDesc, models []ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -341,6 +360,7 @@ func (o *Scene) AddBatch(shapes Shapes, transforms []Transform, desc *ModelDesc,
 }
 
 // Remove a model. Its children stay where they are in the world and lose their parent.
+// Cost: O(log n) amortised, and O(1) a child.
 func (o *Scene) Remove(model ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -352,7 +372,9 @@ func (o *Scene) Remove(model ModelID) (err error) {
 	return
 }
 
-// Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID.
+// Remove models, all or none.
+// @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
+// Cost: that of count calls of gphys_scene_remove.
 func (o *Scene) RemoveBatch(models []ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -368,7 +390,7 @@ func (o *Scene) RemoveBatch(models []ModelID) (err error) {
 	return
 }
 
-// Remove a model and all its descendants.
+// Remove a model and all its descendants. Cost: O(log n) amortised for each.
 func (o *Scene) RemoveSubtree(model ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -380,7 +402,7 @@ func (o *Scene) RemoveSubtree(model ModelID) (err error) {
 	return
 }
 
-// Remove all. Ids given out before stay invalid.
+// Remove all models. Ids given out before stay invalid. Cost: O(n).
 func (o *Scene) Clear() (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -392,7 +414,7 @@ func (o *Scene) Clear() (err error) {
 	return
 }
 
-// Ids of all models, ascending. Kept when too many: the lowest.
+// Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
 func (o *Scene) Models() (result []ModelID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -406,7 +428,7 @@ func (o *Scene) Models() (result []ModelID, err error) {
 	return
 }
 
-// Kind, parent, layers, tag and number of children of a model.
+// Kind, parent, layers, tag and number of children of a model. Cost: O(1).
 func (o *Scene) Info(model ModelID) (info ModelInfo, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -422,7 +444,9 @@ func (o *Scene) Info(model ModelID) (info ModelInfo, err error) {
 }
 
 // World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-// of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+// of its sizes wider. That of an empty mesh is its position.
+// @return GPHYS_UNBOUNDED for a plane
+// Cost: O(1).
 func (o *Scene) Bounds(model ModelID) (bounds AABB, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -438,7 +462,9 @@ func (o *Scene) Bounds(model ModelID) (bounds AABB, found bool, err error) {
 	return
 }
 
-// World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out.
+// World box of all bounded models. Planes are left out.
+// @return GPHYS_NO_HIT if there are none
+// Cost: O(1).
 func (o *Scene) SceneBounds() (bounds AABB, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -454,7 +480,10 @@ func (o *Scene) SceneBounds() (bounds AABB, found bool, err error) {
 	return
 }
 
-// Change which queries see a model, or what its hits report. Children are not affected.
+// Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
+// affected.
+// @param layers  any mask; 0: no query sees it
+// Cost: O(1).
 func (o *Scene) SetLayers(model ModelID, layers uint32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -466,7 +495,9 @@ func (o *Scene) SetLayers(model ModelID, layers uint32) (err error) {
 	return
 }
 
-// SetTag calls gphys_scene_set_tag.
+// Change the number that a model's hits report beside its id. Children are not affected.
+// @param tag  any number of the caller's
+// Cost: O(1).
 func (o *Scene) SetTag(model ModelID, tag uint32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -482,6 +513,7 @@ func (o *Scene) SetTag(model ModelID, tag uint32) (err error) {
 // @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
 //                    changed so that the world transform stays (within float32 rounding)
 // @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+// Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
 func (o *Scene) SetParent(model ModelID, parent ModelID, keepWorld bool) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -493,7 +525,10 @@ func (o *Scene) SetParent(model ModelID, parent ModelID, keepWorld bool) (err er
 	return
 }
 
-// Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.
+// Set a model's local transform. Descendants follow.
+// @param transform  relative to the parent; scale > 0
+// @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
+// Cost: O(log n) for each model that moves.
 func (o *Scene) SetTransform(model ModelID, transform Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -505,8 +540,11 @@ func (o *Scene) SetTransform(model ModelID, transform Transform) (err error) {
 	return
 }
 
-// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-// that moves when few move, O(n) when many do.
+// Set the local transforms of many models, all or none; a model that stands twice gets the last.
+// Descendants follow.
+// @param models      count ids
+// @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
+// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
 func (o *Scene) SetTransforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -522,7 +560,10 @@ func (o *Scene) SetTransforms(models []ModelID, transforms []Transform) (err err
 	return
 }
 
-// Transforms calls gphys_scene_get_transforms.
+// Local transforms of count models, as they were set: relative to the parent.
+// @param models          count ids; one may stand twice
+// @param out_transforms  count elements
+// Cost: O(count).
 func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -541,7 +582,11 @@ func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error)
 	return
 }
 
-// WorldTransforms calls gphys_scene_get_world_transforms.
+// World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+// answer is exact with respect to these.
+// @param models          count ids; one may stand twice
+// @param out_transforms  count elements
+// Cost: O(count).
 func (o *Scene) WorldTransforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -562,6 +607,7 @@ func (o *Scene) WorldTransforms(models []ModelID, transforms []Transform) (err e
 
 // Closest model on a ray; the fields are exact as in gphys_shape_raycast.
 // @return GPHYS_OK or GPHYS_NO_HIT
+// Cost: O(log n) expected; no allocation.
 func (o *Scene) Raycast(ray Ray, layers uint32) (hit Hit, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -577,7 +623,11 @@ func (o *Scene) Raycast(ray Ray, layers uint32) (hit Hit, found bool, err error)
 	return
 }
 
-// RaycastBatch calls gphys_scene_raycast_batch.
+// Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
+// t = INFINITY.
+// @param rays      a stride of 0 casts one ray count times
+// @param out_hits  count elements
+// Cost: at most that of count single calls; shared among workers.
 func (o *Scene) RaycastBatch(rays []Ray, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -597,6 +647,8 @@ func (o *Scene) RaycastBatch(rays []Ray, layers uint32, hits []Hit) (err error) 
 }
 
 // Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+// @param out_hit  0 or 1
+// Cost: O(log n) expected.
 func (o *Scene) RaycastAny(ray Ray, layers uint32) (hit bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -611,7 +663,10 @@ func (o *Scene) RaycastAny(ray Ray, layers uint32) (hit bool, err error) {
 	return
 }
 
-// RaycastAnyBatch calls gphys_scene_raycast_any_batch.
+// Whether each of count rays meets anything, as gphys_scene_raycast_any.
+// @param rays      a stride of 0 casts one ray count times
+// @param out_hits  count elements, each 0 or 1
+// Cost: at most that of count single calls; shared among workers.
 func (o *Scene) RaycastAnyBatch(rays []Ray, layers uint32, hits []int32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -631,7 +686,7 @@ func (o *Scene) RaycastAnyBatch(rays []Ray, layers uint32, hits []int32) (err er
 }
 
 // Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-// the first.
+// the first. Cost: O(log n + k log k) expected.
 func (o *Scene) RaycastAll(ray Ray, layers uint32) (result []Hit, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -645,11 +700,14 @@ func (o *Scene) RaycastAll(ray Ray, layers uint32) (result []Hit, err error) {
 	return
 }
 
-// The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+// Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
+// out_hits[out_offsets[i]] up to out_offsets[i + 1].
+// @param rays         a stride of 0 casts one ray count times
 // @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
 //                     room. Where a ray's range crosses capacity, its first hits are written.
 // What stands in out_hits behind the last hit afterwards is unspecified.
 // @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+// Cost: that of count single calls; shared among workers.
 func (o *Scene) RaycastAllBatch(rays []Ray, layers uint32) (result Ragged[Hit], err error) {
 	self, err := o.open()
 	if err != nil {
@@ -667,7 +725,10 @@ func (o *Scene) RaycastAllBatch(rays []Ray, layers uint32) (result Ragged[Hit], 
 	return
 }
 
-// Closest model along a segment from a to b, both included; t in 0..1.
+// Closest model along a segment from a to b, both included; t in 0..1. Fields as in
+// gphys_shape_segment_test.
+// @return GPHYS_OK or GPHYS_NO_HIT
+// Cost: O(log n) expected.
 func (o *Scene) SegmentTest(segment Segment, layers uint32) (hit Hit, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -683,7 +744,11 @@ func (o *Scene) SegmentTest(segment Segment, layers uint32) (hit Hit, found bool
 	return
 }
 
-// SegmentTestBatch calls gphys_scene_segment_test_batch.
+// Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
+// model = 0 and t = INFINITY.
+// @param segments  a stride of 0 tests one segment count times
+// @param out_hits  count elements
+// Cost: that of count single calls; shared among workers.
 func (o *Scene) SegmentTestBatch(segments []Segment, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -702,8 +767,10 @@ func (o *Scene) SegmentTestBatch(segments []Segment, layers uint32, hits []Hit) 
 	return
 }
 
-// Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-// ascending. Kept when too many: the lowest.
+// Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
+// gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
+// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Cost: O(log n + k) expected.
 func (o *Scene) Overlap(shape Shape, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -722,7 +789,12 @@ func (o *Scene) Overlap(shape Shape, layers uint32) (result []ModelID, err error
 	return
 }
 
-// Offsets as in gphys_scene_raycast_all_batch.
+// Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
+// i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
+// @param shapes       a stride of 0 asks for one shape count times
+// @param out_offsets  count + 1 numbers, always complete
+// @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
+// Cost: at most that of count single calls; shared among workers.
 func (o *Scene) OverlapBatch(shapes Shapes, layers uint32) (result Ragged[ModelID], err error) {
 	self, err := o.open()
 	if err != nil {
@@ -749,7 +821,7 @@ func (o *Scene) OverlapBatch(shapes Shapes, layers uint32) (result Ragged[ModelI
 // own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
 // per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
 // too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-// as scratch memory to order them.
+// as scratch memory to order them. Cost: O(log n + k) expected.
 func (o *Scene) Cull(frustum Frustum, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -766,6 +838,7 @@ func (o *Scene) Cull(frustum Frustum, layers uint32) (result []ModelID, err erro
 // The model nearest to a point, and its closest point.
 // @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
 // @return GPHYS_OK or GPHYS_NO_HIT
+// Cost: O(log n) expected.
 func (o *Scene) Nearest(point Vec3, maxDistance float32, layers uint32) (nearest Nearest, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -781,7 +854,12 @@ func (o *Scene) Nearest(point Vec3, maxDistance float32, layers uint32) (nearest
 	return
 }
 
-// NearestBatch calls gphys_scene_nearest_batch.
+// The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
+// distance = INFINITY.
+// @param points        a stride of 0 asks for one point count times
+// @param max_distance  metres, >= 0, INFINITY allowed, for all points
+// @param out_nearest   count elements
+// Cost: that of count single calls; shared among workers.
 func (o *Scene) NearestBatch(points []Vec3, maxDistance float32, layers uint32, nearest []Nearest) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -802,6 +880,9 @@ func (o *Scene) NearestBatch(points []Vec3, maxDistance float32, layers uint32, 
 
 // First model that a sphere touches while it moves by displacement; t in 0..1.
 // Fields as in gphys_shape_sweep_sphere.
+// @param displacement  metres; may be zero
+// @return GPHYS_OK or GPHYS_NO_HIT
+// Cost: O(log n + k) expected, k the models that the swept box touches.
 func (o *Scene) SweepSphere(sphere Sphere, displacement Vec3, layers uint32) (hit Hit, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -817,7 +898,12 @@ func (o *Scene) SweepSphere(sphere Sphere, displacement Vec3, layers uint32) (hi
 	return
 }
 
-// SweepSphereBatch calls gphys_scene_sweep_sphere_batch.
+// First models that count spheres touch while each moves by its displacement, as
+// gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
+// @param spheres        a stride of 0 takes one sphere throughout
+// @param displacements  metres; a stride of 0 moves all alike
+// @param out_hits       count elements
+// Cost: that of count single calls; shared among workers.
 func (o *Scene) SweepSphereBatch(spheres []Sphere, displacements []Vec3, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -836,7 +922,7 @@ func (o *Scene) SweepSphereBatch(spheres []Sphere, displacements []Vec3, layers 
 	return
 }
 
-// Cost: O(nodes).
+// How the scene's octree is made up. Cost: O(nodes).
 func (o *Scene) OctreeStats() (stats OctreeStats, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -851,7 +937,8 @@ func (o *Scene) OctreeStats() (stats OctreeStats, err error) {
 	return
 }
 
-// Boxes of the tree, each parent before its children. Kept when too many: the first.
+// Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+// Cost: O(nodes).
 func (o *Scene) OctreeBoxes() (result []OctreeBox, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -866,8 +953,9 @@ func (o *Scene) OctreeBoxes() (result []OctreeBox, err error) {
 }
 
 // Check the scene's own structure: every model once in the tree, every box around its content,
-// parents and children in agreement, free slots free. For tests; O(n).
+// parents and children in agreement, free slots free. For tests.
 // @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+// Cost: O(n).
 func (o *Scene) Validate() (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -884,7 +972,9 @@ type Camera struct {
 	handle unsafe.Pointer
 }
 
-// @param desc  may be NULL
+// Create a camera with the defaults above.
+// @param desc  NULL: the defaults
+// Cost: O(1).
 func NewCamera(desc *CameraDesc) (o *Camera, err error) {
 	r := C.go_gphys_camera_create((*C.gphys_camera_desc)(unsafe.Pointer(desc)))
 	if err = check(r.status, r.message); err != nil {
@@ -915,6 +1005,8 @@ func (o *Camera) open() (unsafe.Pointer, error) {
 // Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
 // The camera and the target of its orbit stay where they are in the world. Picking and culling need a
 // scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
+// @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+// Cost: O(1).
 func (o *Camera) SetOrigin(origin [3]float64) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -926,7 +1018,7 @@ func (o *Camera) SetOrigin(origin [3]float64) (err error) {
 	return
 }
 
-// Where in the world the camera's coordinates count from.
+// Where in the world the camera's coordinates count from, metres. Cost: O(1).
 func (o *Camera) Origin() (origin [3]float64, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -941,9 +1033,11 @@ func (o *Camera) Origin() (origin [3]float64, err error) {
 	return
 }
 
-// @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
-// @param near_distance  > 0
-// @param far_distance   > near_distance; INFINITY allowed
+// See with a perspective projection; what is further away is smaller.
+// @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
+// @param near_distance  metres, > 0
+// @param far_distance   metres, > near_distance; INFINITY allowed
+// Cost: O(1).
 func (o *Camera) SetPerspective(fovY float32, nearDistance float32, farDistance float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -955,8 +1049,10 @@ func (o *Camera) SetPerspective(fovY float32, nearDistance float32, farDistance 
 	return
 }
 
+// See with an orthographic projection; the distance changes no size.
 // @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
-// @param near_distance, far_distance  far at least 1e-6 above near, which may be negative
+// @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+// Cost: O(1).
 func (o *Camera) SetOrthographic(height float32, nearDistance float32, farDistance float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -968,11 +1064,12 @@ func (o *Camera) SetOrthographic(height float32, nearDistance float32, farDistan
 	return
 }
 
-// Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
-// library's). It is not changed by gphys_camera_set_viewport.
+// See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
+// another library's). It is not changed by gphys_camera_set_viewport.
 // @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
 //         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
 //         the matrix is for another depth range
+// Cost: O(1).
 func (o *Camera) SetProjection(projection Mat4) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -984,7 +1081,9 @@ func (o *Camera) SetProjection(projection Mat4) (err error) {
 	return
 }
 
-// The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height.
+// The viewport was resized. Perspective keeps fov_y, orthographic its height.
+// @param width, height  pixels, 1e-3 .. 1e6
+// Cost: O(1).
 func (o *Camera) SetViewport(width float32, height float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -997,6 +1096,9 @@ func (o *Camera) SetViewport(width float32, height float32) (err error) {
 }
 
 // Place the camera.
+// @param position  metres, of its centre
+// @param rotation  from its own axes to those of the world
+// Cost: O(1).
 func (o *Camera) SetTransform(position Vec3, rotation Quat) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1009,9 +1111,10 @@ func (o *Camera) SetTransform(position Vec3, rotation Quat) (err error) {
 }
 
 // Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
-// kept, then up), so that a matrix which drifted is mended.
+// kept, then up), so that a matrix which drifted is corrected.
 // @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
 //         they mirror or the last row is not 0 0 0 1
+// Cost: O(1).
 func (o *Camera) SetWorldMatrix(world Mat4) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1026,6 +1129,7 @@ func (o *Camera) SetWorldMatrix(world Mat4) (err error) {
 // Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
 // chosen in its place, always the same for the same input.
 // @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+// Cost: O(1).
 func (o *Camera) LookAt(eye Vec3, target Vec3, up Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1037,7 +1141,7 @@ func (o *Camera) LookAt(eye Vec3, target Vec3, up Vec3) (err error) {
 	return
 }
 
-// Where the camera stands and how it is turned.
+// Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
 func (o *Camera) Transform() (position Vec3, rotation Quat, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1053,7 +1157,7 @@ func (o *Camera) Transform() (position Vec3, rotation Quat, err error) {
 	return
 }
 
-// Camera to world.
+// The matrix from camera to world. Cost: O(1).
 func (o *Camera) WorldMatrix() (world Mat4, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1068,7 +1172,8 @@ func (o *Camera) WorldMatrix() (world Mat4, err error) {
 	return
 }
 
-// World to camera: the transpose of the orthonormal world axes, and the position through them.
+// The matrix from world to camera: the transpose of the orthonormal world axes, and the position
+// through them. Cost: O(1).
 func (o *Camera) ViewMatrix() (view Mat4, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1083,7 +1188,7 @@ func (o *Camera) ViewMatrix() (view Mat4, err error) {
 	return
 }
 
-// Camera to clip space.
+// The matrix from camera to clip space. Cost: O(1).
 func (o *Camera) ProjectionMatrix() (projection Mat4, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1098,7 +1203,7 @@ func (o *Camera) ProjectionMatrix() (projection Mat4, err error) {
 	return
 }
 
-// Projection * view, multiplied in double precision and rounded once.
+// Projection * view, multiplied in double precision and rounded once. Cost: O(1).
 func (o *Camera) ViewProjectionMatrix() (viewProjection Mat4, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1114,7 +1219,7 @@ func (o *Camera) ViewProjectionMatrix() (viewProjection Mat4, err error) {
 }
 
 // Start orbiting with these settings; places the camera at once and drops pending input. An angle
-// or a distance outside its limits is brought inside.
+// or a distance outside its limits is brought inside. Cost: O(1).
 func (o *Camera) SetOrbit(orbit Orbit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1126,8 +1231,9 @@ func (o *Camera) SetOrbit(orbit Orbit) (err error) {
 	return
 }
 
-// The present settings, angles and distance.
+// The present settings, angles and distance of the orbit.
 // @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+// Cost: O(1).
 func (o *Camera) Orbit() (orbit Orbit, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1142,7 +1248,10 @@ func (o *Camera) Orbit() (orbit Orbit, err error) {
 	return
 }
 
-// Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size.
+// Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+// @param units_x, units_y  finite, any size
+// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+// Cost: O(1).
 func (o *Camera) OrbitRotate(unitsX float32, unitsY float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1154,7 +1263,10 @@ func (o *Camera) OrbitRotate(unitsX float32, unitsY float32) (err error) {
 	return
 }
 
-// Add input: come closer by units times metres_per_unit (go back if negative).
+// Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+// @param units  finite, any size
+// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+// Cost: O(1).
 func (o *Camera) OrbitZoom(units float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1166,8 +1278,11 @@ func (o *Camera) OrbitZoom(units float32) (err error) {
 	return
 }
 
-// Add input: move the target to the camera's right and up, as the last update left them, by units
-// times metres_per_unit.
+// Add input to the orbit: move the target to the camera's right and up, as the last update left them,
+// by units times metres_per_unit.
+// @param units_right, units_up  finite, any size
+// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+// Cost: O(1).
 func (o *Camera) OrbitPan(unitsRight float32, unitsUp float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1180,7 +1295,9 @@ func (o *Camera) OrbitPan(unitsRight float32, unitsUp float32) (err error) {
 }
 
 // Apply the input since the last update, within the limits, and place the camera. Angles are
-// wrapped to -pi .. pi in constant time. The orbit's settings must have been set.
+// wrapped to -pi .. pi in constant time.
+// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+// Cost: O(1).
 func (o *Camera) OrbitUpdate() (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1193,7 +1310,8 @@ func (o *Camera) OrbitUpdate() (err error) {
 }
 
 // The seen volume, with origin at the camera's position and planes from its parameters: each
-// number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double.
+// number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+// Cost: O(1).
 func (o *Camera) Frustum() (frustum Frustum, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1208,8 +1326,9 @@ func (o *Camera) Frustum() (frustum Frustum, err error) {
 	return
 }
 
-// World positions of its corners, in the order of gphys_frustum_corners.
+// World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
 // @return GPHYS_UNBOUNDED with an infinite far plane
+// Cost: O(1).
 func (o *Camera) Corners() (corners [8]Vec3, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1225,10 +1344,11 @@ func (o *Camera) Corners() (corners [8]Vec3, found bool, err error) {
 	return
 }
 
-// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
-// depth in the camera's range.
+// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
+// z is the depth in the camera's range.
 // @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
 //         image lies beyond the range of coordinates
+// Cost: O(1).
 func (o *Camera) Project(point Vec3) (pixel Vec3, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1244,7 +1364,11 @@ func (o *Camera) Project(point Vec3) (pixel Vec3, found bool, err error) {
 	return
 }
 
-// The same for count points; a point without an image gets x = y = z = INFINITY.
+// Pixels of count world points, as gphys_camera_project; a point without an image gets
+// x = y = z = INFINITY.
+// @param points      metres; a stride of 0 projects one point count times
+// @param out_pixels  count elements
+// Cost: O(count).
 func (o *Camera) ProjectBatch(points []Vec3, pixels []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1266,6 +1390,7 @@ func (o *Camera) ProjectBatch(points []Vec3, pixels []Vec3) (err error) {
 // Pixel and depth to world point: the inverse of gphys_camera_project.
 // @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
 //         beyond the range of coordinates
+// Cost: O(1).
 func (o *Camera) Unproject(pixel Vec3) (point Vec3, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1281,7 +1406,11 @@ func (o *Camera) Unproject(pixel Vec3) (point Vec3, found bool, err error) {
 	return
 }
 
-// The same for count pixels; one at infinity gets x = y = z = INFINITY.
+// World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
+// x = y = z = INFINITY.
+// @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
+// @param out_points  count elements
+// Cost: O(count).
 func (o *Camera) UnprojectBatch(pixels []Vec3, points []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1304,9 +1433,10 @@ func (o *Camera) UnprojectBatch(pixels []Vec3, points []Vec3) (err error) {
 // on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
 // Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
 // near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-// For perspective the stretch before the near plane is part of the ray. Pixels outside the
-// viewport are allowed.
+// For perspective the stretch before the near plane is part of the ray.
+// @param pixel_x, pixel_y  pixels; may lie outside the viewport
 // @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+// Cost: O(1).
 func (o *Camera) PickRay(pixelX float32, pixelY float32) (ray Ray, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1322,7 +1452,11 @@ func (o *Camera) PickRay(pixelX float32, pixelY float32) (ray Ray, found bool, e
 	return
 }
 
-// Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32.
+// Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
+// @param x, y, width, height  pixels; width * height rays, fewer than 2^32
+// @param out_rays             width * height elements
+// @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+// Cost: O(width * height).
 func (o *Camera) PickRays(x uint32, y uint32, width uint32, height uint32, rays []Ray) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1339,7 +1473,9 @@ func (o *Camera) PickRays(x uint32, y uint32, width uint32, height uint32, rays 
 
 // The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
 // float32; t is in metres.
+// @param pixel_x, pixel_y  pixels; may lie outside the viewport
 // @return GPHYS_OK or GPHYS_NO_HIT
+// Cost: O(log n) expected.
 func (o *Camera) Pick(scene *Scene, pixelX float32, pixelY float32, layers uint32) (hit Hit, found bool, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1360,7 +1496,11 @@ func (o *Camera) Pick(scene *Scene, pixelX float32, pixelY float32, layers uint3
 	return
 }
 
-// The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.
+// The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
+// t = INFINITY.
+// @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
+// @param out_hits  count elements
+// Cost: at most that of count single calls; shared among the scene's workers.
 func (o *Camera) PickBatch(scene *Scene, pixels [][2]float32, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1385,8 +1525,10 @@ func (o *Camera) PickBatch(scene *Scene, pixels [][2]float32, layers uint32, hit
 }
 
 // Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-// rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+// rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
+// @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
 // @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+// Cost: O(log n + k) expected.
 func (o *Camera) PickRectangle(scene *Scene, x0 float32, y0 float32, x1 float32, y1 float32, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1405,7 +1547,8 @@ func (o *Camera) PickRectangle(scene *Scene, x0 float32, y0 float32, x1 float32,
 	return
 }
 
-// gphys_scene_cull with the camera's frustum.
+// Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+// Cost: O(log n + k) expected.
 func (o *Camera) Cull(scene *Scene, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1429,10 +1572,12 @@ type Solver struct {
 	handle unsafe.Pointer
 }
 
+// Create a solver without bodies.
 // With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
 // every n. Threads are started, joined and lost as those of gphys_scene_create.
-// @param desc  may be NULL
+// @param desc  NULL: the defaults
 // @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+// Cost: O(1), and that of starting the threads.
 func NewSolver(desc *SolverDesc) (o *Solver, err error) {
 	r := C.go_gphys_solver_create((*C.gphys_solver_desc)(unsafe.Pointer(desc)))
 	if err = check(r.status, r.message); err != nil {
@@ -1463,7 +1608,10 @@ func (o *Solver) open() (unsafe.Pointer, error) {
 // Move the point of the world that the coordinates of all particles count from; see
 // gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
 // step and an attachment need a scene of the same origin, else they return
-// GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles).
+// GPHYS_ERROR_INVALID_ARGUMENT.
+// @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+// @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+// Cost: O(particles).
 func (o *Solver) SetOrigin(origin [3]float64) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1475,7 +1623,7 @@ func (o *Solver) SetOrigin(origin [3]float64) (err error) {
 	return
 }
 
-// Where in the world the particles' coordinates count from.
+// Where in the world the particles' coordinates count from, metres. Cost: O(1).
 func (o *Solver) Origin() (origin [3]float64, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1490,7 +1638,9 @@ func (o *Solver) Origin() (origin [3]float64, err error) {
 	return
 }
 
-// m/s^2, from the next step on.
+// Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
+// @param gravity  m/s^2; may be zero
+// Cost: O(bodies).
 func (o *Solver) SetGravity(gravity Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1502,10 +1652,12 @@ func (o *Solver) SetGravity(gravity Vec3) (err error) {
 	return
 }
 
-// 1 .. 1000. More substeps: smaller errors, proportionally more time. The error of motion goes with the square
-// of their length. Ropes that move calmly - in a substep no link turns by half a radian, or would swing by one if
-// its ends were pushed - make each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the
-// error.
+// Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
+// error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
+// by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
+// al. 1985): twice the time, a seventh of the error.
+// @param substeps  1 .. 1000
+// Cost: O(1).
 func (o *Solver) SetSubsteps(substeps uint32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1517,9 +1669,11 @@ func (o *Solver) SetSubsteps(substeps uint32) (err error) {
 	return
 }
 
-// Add particles without constraints.
-// @param desc  may be NULL
-// @param positions  count elements, count >= 1
+// Add a body of particles without constraints.
+// @param desc       NULL: the defaults
+// @param positions  metres; count elements, count >= 1
+// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+// Cost: O(count).
 func (o *Solver) AddParticles(positions []Vec3, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1539,8 +1693,11 @@ func (o *Solver) AddParticles(positions []Vec3, desc *BodyDesc) (body BodyID, er
 }
 
 // Add a rope through the given points, one particle at each.
-// @param count  >= 2
+// @param desc         NULL: the defaults
+// @param positions    metres; count elements, count >= 2
 // @param link_length  rest length of each link in metres; 0: as placed
+// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+// Cost: O(count).
 func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1561,7 +1718,12 @@ func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (
 
 // Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
 // corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+// @param desc           NULL: the defaults
+// @param corner         metres
+// @param edge_u, edge_v metres, from the corner along a row and along a column
 // @param columns, rows  >= 2
+// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+// Cost: O(columns * rows).
 func (o *Solver) AddCloth(corner Vec3, edgeU Vec3, edgeV Vec3, columns uint32, rows uint32, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1578,7 +1740,10 @@ func (o *Solver) AddCloth(corner Vec3, edgeU Vec3, edgeV Vec3, columns uint32, r
 
 // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
 // with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-// @param transform  places the mesh; may be NULL
+// @param desc       NULL: the defaults
+// @param transform  places the mesh; NULL is the identity
+// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+// Cost: O(n log n).
 func (o *Solver) AddClothMesh(mesh *Mesh, transform *Transform, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1598,7 +1763,9 @@ func (o *Solver) AddClothMesh(mesh *Mesh, transform *Transform, desc *BodyDesc) 
 	return
 }
 
-// RemoveBody calls gphys_solver_remove_body.
+// Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
+// last step are no longer listed.
+// Cost: O(particles + constraints of the body), and O(joints of the solver).
 func (o *Solver) RemoveBody(body BodyID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1610,7 +1777,7 @@ func (o *Solver) RemoveBody(body BodyID) (err error) {
 	return
 }
 
-// Ids of all bodies, ascending. Kept when too many: the lowest.
+// Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
 func (o *Solver) Bodies() (result []BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1630,7 +1797,7 @@ func (o *Solver) Bodies() (result []BodyID, err error) {
 // keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
 // wakes in the step before which a model came, went or moved as near as it could come in a step at
 // 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-// its state, of gravity or of the origin.
+// its state, of gravity or of the origin. Cost: O(bodies).
 func (o *Solver) Sleeping() (result []BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1646,6 +1813,7 @@ func (o *Solver) Sleeping() (result []BodyID, err error) {
 
 // Wake a body; its time of rest begins again.
 // @param body  0: all
+// Cost: O(1) a body.
 func (o *Solver) Wake(body BodyID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1673,7 +1841,9 @@ func (o *Solver) BodyInfo(body BodyID) (info BodyInfo, err error) {
 	return
 }
 
-// Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.
+// Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
+// *out_total counts numbers, not triangles; it is 0 for other bodies.
+// Cost: O(triangles).
 func (o *Solver) Triangles(body BodyID) (result []uint32, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1687,7 +1857,11 @@ func (o *Solver) Triangles(body BodyID) (result []uint32, err error) {
 	return
 }
 
-// Metres.
+// Where the particles are, metres.
+// @param first, count   the particles first .. first + count - 1; a range beyond the body is
+//                       GPHYS_ERROR_INVALID_ARGUMENT
+// @param out_positions  count elements
+// Cost: O(count).
 func (o *Solver) Positions(body BodyID, first uint32, positions []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1703,7 +1877,10 @@ func (o *Solver) Positions(body BodyID, first uint32, positions []Vec3) (err err
 	return
 }
 
-// Moves particles there at once and without collision on the way; velocities stay as they are.
+// Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
+// @param first, count  as in gphys_solver_get_positions
+// @param positions     metres; a stride of 0 moves all to one place
+// Cost: O(count).
 func (o *Solver) SetPositions(body BodyID, first uint32, positions []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1719,7 +1896,10 @@ func (o *Solver) SetPositions(body BodyID, first uint32, positions []Vec3) (err 
 	return
 }
 
-// m/s
+// How fast the particles are, m/s.
+// @param first, count    as in gphys_solver_get_positions
+// @param out_velocities  count elements; 0 of what is pinned
+// Cost: O(count).
 func (o *Solver) Velocities(body BodyID, first uint32, velocities []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1735,7 +1915,10 @@ func (o *Solver) Velocities(body BodyID, first uint32, velocities []Vec3) (err e
 	return
 }
 
-// SetVelocities calls gphys_solver_set_velocities.
+// Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
+// @param first, count  as in gphys_solver_get_positions
+// @param velocities    m/s; a stride of 0 gives all the same
+// Cost: O(count).
 func (o *Solver) SetVelocities(body BodyID, first uint32, velocities []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1751,7 +1934,10 @@ func (o *Solver) SetVelocities(body BodyID, first uint32, velocities []Vec3) (er
 	return
 }
 
-// kg, > 0. A pinned particle keeps its mass for the time when it is released.
+// Masses of particles, kg. That of a pinned particle is what it has when it is released.
+// @param first, count  as in gphys_solver_get_positions
+// @param out_masses    count elements
+// Cost: O(count).
 func (o *Solver) Masses(body BodyID, first uint32, masses []float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1767,7 +1953,11 @@ func (o *Solver) Masses(body BodyID, first uint32, masses []float32) (err error)
 	return
 }
 
-// SetMasses calls gphys_solver_set_masses.
+// Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
+// Wakes the body.
+// @param first, count  as in gphys_solver_get_positions
+// @param masses        kg, > 0; a stride of 0 gives all the same
+// Cost: O(count).
 func (o *Solver) SetMasses(body BodyID, first uint32, masses []float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1783,7 +1973,10 @@ func (o *Solver) SetMasses(body BodyID, first uint32, masses []float32) (err err
 	return
 }
 
-// Collision radius, metres, >= 0.
+// Change the collision radii of particles. Wakes the body.
+// @param first, count  as in gphys_solver_get_positions
+// @param radii         metres, >= 0; a stride of 0 gives all the same
+// Cost: O(count).
 func (o *Solver) SetRadii(body BodyID, first uint32, radii []float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1799,7 +1992,10 @@ func (o *Solver) SetRadii(body BodyID, first uint32, radii []float32) (err error
 	return
 }
 
-// Forces in newtons that act beside gravity, from now on until set again.
+// Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
+// @param first, count  as in gphys_solver_get_positions
+// @param forces        newtons; a stride of 0 gives all the same
+// Cost: O(count).
 func (o *Solver) SetForces(body BodyID, first uint32, forces []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1815,8 +2011,11 @@ func (o *Solver) SetForces(body BodyID, first uint32, forces []Vec3) (err error)
 	return
 }
 
-// Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+// Pin or release particles. A pinned particle stays where it is put and moves only by
 // gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+// @param first, count  as in gphys_solver_get_positions
+// @param pinned        1: pin; 0: release
+// Cost: O(count).
 func (o *Solver) SetPinned(body BodyID, first uint32, count uint32, pinned bool) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1830,7 +2029,10 @@ func (o *Solver) SetPinned(body BodyID, first uint32, count uint32, pinned bool)
 
 // Fix a particle to a model: it follows the model's transform in each step, and is released when
 // the model is gone. Steps must then be given this scene.
-// @param local_point  in the model's coordinates; NULL: where the particle is now
+// @param scene        of the same origin as the solver; not modified
+// @param local_point  metres, in the model's coordinates; NULL: where the particle is now
+// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+// Cost: O(1).
 func (o *Solver) Attach(scene *Scene, body BodyID, particle uint32, model ModelID, localPoint *Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1848,7 +2050,8 @@ func (o *Solver) Attach(scene *Scene, body BodyID, particle uint32, model ModelI
 }
 
 // Release an attached particle.
-// @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached
+// @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
+// Cost: O(1).
 func (o *Solver) Detach(body BodyID, particle uint32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1863,7 +2066,9 @@ func (o *Solver) Detach(body BodyID, particle uint32) (err error) {
 // Hold two different particles of a body at a distance.
 // @param rest_length  metres, >= 0; negative: the present distance
 // @param compliance   metres per newton, >= 0; 0 is rigid
-// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
+//         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
+// Cost: O(1); the next step plans the body again, O(constraints).
 func (o *Solver) AddDistance(body BodyID, particleA uint32, particleB uint32, restLength float32, compliance float32) (constraint ConstraintID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1885,7 +2090,7 @@ func (o *Solver) AddDistance(body BodyID, particleA uint32, particleB uint32, re
 // @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
 // @return as gphys_solver_add_distance
 // It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-// strained only when it is too long.
+// strained only when it is too long. Cost: as gphys_solver_add_distance.
 func (o *Solver) AddMaxDistance(body BodyID, particleA uint32, particleB uint32, maxLength float32, compliance float32) (constraint ConstraintID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1905,6 +2110,7 @@ func (o *Solver) AddMaxDistance(body BodyID, particleA uint32, particleB uint32,
 // on steps. Rigid constraints have nothing to damp.
 // @param damping  N s/m, >= 0; 0, which every constraint begins with: none
 // @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+// Cost: as gphys_solver_add_distance.
 func (o *Solver) SetConstraintDamping(body BodyID, constraint ConstraintID, damping float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1939,6 +2145,7 @@ func (o *Solver) SetVolume(body BodyID, restVolume float32, compliance float32) 
 // held at the end of the last step: above 0 it pushes outward.
 // @param out_volume, out_pressure  may be NULL
 // @return GPHYS_ERROR_UNSUPPORTED if none is held
+// Cost: O(triangles).
 func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1954,7 +2161,9 @@ func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err erro
 	return
 }
 
-// RemoveConstraint calls gphys_solver_remove_constraint.
+// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
+// Cost: as gphys_solver_add_distance.
 func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1967,6 +2176,7 @@ func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err err
 }
 
 // All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+// Cost: O(constraints).
 func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2006,8 +2216,9 @@ func (o *Solver) Join(bodyA BodyID, particleA uint32, bodyB BodyID, particleB ui
 	return
 }
 
-// End a joint.
+// End a joint. Wakes both bodies.
 // @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
+// Cost: as gphys_solver_join.
 func (o *Solver) Unjoin(joint JointID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2021,6 +2232,7 @@ func (o *Solver) Unjoin(joint JointID) (err error) {
 
 // Joints of a body, by id. Kept when too many: the lowest.
 // @param body  0: of all bodies
+// Cost: O(joints of the solver).
 func (o *Solver) Joints(body BodyID) (result []JointInfo, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2037,10 +2249,10 @@ func (o *Solver) Joints(body BodyID) (result []JointInfo, err error) {
 // Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
 // takes more where they would be longer than 25 ms.
 // @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-// @param dt     1e-6 .. 0.5
+// @param dt     seconds, 1e-6 .. 0.5
 // Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-// through particles. Cost: O(particles + constraints)
-// substeps, and a scene query for particles near models.
+// through particles. May allocate.
+// Cost: O(particles + constraints) a substep, and a scene query for particles near models.
 func (o *Solver) Step(scene *Scene, dt float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2062,6 +2274,7 @@ func (o *Solver) Step(scene *Scene, dt float32) (err error) {
 // @param frame_time    seconds, >= 0
 // @param out_steps     steps made; may be NULL
 // @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+// Cost: that of the steps made.
 func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftover float32, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2089,6 +2302,7 @@ func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftove
 // most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
 // target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
 // met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+// Cost: O(1).
 func (o *Solver) Substeps(body BodyID) (substeps uint32, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2103,7 +2317,9 @@ func (o *Solver) Substeps(body BodyID) (substeps uint32, err error) {
 	return
 }
 
-// @param body  0: all bodies together.  Cost: O(particles + constraints).
+// Counts, strain and energy of a body at present.
+// @param body  0: all bodies together
+// Cost: O(particles + constraints).
 func (o *Solver) Stats(body BodyID) (stats SolverStats, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2119,6 +2335,7 @@ func (o *Solver) Stats(body BodyID) (stats SolverStats, err error) {
 }
 
 // Contacts of the last step by body, particle, model. Kept when too many: the first.
+// Cost: O(contacts).
 func (o *Solver) Contacts() (result []Contact, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2218,6 +2435,7 @@ func (o *Scene) handleOrNil() (unsafe.Pointer, error) {
 
 // Whether the shape fulfils the ranges beside its struct.
 // @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+// Cost: O(1).
 func Validate(shape Shape) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2232,6 +2450,7 @@ func Validate(shape Shape) (err error) {
 // The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
 // @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
 //         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+// Cost: O(1), for a mesh too.
 func Bounds(shape Shape) (bounds AABB, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2251,7 +2470,7 @@ func Bounds(shape Shape) (bounds AABB, found bool, err error) {
 // With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
 // axes are those of its rotation in double precision).
 // @param tolerance  >= 0
-// @param out_contains  0 or 1
+// @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
 func Contains(shape Shape, point Vec3, tolerance float32) (contains bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2266,7 +2485,11 @@ func Contains(shape Shape, point Vec3, tolerance float32) (contains bool, err er
 	return
 }
 
-// ContainsBatch calls gphys_shape_contains_batch.
+// Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
+// @param points        a stride of 0 asks for one point count times
+// @param tolerance     metres, >= 0, for all points
+// @param out_contains  count elements, each 0 or 1
+// Cost: that of count single calls.
 func ContainsBatch(shape Shape, points []Vec3, tolerance float32, contains []int32) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2290,6 +2513,7 @@ func ContainsBatch(shape Shape, points []Vec3, tolerance float32, contains []int
 // coordinate difference. If several are equally close, one of them,
 // always the same. For a ray, t is limited by t_max.
 // @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+// Cost: O(1); O(log n) expected for a mesh.
 func ClosestPoint(shape Shape, point Vec3) (nearest Nearest, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2305,7 +2529,11 @@ func ClosestPoint(shape Shape, point Vec3) (nearest Nearest, found bool, err err
 	return
 }
 
-// The same for count points. An element for which there is none gets distance INFINITY.
+// The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
+// element for which there is none gets distance INFINITY.
+// @param points       a stride of 0 asks for one point count times
+// @param out_nearest  count elements
+// Cost: that of count single calls.
 func ClosestPointBatch(shape Shape, points []Vec3, nearest []Nearest) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2325,7 +2553,9 @@ func ClosestPointBatch(shape Shape, points []Vec3, nearest []Nearest) (err error
 }
 
 // The closest points of two segments and their distance. Parallel segments have many: the first
-// along a, always the same. out_a, out_b, out_distance may each be NULL.
+// along a, always the same.
+// @param out_a, out_b, out_distance  each may be NULL; metres
+// Cost: O(1).
 func SegmentClosestPoints(a Segment, b Segment) (outA Vec3, outB Vec3, distance float32, err error) {
 	r := C.go_gphys_segment_closest_points(*(*C.gphys_segment)(unsafe.Pointer(&a)), *(*C.gphys_segment)(unsafe.Pointer(&b)))
 	if err = check(r.status, r.message); err != nil {
@@ -2343,6 +2573,7 @@ func SegmentClosestPoints(a Segment, b Segment) (outA Vec3, outB Vec3, distance 
 // Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
 // precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
 // @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+// Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
 func Overlaps(a Shape, b Shape) (overlaps bool, err error) {
 	aGiven, err := shapesOf(a)
 	if err != nil {
@@ -2362,7 +2593,12 @@ func Overlaps(a Shape, b Shape) (overlaps bool, err error) {
 	return
 }
 
-// Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0.
+// Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
+// @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
+//                      needs 0
+// @param out_overlaps  count elements, each 0 or 1
+// @return GPHYS_ERROR_UNSUPPORTED for rays and segments
+// Cost: that of count single calls.
 func OverlapsBatch(a Shapes, b Shapes, overlaps []int32) (err error) {
 	aGiven, err := shapesOf(a)
 	if err != nil {
@@ -2387,8 +2623,10 @@ func OverlapsBatch(a Shapes, b Shapes, overlaps []int32) (err error) {
 }
 
 // Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-// @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
+// @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
 //                             behind, 0 when crossing; may be NULL
+// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Cost: O(1).
 func ClassifyPlane(shape Shape, plane Plane) (side Side, signedDistance float32, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2406,6 +2644,8 @@ func ClassifyPlane(shape Shape, plane Plane) (side Side, signedDistance float32,
 
 // Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
 // that no point is shared, inside that the frustum holds the whole shape.
+// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Cost: O(1).
 func ClassifyFrustum(shape Shape, frustum Frustum) (side Side, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2426,7 +2666,8 @@ func ClassifyFrustum(shape Shape, frustum Frustum) (side Side, err error) {
 // Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
 // and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
 // smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-// @return GPHYS_OK or GPHYS_NO_HIT
+// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+// Cost: O(1); O(log n) expected for a mesh.
 func Raycast(shape Shape, ray Ray) (hit Hit, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2442,8 +2683,12 @@ func Raycast(shape Shape, ray Ray) (hit Hit, found bool, err error) {
 	return
 }
 
-// The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
-// GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK
+// First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
+// t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
+// @param rays      a stride of 0 casts one ray count times
+// @param out_hits  count elements
+// @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+// Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
 func RaycastBatch(shape Shape, rays []Ray, hits []Hit) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2465,7 +2710,8 @@ func RaycastBatch(shape Shape, rays []Ray, hits []Hit) (err error) {
 // First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
 // A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
 // then is met from no direction, the normal is zero.
-// @return GPHYS_OK or GPHYS_NO_HIT
+// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+// Cost: as gphys_shape_raycast.
 func SegmentTest(shape Shape, segment Segment) (hit Hit, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2481,15 +2727,16 @@ func SegmentTest(shape Shape, segment Segment) (hit Hit, found bool, err error) 
 	return
 }
 
-// First contact of a sphere that moves by displacement (which may be zero) with a sphere,
-// capsule, AABB, OBB, plane, triangle, frustum or mesh.
+// First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
+// triangle, frustum or mesh.
+// @param displacement  metres; may be zero
 // @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
 //                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
 //                 and where the centre itself is in a solid, the normal is opposite to the
 //                 displacement (zero if that is zero).
+// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
 // Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-// Cost: a frustum, approached step by step, takes about 10 us.
-// @return GPHYS_OK or GPHYS_NO_HIT
+// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
 func SweepSphere(shape Shape, sphere Sphere, displacement Vec3) (hit Hit, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2508,6 +2755,7 @@ func SweepSphere(shape Shape, sphere Sphere, displacement Vec3) (hit Hit, found 
 // The eight corners, each the intersection of three planes: near then far, each in the order
 // left-bottom, right-bottom, right-top, left-top.
 // @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+// Cost: O(1).
 func FrustumCorners(frustum Frustum) (corners [8]Vec3, found bool, err error) {
 	r := C.go_gphys_frustum_corners(*(*C.gphys_frustum)(unsafe.Pointer(&frustum)))
 	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
@@ -2522,6 +2770,7 @@ func FrustumCorners(frustum Frustum) (corners [8]Vec3, found bool, err error) {
 // origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
 // @param reverse_z  0: near has the low depth; 1: near has the high depth
 // @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+// Cost: O(1).
 func FrustumFromMatrix(viewProjection Mat4, depthRange DepthRange, reverseZ bool) (frustum Frustum, err error) {
 	r := C.go_gphys_frustum_from_matrix(*(*C.gphys_mat4)(unsafe.Pointer(&viewProjection)), C.gphys_depth_range(depthRange), boolean(reverseZ))
 	if err = check(r.status, r.message); err != nil {
@@ -2531,10 +2780,13 @@ func FrustumFromMatrix(viewProjection Mat4, depthRange DepthRange, reverseZ bool
 	return
 }
 
-// Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
-// @param vertices       vertex_count elements of 3 floats
+// Examine arrays without building anything. Allocates while it runs.
+// @param vertices       vertex_count elements of 3 floats, metres
 // @param vertex_stride  bytes between vertices, at least 12
 // @param indices        index_count numbers, three for each triangle
+// @param out_report     what was found; indices out of range and bad vertices are counted, not refused
+// @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
+// Cost: O(n log n).
 func MeshCheck(vertices []Vec3, indices []uint32) (report MeshReport, err error) {
 	if err = checkLength(len(vertices)); err != nil {
 		return

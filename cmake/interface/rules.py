@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Whether a description of the header keeps to the rules of its interface: rules.py API.json
+"""Whether a description of the header keeps to the rules of its interface: rules.py API.json [TEST.c ...]
 
+Of the C tests, each function's name and the statuses that it is seen to return are taken.
 Prints what does not, and fails if there is anything. The rules let every language call every
 function, and let structs grow: docs/releasing.md has their reasons.
 """
 import json
 import re
 import sys
+from pathlib import Path
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
 from compare import version  # noqa: E402
@@ -94,7 +96,27 @@ def comment_rules(api):
             yield f"{name}: the comment does not say what it costs"
 
 
-def found(api):
+# Stated once for all functions, at the header's top.
+COMMON = {"OK", "INCOMPLETE", "ERROR_INVALID_ARGUMENT", "ERROR_INVALID_ID", "ERROR_STRUCT_SIZE", "ERROR_OUT_OF_MEMORY"}
+
+
+def test_rules(api, tests):
+    """Each function is called by name in a C test, and a status that it is seen to return there is in its comment."""
+    text = "\n".join(Path(test).read_text() for test in tests)
+    called = set(re.findall(r"\bgphys_\w+", text))
+    seen = {}
+    for name, status in re.findall(r"\bassert_int_equal\(\s*(gphys_\w+)\([^;]*?,\s*GPHYS_(\w+)\);", text):
+        seen.setdefault(name, set()).add(status)
+    for function in api["functions"]:
+        name = function["name"]
+        if name not in called:
+            yield f"{name} is named by no test in tests_c"
+        for status in sorted(seen.get(name, set()) - COMMON):
+            if f"GPHYS_{status}" not in function["doc"] and not re.search(r"@return as gphys_", function["doc"]):
+                yield f"{name}: the comment does not name GPHYS_{status}, which tests_c expects of it"
+
+
+def found(api, tests):
     types = Types(api)
     yield from type_rules(api, types)
     for struct in api["structs"]:
@@ -102,13 +124,15 @@ def found(api):
     for function in api["functions"]:
         yield from function_rules(function, types)
     yield from comment_rules(api)
+    if tests:
+        yield from test_rules(api, tests)
     if len(version(api)) != 3:
         yield f"the version is {api['version']}: major, minor and patch are one number each"
 
 
 def main():
     with open(sys.argv[1]) as file:
-        wrong = list(found(json.load(file)))
+        wrong = list(found(json.load(file), sys.argv[2:]))
     print("\n".join(wrong))
     sys.exit(1 if wrong else 0)
 

@@ -29,14 +29,20 @@ public sealed partial class Mesh : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
-    /// <summary>What the mesh was built from.</summary>
+    /// <summary>
+    /// What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+    /// Cost: O(1).
+    /// </summary>
     public unsafe MeshReport GetReport() {
         var report = default(MeshReport);
         Check(Low.gphys_mesh_get_report(Handle, &report));
         return report;
     }
 
-    /// <summary>Copy the vertices out; in their original order.</summary>
+    /// <summary>
+    /// Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+    /// Cost: O(vertices).
+    /// </summary>
     public unsafe Vec3[] GetVertices() {
         var result = new Vec3[Guess];
         for (;;) {
@@ -53,7 +59,11 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>Copy the indices out; in their original order.</summary>
+    /// <summary>
+    /// Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
+    /// *out_total counts indices, not triangles.
+    /// Cost: O(n).
+    /// </summary>
     public unsafe uint[] GetIndices() {
         var result = new uint[Guess];
         for (;;) {
@@ -72,7 +82,9 @@ public sealed partial class Mesh : IDisposable {
 
     /// <summary>
     /// All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-    /// Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits)
+    /// Kept when the array is too small: the first ones.
+    /// @return GPHYS_OK (also for 0 hits)
+    /// Cost: O(log n + k) expected.
     /// </summary>
     public unsafe Hit[] RaycastAll(Ray ray) {
         var result = new Hit[Guess];
@@ -90,7 +102,11 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>Whether a ray hits anything; cheaper than the closest hit.</summary>
+    /// <summary>
+    /// Whether a ray hits anything; cheaper than the closest hit.
+    /// @param out_hit  0 or 1
+    /// Cost: O(log n) expected.
+    /// </summary>
     public unsafe bool RaycastAny(Ray ray) {
         var hit = default(int);
         Check(Low.gphys_mesh_raycast_any(Handle, &ray, &hit));
@@ -100,6 +116,8 @@ public sealed partial class Mesh : IDisposable {
     /// <summary>
     /// Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
     /// ascending. Kept when the array is too small: the lowest.
+    /// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    /// Cost: O(log n + k) expected.
     /// </summary>
     public unsafe uint[] Overlap(Shape shape) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -119,14 +137,17 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>Cost: O(nodes).</summary>
+    /// <summary>How the mesh's octree is made up. Cost: O(nodes).</summary>
     public unsafe OctreeStats GetOctreeStats() {
         var stats = default(OctreeStats);
         Check(Low.gphys_mesh_get_octree_stats(Handle, &stats));
         return stats;
     }
 
-    /// <summary>Boxes of the tree, each parent before its children. Kept when too many: the first.</summary>
+    /// <summary>
+    /// Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+    /// Cost: O(nodes).
+    /// </summary>
     public unsafe OctreeBox[] GetOctreeBoxes() {
         var result = new OctreeBox[Guess];
         for (;;) {
@@ -150,6 +171,7 @@ public sealed partial class Scene : IDisposable {
     internal readonly SceneHandle Handle;
 
     /// <summary>
+    /// Create a scene without models.
     /// With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
     /// adding and moving many models, share their work among n threads; the results have the same bits
     /// for every n. Without a task_runner n - 1 threads are started here and joined by
@@ -157,8 +179,10 @@ public sealed partial class Scene : IDisposable {
     /// work. They take no signals but faults, and the floating-point settings of the thread that
     /// created them. In a child of fork they are gone: calls there run on one thread, as they do on a
     /// platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-    /// @param desc  may be NULL
-    /// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+    /// @param desc  NULL: the defaults
+    /// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
+    ///         reserve_models is above 2^24 - 1
+    /// Cost: O(reserve_models), and that of starting the threads.
     /// </summary>
     public unsafe Scene(SceneDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
@@ -187,7 +211,7 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_set_origin(Handle, origin_));
     }
 
-    /// <summary>Where in the world the scene's coordinates count from.</summary>
+    /// <summary>Where in the world the scene's coordinates count from. Cost: O(1).</summary>
     public unsafe double[] GetOrigin() {
         var origin = new double[3];
         fixed (double* origin_ = origin)
@@ -217,8 +241,13 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>
-    /// Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
-    /// needs shape_stride 0). transforms may be NULL. out_models has count elements.
+    /// Add count models of one type, all or none, as gphys_scene_add does one.
+    /// @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
+    /// @param transforms  local; a stride of 0 shares one; NULL is the identity
+    /// @param desc        for all; NULL: no parent, layer 1, tag 0
+    /// @param out_models  count elements
+    /// @return as gphys_scene_add
+    /// Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
     /// </summary>
     public unsafe void AddBatch(Shapes shapes, Span<uint> models, ReadOnlySpan<Transform> transforms = default(ReadOnlySpan<Transform>), ModelDesc? desc = null) {
         var shapesOne = shapes.One;
@@ -234,29 +263,36 @@ public sealed partial class Scene : IDisposable {
         Check(status);
     }
 
-    /// <summary>Remove a model. Its children stay where they are in the world and lose their parent.</summary>
+    /// <summary>
+    /// Remove a model. Its children stay where they are in the world and lose their parent.
+    /// Cost: O(log n) amortised, and O(1) a child.
+    /// </summary>
     public unsafe void Remove(uint model) {
         Check(Low.gphys_scene_remove(Handle, model));
     }
 
-    /// <summary>Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID.</summary>
+    /// <summary>
+    /// Remove models, all or none.
+    /// @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
+    /// Cost: that of count calls of gphys_scene_remove.
+    /// </summary>
     public unsafe void RemoveBatch(ReadOnlySpan<uint> models) {
         var count = CommonLength(models.Length, 1);
         fixed (uint* models_ = &MemoryMarshal.GetReference(models))
         Check(Low.gphys_scene_remove_batch(Handle, models_, count));
     }
 
-    /// <summary>Remove a model and all its descendants.</summary>
+    /// <summary>Remove a model and all its descendants. Cost: O(log n) amortised for each.</summary>
     public unsafe void RemoveSubtree(uint model) {
         Check(Low.gphys_scene_remove_subtree(Handle, model));
     }
 
-    /// <summary>Remove all. Ids given out before stay invalid.</summary>
+    /// <summary>Remove all models. Ids given out before stay invalid. Cost: O(n).</summary>
     public unsafe void Clear() {
         Check(Low.gphys_scene_clear(Handle));
     }
 
-    /// <summary>Ids of all models, ascending. Kept when too many: the lowest.</summary>
+    /// <summary>Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).</summary>
     public unsafe uint[] GetModels() {
         var result = new uint[Guess];
         for (;;) {
@@ -273,7 +309,7 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>Kind, parent, layers, tag and number of children of a model.</summary>
+    /// <summary>Kind, parent, layers, tag and number of children of a model. Cost: O(1).</summary>
     public unsafe ModelInfo GetInfo(uint model) {
         var info = default(ModelInfo);
         Check(Low.gphys_scene_get_info(Handle, model, &info));
@@ -282,7 +318,9 @@ public sealed partial class Scene : IDisposable {
 
     /// <summary>
     /// World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-    /// of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+    /// of its sizes wider. That of an empty mesh is its position.
+    /// @return GPHYS_UNBOUNDED for a plane
+    /// Cost: O(1).
     /// </summary>
     public unsafe Aabb? GetBounds(uint model) {
         var bounds = default(Aabb);
@@ -290,18 +328,32 @@ public sealed partial class Scene : IDisposable {
         return Found(status) ? bounds : (Aabb?)null;
     }
 
-    /// <summary>World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out.</summary>
+    /// <summary>
+    /// World box of all bounded models. Planes are left out.
+    /// @return GPHYS_NO_HIT if there are none
+    /// Cost: O(1).
+    /// </summary>
     public unsafe Aabb? GetSceneBounds() {
         var bounds = default(Aabb);
         var status = Low.gphys_scene_get_scene_bounds(Handle, &bounds);
         return Found(status) ? bounds : (Aabb?)null;
     }
 
-    /// <summary>Change which queries see a model, or what its hits report. Children are not affected.</summary>
+    /// <summary>
+    /// Change which queries see a model: those with a mask m of which layers &amp; m is not 0. Children are not
+    /// affected.
+    /// @param layers  any mask; 0: no query sees it
+    /// Cost: O(1).
+    /// </summary>
     public unsafe void SetLayers(uint model, uint layers = Constants.AllLayers) {
         Check(Low.gphys_scene_set_layers(Handle, model, layers));
     }
 
+    /// <summary>
+    /// Change the number that a model's hits report beside its id. Children are not affected.
+    /// @param tag  any number of the caller's
+    /// Cost: O(1).
+    /// </summary>
     public unsafe void SetTag(uint model, uint tag) {
         Check(Low.gphys_scene_set_tag(Handle, model, tag));
     }
@@ -311,19 +363,28 @@ public sealed partial class Scene : IDisposable {
     /// @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
     ///                    changed so that the world transform stays (within float32 rounding)
     /// @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+    /// Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
     /// </summary>
     public unsafe void SetParent(uint model, uint parent, bool keepWorld) {
         Check(Low.gphys_scene_set_parent(Handle, model, parent, keepWorld ? 1 : 0));
     }
 
-    /// <summary>Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.</summary>
+    /// <summary>
+    /// Set a model's local transform. Descendants follow.
+    /// @param transform  relative to the parent; scale &gt; 0
+    /// @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
+    /// Cost: O(log n) for each model that moves.
+    /// </summary>
     public unsafe void SetTransform(uint model, Transform transform) {
         Check(Low.gphys_scene_set_transform(Handle, model, &transform));
     }
 
     /// <summary>
-    /// Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    /// that moves when few move, O(n) when many do.
+    /// Set the local transforms of many models, all or none; a model that stands twice gets the last.
+    /// Descendants follow.
+    /// @param models      count ids
+    /// @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
+    /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
     /// </summary>
     public unsafe void SetTransforms(ReadOnlySpan<uint> models, ReadOnlySpan<Transform> transforms) {
         var count = CommonLength(models.Length, transforms.Length);
@@ -332,6 +393,12 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_set_transforms(Handle, models_, transforms_, StrideOf(transforms), count));
     }
 
+    /// <summary>
+    /// Local transforms of count models, as they were set: relative to the parent.
+    /// @param models          count ids; one may stand twice
+    /// @param out_transforms  count elements
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void GetTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
         var count = CommonLength(models.Length, 1);
         RequireLength(transforms.Length, count);
@@ -340,6 +407,13 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_get_transforms(Handle, models_, count, transforms_, (uint)sizeof(Transform)));
     }
 
+    /// <summary>
+    /// World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+    /// answer is exact with respect to these.
+    /// @param models          count ids; one may stand twice
+    /// @param out_transforms  count elements
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void GetWorldTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
         var count = CommonLength(models.Length, 1);
         RequireLength(transforms.Length, count);
@@ -351,6 +425,7 @@ public sealed partial class Scene : IDisposable {
     /// <summary>
     /// Closest model on a ray; the fields are exact as in gphys_shape_raycast.
     /// @return GPHYS_OK or GPHYS_NO_HIT
+    /// Cost: O(log n) expected; no allocation.
     /// </summary>
     public unsafe Hit? Raycast(Ray ray, uint layers = Constants.AllLayers) {
         var hit = default(Hit);
@@ -358,6 +433,13 @@ public sealed partial class Scene : IDisposable {
         return Found(status) ? hit : (Hit?)null;
     }
 
+    /// <summary>
+    /// Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
+    /// t = INFINITY.
+    /// @param rays      a stride of 0 casts one ray count times
+    /// @param out_hits  count elements
+    /// Cost: at most that of count single calls; shared among workers.
+    /// </summary>
     public unsafe void RaycastBatch(ReadOnlySpan<Ray> rays, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
         RequireLength(hits.Length, count);
@@ -366,13 +448,23 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_raycast_batch(Handle, rays_, StrideOf(rays), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.</summary>
+    /// <summary>
+    /// Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    /// @param out_hit  0 or 1
+    /// Cost: O(log n) expected.
+    /// </summary>
     public unsafe bool RaycastAny(Ray ray, uint layers = Constants.AllLayers) {
         var hit = default(int);
         Check(Low.gphys_scene_raycast_any(Handle, &ray, layers, &hit));
         return hit != 0;
     }
 
+    /// <summary>
+    /// Whether each of count rays meets anything, as gphys_scene_raycast_any.
+    /// @param rays      a stride of 0 casts one ray count times
+    /// @param out_hits  count elements, each 0 or 1
+    /// Cost: at most that of count single calls; shared among workers.
+    /// </summary>
     public unsafe void RaycastAnyBatch(ReadOnlySpan<Ray> rays, Span<int> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
         RequireLength(hits.Length, count);
@@ -383,7 +475,7 @@ public sealed partial class Scene : IDisposable {
 
     /// <summary>
     /// Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-    /// the first.
+    /// the first. Cost: O(log n + k log k) expected.
     /// </summary>
     public unsafe Hit[] RaycastAll(Ray ray, uint layers = Constants.AllLayers) {
         var result = new Hit[Guess];
@@ -402,11 +494,14 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>
-    /// The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+    /// Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
+    /// out_hits[out_offsets[i]] up to out_offsets[i + 1].
+    /// @param rays         a stride of 0 casts one ray count times
     /// @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
     ///                     room. Where a ray's range crosses capacity, its first hits are written.
     /// What stands in out_hits behind the last hit afterwards is unspecified.
     /// @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity
+    /// Cost: that of count single calls; shared among workers.
     /// </summary>
     public unsafe Ragged<Hit> RaycastAllBatch(ReadOnlySpan<Ray> rays, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
@@ -428,13 +523,25 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>Closest model along a segment from a to b, both included; t in 0..1.</summary>
+    /// <summary>
+    /// Closest model along a segment from a to b, both included; t in 0..1. Fields as in
+    /// gphys_shape_segment_test.
+    /// @return GPHYS_OK or GPHYS_NO_HIT
+    /// Cost: O(log n) expected.
+    /// </summary>
     public unsafe Hit? SegmentTest(Segment segment, uint layers = Constants.AllLayers) {
         var hit = default(Hit);
         var status = Low.gphys_scene_segment_test(Handle, &segment, layers, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
+    /// <summary>
+    /// Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
+    /// model = 0 and t = INFINITY.
+    /// @param segments  a stride of 0 tests one segment count times
+    /// @param out_hits  count elements
+    /// Cost: that of count single calls; shared among workers.
+    /// </summary>
     public unsafe void SegmentTestBatch(ReadOnlySpan<Segment> segments, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, segments.Length);
         RequireLength(hits.Length, count);
@@ -444,8 +551,10 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>
-    /// Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-    /// ascending. Kept when too many: the lowest.
+    /// Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
+    /// gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
+    /// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    /// Cost: O(log n + k) expected.
     /// </summary>
     public unsafe uint[] Overlap(Shape shape, uint layers = Constants.AllLayers) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -465,7 +574,14 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>Offsets as in gphys_scene_raycast_all_batch.</summary>
+    /// <summary>
+    /// Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
+    /// i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
+    /// @param shapes       a stride of 0 asks for one shape count times
+    /// @param out_offsets  count + 1 numbers, always complete
+    /// @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity; GPHYS_ERROR_UNSUPPORTED as there
+    /// Cost: at most that of count single calls; shared among workers.
+    /// </summary>
     public unsafe Ragged<uint> OverlapBatch(Shapes shapes, uint layers = Constants.AllLayers) {
         var shapesOne = shapes.One;
         var count = CommonLength(-1, shapes.Count);
@@ -493,7 +609,7 @@ public sealed partial class Scene : IDisposable {
     /// own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
     /// per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
     /// too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-    /// as scratch memory to order them.
+    /// as scratch memory to order them. Cost: O(log n + k) expected.
     /// </summary>
     public unsafe uint[] Cull(Frustum frustum, uint layers = Constants.AllLayers) {
         var result = new uint[Guess];
@@ -515,6 +631,7 @@ public sealed partial class Scene : IDisposable {
     /// The model nearest to a point, and its closest point.
     /// @param max_distance  &gt;= 0, INFINITY allowed; a model at exactly this distance counts
     /// @return GPHYS_OK or GPHYS_NO_HIT
+    /// Cost: O(log n) expected.
     /// </summary>
     public unsafe Nearest? Nearest(Vec3 point, float maxDistance = float.PositiveInfinity, uint layers = Constants.AllLayers) {
         var nearest = default(Nearest);
@@ -522,6 +639,14 @@ public sealed partial class Scene : IDisposable {
         return Found(status) ? nearest : (Nearest?)null;
     }
 
+    /// <summary>
+    /// The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
+    /// distance = INFINITY.
+    /// @param points        a stride of 0 asks for one point count times
+    /// @param max_distance  metres, &gt;= 0, INFINITY allowed, for all points
+    /// @param out_nearest   count elements
+    /// Cost: that of count single calls; shared among workers.
+    /// </summary>
     public unsafe void NearestBatch(ReadOnlySpan<Vec3> points, Span<Nearest> nearest, float maxDistance = float.PositiveInfinity, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, points.Length);
         RequireLength(nearest.Length, count);
@@ -533,6 +658,9 @@ public sealed partial class Scene : IDisposable {
     /// <summary>
     /// First model that a sphere touches while it moves by displacement; t in 0..1.
     /// Fields as in gphys_shape_sweep_sphere.
+    /// @param displacement  metres; may be zero
+    /// @return GPHYS_OK or GPHYS_NO_HIT
+    /// Cost: O(log n + k) expected, k the models that the swept box touches.
     /// </summary>
     public unsafe Hit? SweepSphere(Sphere sphere, Vec3 displacement, uint layers = Constants.AllLayers) {
         var hit = default(Hit);
@@ -540,6 +668,14 @@ public sealed partial class Scene : IDisposable {
         return Found(status) ? hit : (Hit?)null;
     }
 
+    /// <summary>
+    /// First models that count spheres touch while each moves by its displacement, as
+    /// gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
+    /// @param spheres        a stride of 0 takes one sphere throughout
+    /// @param displacements  metres; a stride of 0 moves all alike
+    /// @param out_hits       count elements
+    /// Cost: that of count single calls; shared among workers.
+    /// </summary>
     public unsafe void SweepSphereBatch(ReadOnlySpan<Sphere> spheres, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, spheres.Length, displacements.Length);
         RequireLength(hits.Length, count);
@@ -549,14 +685,17 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_sweep_sphere_batch(Handle, spheres_, StrideOf(spheres), displacements_, StrideOf(displacements), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>Cost: O(nodes).</summary>
+    /// <summary>How the scene's octree is made up. Cost: O(nodes).</summary>
     public unsafe OctreeStats GetOctreeStats() {
         var stats = default(OctreeStats);
         Check(Low.gphys_scene_get_octree_stats(Handle, &stats));
         return stats;
     }
 
-    /// <summary>Boxes of the tree, each parent before its children. Kept when too many: the first.</summary>
+    /// <summary>
+    /// Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+    /// Cost: O(nodes).
+    /// </summary>
     public unsafe OctreeBox[] GetOctreeBoxes() {
         var result = new OctreeBox[Guess];
         for (;;) {
@@ -575,8 +714,9 @@ public sealed partial class Scene : IDisposable {
 
     /// <summary>
     /// Check the scene's own structure: every model once in the tree, every box around its content,
-    /// parents and children in agreement, free slots free. For tests; O(n).
+    /// parents and children in agreement, free slots free. For tests.
     /// @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+    /// Cost: O(n).
     /// </summary>
     public unsafe void Validate() {
         Check(Low.gphys_scene_validate(Handle));
@@ -588,7 +728,11 @@ public sealed partial class Scene : IDisposable {
 public sealed partial class Camera : IDisposable {
     internal readonly CameraHandle Handle;
 
-    /// <summary>@param desc  may be NULL</summary>
+    /// <summary>
+    /// Create a camera with the defaults above.
+    /// @param desc  NULL: the defaults
+    /// Cost: O(1).
+    /// </summary>
     public unsafe Camera(CameraDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         IntPtr made;
@@ -603,6 +747,8 @@ public sealed partial class Camera : IDisposable {
     /// Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
     /// The camera and the target of its orbit stay where they are in the world. Picking and culling need a
     /// scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
+    /// @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+    /// Cost: O(1).
     /// </summary>
     public unsafe void SetOrigin(ReadOnlySpan<double> origin) {
         RequireLength(origin.Length, 3);
@@ -610,7 +756,7 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_set_origin(Handle, origin_));
     }
 
-    /// <summary>Where in the world the camera's coordinates count from.</summary>
+    /// <summary>Where in the world the camera's coordinates count from, metres. Cost: O(1).</summary>
     public unsafe double[] GetOrigin() {
         var origin = new double[3];
         fixed (double* origin_ = origin)
@@ -619,48 +765,63 @@ public sealed partial class Camera : IDisposable {
     }
 
     /// <summary>
-    /// @param fov_y  full vertical angle, 1e-6 &lt;= fov_y &lt; pi
-    /// @param near_distance  &gt; 0
-    /// @param far_distance   &gt; near_distance; INFINITY allowed
+    /// See with a perspective projection; what is further away is smaller.
+    /// @param fov_y  full vertical angle in radians, 1e-6 &lt;= fov_y &lt; pi
+    /// @param near_distance  metres, &gt; 0
+    /// @param far_distance   metres, &gt; near_distance; INFINITY allowed
+    /// Cost: O(1).
     /// </summary>
     public unsafe void SetPerspective(float fovY, float nearDistance, float farDistance) {
         Check(Low.gphys_camera_set_perspective(Handle, fovY, nearDistance, farDistance));
     }
 
     /// <summary>
+    /// See with an orthographic projection; the distance changes no size.
     /// @param height  metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
-    /// @param near_distance, far_distance  far at least 1e-6 above near, which may be negative
+    /// @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+    /// Cost: O(1).
     /// </summary>
     public unsafe void SetOrthographic(float height, float nearDistance, float farDistance) {
         Check(Low.gphys_camera_set_orthographic(Handle, height, nearDistance, farDistance));
     }
 
     /// <summary>
-    /// Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
-    /// library's). It is not changed by gphys_camera_set_viewport.
+    /// See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
+    /// another library's). It is not changed by gphys_camera_set_viewport.
     /// @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
     ///         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
     ///         the matrix is for another depth range
+    /// Cost: O(1).
     /// </summary>
     public unsafe void SetProjection(Mat4 projection) {
         Check(Low.gphys_camera_set_projection(Handle, &projection));
     }
 
-    /// <summary>The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height.</summary>
+    /// <summary>
+    /// The viewport was resized. Perspective keeps fov_y, orthographic its height.
+    /// @param width, height  pixels, 1e-3 .. 1e6
+    /// Cost: O(1).
+    /// </summary>
     public unsafe void SetViewport(float width, float height) {
         Check(Low.gphys_camera_set_viewport(Handle, width, height));
     }
 
-    /// <summary>Place the camera.</summary>
+    /// <summary>
+    /// Place the camera.
+    /// @param position  metres, of its centre
+    /// @param rotation  from its own axes to those of the world
+    /// Cost: O(1).
+    /// </summary>
     public unsafe void SetTransform(Vec3 position, Quat rotation) {
         Check(Low.gphys_camera_set_transform(Handle, &position, &rotation));
     }
 
     /// <summary>
     /// Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
-    /// kept, then up), so that a matrix which drifted is mended.
+    /// kept, then up), so that a matrix which drifted is corrected.
     /// @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
     ///         they mirror or the last row is not 0 0 0 1
+    /// Cost: O(1).
     /// </summary>
     public unsafe void SetWorldMatrix(Mat4 world) {
         Check(Low.gphys_camera_set_world_matrix(Handle, &world));
@@ -670,12 +831,13 @@ public sealed partial class Camera : IDisposable {
     /// Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
     /// chosen in its place, always the same for the same input.
     /// @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+    /// Cost: O(1).
     /// </summary>
     public unsafe void LookAt(Vec3 eye, Vec3 target, Vec3 up) {
         Check(Low.gphys_camera_look_at(Handle, &eye, &target, &up));
     }
 
-    /// <summary>Where the camera stands and how it is turned.</summary>
+    /// <summary>Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).</summary>
     public unsafe (Vec3 Position, Quat Rotation) GetTransform() {
         var position = default(Vec3);
         var rotation = default(Quat);
@@ -683,28 +845,31 @@ public sealed partial class Camera : IDisposable {
         return (position, rotation);
     }
 
-    /// <summary>Camera to world.</summary>
+    /// <summary>The matrix from camera to world. Cost: O(1).</summary>
     public unsafe Mat4 GetWorldMatrix() {
         var world = default(Mat4);
         Check(Low.gphys_camera_get_world_matrix(Handle, &world));
         return world;
     }
 
-    /// <summary>World to camera: the transpose of the orthonormal world axes, and the position through them.</summary>
+    /// <summary>
+    /// The matrix from world to camera: the transpose of the orthonormal world axes, and the position
+    /// through them. Cost: O(1).
+    /// </summary>
     public unsafe Mat4 GetViewMatrix() {
         var view = default(Mat4);
         Check(Low.gphys_camera_get_view_matrix(Handle, &view));
         return view;
     }
 
-    /// <summary>Camera to clip space.</summary>
+    /// <summary>The matrix from camera to clip space. Cost: O(1).</summary>
     public unsafe Mat4 GetProjectionMatrix() {
         var projection = default(Mat4);
         Check(Low.gphys_camera_get_projection_matrix(Handle, &projection));
         return projection;
     }
 
-    /// <summary>Projection * view, multiplied in double precision and rounded once.</summary>
+    /// <summary>Projection * view, multiplied in double precision and rounded once. Cost: O(1).</summary>
     public unsafe Mat4 GetViewProjectionMatrix() {
         var viewProjection = default(Mat4);
         Check(Low.gphys_camera_get_view_projection_matrix(Handle, &viewProjection));
@@ -713,15 +878,16 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>
     /// Start orbiting with these settings; places the camera at once and drops pending input. An angle
-    /// or a distance outside its limits is brought inside.
+    /// or a distance outside its limits is brought inside. Cost: O(1).
     /// </summary>
     public unsafe void SetOrbit(Orbit orbit) {
         Check(Low.gphys_camera_set_orbit(Handle, &orbit));
     }
 
     /// <summary>
-    /// The present settings, angles and distance.
+    /// The present settings, angles and distance of the orbit.
     /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    /// Cost: O(1).
     /// </summary>
     public unsafe Orbit GetOrbit() {
         var orbit = default(Orbit);
@@ -729,19 +895,32 @@ public sealed partial class Camera : IDisposable {
         return orbit;
     }
 
-    /// <summary>Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size.</summary>
+    /// <summary>
+    /// Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+    /// @param units_x, units_y  finite, any size
+    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    /// Cost: O(1).
+    /// </summary>
     public unsafe void OrbitRotate(float unitsX, float unitsY) {
         Check(Low.gphys_camera_orbit_rotate(Handle, unitsX, unitsY));
     }
 
-    /// <summary>Add input: come closer by units times metres_per_unit (go back if negative).</summary>
+    /// <summary>
+    /// Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+    /// @param units  finite, any size
+    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    /// Cost: O(1).
+    /// </summary>
     public unsafe void OrbitZoom(float units) {
         Check(Low.gphys_camera_orbit_zoom(Handle, units));
     }
 
     /// <summary>
-    /// Add input: move the target to the camera's right and up, as the last update left them, by units
-    /// times metres_per_unit.
+    /// Add input to the orbit: move the target to the camera's right and up, as the last update left them,
+    /// by units times metres_per_unit.
+    /// @param units_right, units_up  finite, any size
+    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    /// Cost: O(1).
     /// </summary>
     public unsafe void OrbitPan(float unitsRight, float unitsUp) {
         Check(Low.gphys_camera_orbit_pan(Handle, unitsRight, unitsUp));
@@ -749,7 +928,9 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>
     /// Apply the input since the last update, within the limits, and place the camera. Angles are
-    /// wrapped to -pi .. pi in constant time. The orbit's settings must have been set.
+    /// wrapped to -pi .. pi in constant time.
+    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    /// Cost: O(1).
     /// </summary>
     public unsafe void OrbitUpdate() {
         Check(Low.gphys_camera_orbit_update(Handle));
@@ -757,7 +938,8 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>
     /// The seen volume, with origin at the camera's position and planes from its parameters: each
-    /// number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double.
+    /// number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    /// Cost: O(1).
     /// </summary>
     public unsafe Frustum GetFrustum() {
         var frustum = default(Frustum);
@@ -766,8 +948,9 @@ public sealed partial class Camera : IDisposable {
     }
 
     /// <summary>
-    /// World positions of its corners, in the order of gphys_frustum_corners.
+    /// World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
     /// @return GPHYS_UNBOUNDED with an infinite far plane
+    /// Cost: O(1).
     /// </summary>
     public unsafe Vec3[] GetCorners() {
         var corners = new Vec3[8];
@@ -778,10 +961,11 @@ public sealed partial class Camera : IDisposable {
     }
 
     /// <summary>
-    /// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
-    /// depth in the camera's range.
+    /// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
+    /// z is the depth in the camera's range.
     /// @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
     ///         image lies beyond the range of coordinates
+    /// Cost: O(1).
     /// </summary>
     public unsafe Vec3? Project(Vec3 point) {
         var pixel = default(Vec3);
@@ -789,7 +973,13 @@ public sealed partial class Camera : IDisposable {
         return Found(status) ? pixel : (Vec3?)null;
     }
 
-    /// <summary>The same for count points; a point without an image gets x = y = z = INFINITY.</summary>
+    /// <summary>
+    /// Pixels of count world points, as gphys_camera_project; a point without an image gets
+    /// x = y = z = INFINITY.
+    /// @param points      metres; a stride of 0 projects one point count times
+    /// @param out_pixels  count elements
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void ProjectBatch(ReadOnlySpan<Vec3> points, Span<Vec3> pixels) {
         var count = CommonLength(-1, points.Length);
         RequireLength(pixels.Length, count);
@@ -802,6 +992,7 @@ public sealed partial class Camera : IDisposable {
     /// Pixel and depth to world point: the inverse of gphys_camera_project.
     /// @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
     ///         beyond the range of coordinates
+    /// Cost: O(1).
     /// </summary>
     public unsafe Vec3? Unproject(Vec3 pixel) {
         var point = default(Vec3);
@@ -809,7 +1000,13 @@ public sealed partial class Camera : IDisposable {
         return Found(status) ? point : (Vec3?)null;
     }
 
-    /// <summary>The same for count pixels; one at infinity gets x = y = z = INFINITY.</summary>
+    /// <summary>
+    /// World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
+    /// x = y = z = INFINITY.
+    /// @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
+    /// @param out_points  count elements
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void UnprojectBatch(ReadOnlySpan<Vec3> pixels, Span<Vec3> points) {
         var count = CommonLength(-1, pixels.Length);
         RequireLength(points.Length, count);
@@ -823,9 +1020,10 @@ public sealed partial class Camera : IDisposable {
     /// on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
     /// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
     /// near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-    /// For perspective the stretch before the near plane is part of the ray. Pixels outside the
-    /// viewport are allowed.
+    /// For perspective the stretch before the near plane is part of the ray.
+    /// @param pixel_x, pixel_y  pixels; may lie outside the viewport
     /// @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+    /// Cost: O(1).
     /// </summary>
     public unsafe Ray? PickRay(float pixelX, float pixelY) {
         var ray = default(Ray);
@@ -833,7 +1031,13 @@ public sealed partial class Camera : IDisposable {
         return Found(status) ? ray : (Ray?)null;
     }
 
-    /// <summary>Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32.</summary>
+    /// <summary>
+    /// Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
+    /// @param x, y, width, height  pixels; width * height rays, fewer than 2^32
+    /// @param out_rays             width * height elements
+    /// @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+    /// Cost: O(width * height).
+    /// </summary>
     public unsafe void PickRays(uint x, uint y, uint width, uint height, Span<Ray> rays) {
         RequireLength(rays.Length, (ulong)width * height);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
@@ -843,7 +1047,9 @@ public sealed partial class Camera : IDisposable {
     /// <summary>
     /// The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
     /// float32; t is in metres.
+    /// @param pixel_x, pixel_y  pixels; may lie outside the viewport
     /// @return GPHYS_OK or GPHYS_NO_HIT
+    /// Cost: O(log n) expected.
     /// </summary>
     public unsafe Hit? Pick(Scene scene, float pixelX, float pixelY, uint layers = Constants.AllLayers) {
         var hit = default(Hit);
@@ -851,7 +1057,13 @@ public sealed partial class Camera : IDisposable {
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.</summary>
+    /// <summary>
+    /// The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
+    /// t = INFINITY.
+    /// @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
+    /// @param out_hits  count elements
+    /// Cost: at most that of count single calls; shared among the scene's workers.
+    /// </summary>
     public unsafe void PickBatch(Scene scene, ReadOnlySpan<Vec2> pixels, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, pixels.Length);
         RequireLength(hits.Length, count);
@@ -862,8 +1074,10 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>
     /// Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    /// rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+    /// rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
+    /// @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
     /// @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+    /// Cost: O(log n + k) expected.
     /// </summary>
     public unsafe uint[] PickRectangle(Scene scene, float x0, float y0, float x1, float y1, uint layers = Constants.AllLayers) {
         var result = new uint[Guess];
@@ -881,7 +1095,10 @@ public sealed partial class Camera : IDisposable {
         }
     }
 
-    /// <summary>gphys_scene_cull with the camera's frustum.</summary>
+    /// <summary>
+    /// Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+    /// Cost: O(log n + k) expected.
+    /// </summary>
     public unsafe uint[] Cull(Scene scene, uint layers = Constants.AllLayers) {
         var result = new uint[Guess];
         for (;;) {
@@ -905,10 +1122,12 @@ public sealed partial class Solver : IDisposable {
     internal readonly SolverHandle Handle;
 
     /// <summary>
+    /// Create a solver without bodies.
     /// With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
     /// every n. Threads are started, joined and lost as those of gphys_scene_create.
-    /// @param desc  may be NULL
+    /// @param desc  NULL: the defaults
     /// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+    /// Cost: O(1), and that of starting the threads.
     /// </summary>
     public unsafe Solver(SolverDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
@@ -924,7 +1143,10 @@ public sealed partial class Solver : IDisposable {
     /// Move the point of the world that the coordinates of all particles count from; see
     /// gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
     /// step and an attachment need a scene of the same origin, else they return
-    /// GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles).
+    /// GPHYS_ERROR_INVALID_ARGUMENT.
+    /// @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+    /// @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+    /// Cost: O(particles).
     /// </summary>
     public unsafe void SetOrigin(ReadOnlySpan<double> origin) {
         RequireLength(origin.Length, 3);
@@ -932,7 +1154,7 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_set_origin(Handle, origin_));
     }
 
-    /// <summary>Where in the world the particles' coordinates count from.</summary>
+    /// <summary>Where in the world the particles' coordinates count from, metres. Cost: O(1).</summary>
     public unsafe double[] GetOrigin() {
         var origin = new double[3];
         fixed (double* origin_ = origin)
@@ -940,25 +1162,33 @@ public sealed partial class Solver : IDisposable {
         return origin;
     }
 
-    /// <summary>m/s^2, from the next step on.</summary>
+    /// <summary>
+    /// Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
+    /// @param gravity  m/s^2; may be zero
+    /// Cost: O(bodies).
+    /// </summary>
     public unsafe void SetGravity(Vec3 gravity) {
         Check(Low.gphys_solver_set_gravity(Handle, &gravity));
     }
 
     /// <summary>
-    /// 1 .. 1000. More substeps: smaller errors, proportionally more time. The error of motion goes with the square
-    /// of their length. Ropes that move calmly - in a substep no link turns by half a radian, or would swing by one if
-    /// its ends were pushed - make each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the
-    /// error.
+    /// Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
+    /// error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
+    /// by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
+    /// al. 1985): twice the time, a seventh of the error.
+    /// @param substeps  1 .. 1000
+    /// Cost: O(1).
     /// </summary>
     public unsafe void SetSubsteps(uint substeps) {
         Check(Low.gphys_solver_set_substeps(Handle, substeps));
     }
 
     /// <summary>
-    /// Add particles without constraints.
-    /// @param desc  may be NULL
-    /// @param positions  count elements, count &gt;= 1
+    /// Add a body of particles without constraints.
+    /// @param desc       NULL: the defaults
+    /// @param positions  metres; count elements, count &gt;= 1
+    /// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    /// Cost: O(count).
     /// </summary>
     public unsafe uint AddParticles(ReadOnlySpan<Vec3> positions, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
@@ -971,8 +1201,11 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>
     /// Add a rope through the given points, one particle at each.
-    /// @param count  &gt;= 2
+    /// @param desc         NULL: the defaults
+    /// @param positions    metres; count elements, count &gt;= 2
     /// @param link_length  rest length of each link in metres; 0: as placed
+    /// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    /// Cost: O(count).
     /// </summary>
     public unsafe uint AddRope(ReadOnlySpan<Vec3> positions, float linkLength = 0, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
@@ -986,7 +1219,12 @@ public sealed partial class Solver : IDisposable {
     /// <summary>
     /// Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
     /// corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    /// @param desc           NULL: the defaults
+    /// @param corner         metres
+    /// @param edge_u, edge_v metres, from the corner along a row and along a column
     /// @param columns, rows  &gt;= 2
+    /// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    /// Cost: O(columns * rows).
     /// </summary>
     public unsafe uint AddCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, uint columns, uint rows, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
@@ -998,7 +1236,10 @@ public sealed partial class Solver : IDisposable {
     /// <summary>
     /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
     /// with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    /// @param transform  places the mesh; may be NULL
+    /// @param desc       NULL: the defaults
+    /// @param transform  places the mesh; NULL is the identity
+    /// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    /// Cost: O(n log n).
     /// </summary>
     public unsafe uint AddClothMesh(Mesh mesh, Transform? transform = null, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
@@ -1008,11 +1249,16 @@ public sealed partial class Solver : IDisposable {
         return body;
     }
 
+    /// <summary>
+    /// Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
+    /// last step are no longer listed.
+    /// Cost: O(particles + constraints of the body), and O(joints of the solver).
+    /// </summary>
     public unsafe void RemoveBody(uint body) {
         Check(Low.gphys_solver_remove_body(Handle, body));
     }
 
-    /// <summary>Ids of all bodies, ascending. Kept when too many: the lowest.</summary>
+    /// <summary>Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).</summary>
     public unsafe uint[] GetBodies() {
         var result = new uint[Guess];
         for (;;) {
@@ -1036,7 +1282,7 @@ public sealed partial class Solver : IDisposable {
     /// keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
     /// wakes in the step before which a model came, went or moved as near as it could come in a step at
     /// 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-    /// its state, of gravity or of the origin.
+    /// its state, of gravity or of the origin. Cost: O(bodies).
     /// </summary>
     public unsafe uint[] GetSleeping() {
         var result = new uint[Guess];
@@ -1057,6 +1303,7 @@ public sealed partial class Solver : IDisposable {
     /// <summary>
     /// Wake a body; its time of rest begins again.
     /// @param body  0: all
+    /// Cost: O(1) a body.
     /// </summary>
     public unsafe void Wake(uint body) {
         Check(Low.gphys_solver_wake(Handle, body));
@@ -1072,7 +1319,11 @@ public sealed partial class Solver : IDisposable {
         return info;
     }
 
-    /// <summary>Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.</summary>
+    /// <summary>
+    /// Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
+    /// *out_total counts numbers, not triangles; it is 0 for other bodies.
+    /// Cost: O(triangles).
+    /// </summary>
     public unsafe uint[] GetTriangles(uint body) {
         var result = new uint[Guess];
         for (;;) {
@@ -1089,54 +1340,98 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>Metres.</summary>
+    /// <summary>
+    /// Where the particles are, metres.
+    /// @param first, count   the particles first .. first + count - 1; a range beyond the body is
+    ///                       GPHYS_ERROR_INVALID_ARGUMENT
+    /// @param out_positions  count elements
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void GetPositions(uint body, uint first, Span<Vec3> positions) {
         var count = (uint)positions.Length;
         fixed (Vec3* positions_ = &MemoryMarshal.GetReference(positions))
         Check(Low.gphys_solver_get_positions(Handle, body, first, count, positions_, (uint)sizeof(Vec3)));
     }
 
-    /// <summary>Moves particles there at once and without collision on the way; velocities stay as they are.</summary>
+    /// <summary>
+    /// Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
+    /// @param first, count  as in gphys_solver_get_positions
+    /// @param positions     metres; a stride of 0 moves all to one place
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void SetPositions(uint body, uint first, ReadOnlySpan<Vec3> positions) {
         var count = CommonLength(-1, positions.Length);
         fixed (Vec3* positions_ = &MemoryMarshal.GetReference(positions))
         Check(Low.gphys_solver_set_positions(Handle, body, first, count, positions_, StrideOf(positions)));
     }
 
-    /// <summary>m/s</summary>
+    /// <summary>
+    /// How fast the particles are, m/s.
+    /// @param first, count    as in gphys_solver_get_positions
+    /// @param out_velocities  count elements; 0 of what is pinned
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void GetVelocities(uint body, uint first, Span<Vec3> velocities) {
         var count = (uint)velocities.Length;
         fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
         Check(Low.gphys_solver_get_velocities(Handle, body, first, count, velocities_, (uint)sizeof(Vec3)));
     }
 
+    /// <summary>
+    /// Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
+    /// @param first, count  as in gphys_solver_get_positions
+    /// @param velocities    m/s; a stride of 0 gives all the same
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void SetVelocities(uint body, uint first, ReadOnlySpan<Vec3> velocities) {
         var count = CommonLength(-1, velocities.Length);
         fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
         Check(Low.gphys_solver_set_velocities(Handle, body, first, count, velocities_, StrideOf(velocities)));
     }
 
-    /// <summary>kg, &gt; 0. A pinned particle keeps its mass for the time when it is released.</summary>
+    /// <summary>
+    /// Masses of particles, kg. That of a pinned particle is what it has when it is released.
+    /// @param first, count  as in gphys_solver_get_positions
+    /// @param out_masses    count elements
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void GetMasses(uint body, uint first, Span<float> masses) {
         var count = (uint)masses.Length;
         fixed (float* masses_ = &MemoryMarshal.GetReference(masses))
         Check(Low.gphys_solver_get_masses(Handle, body, first, count, masses_, (uint)sizeof(float)));
     }
 
+    /// <summary>
+    /// Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
+    /// Wakes the body.
+    /// @param first, count  as in gphys_solver_get_positions
+    /// @param masses        kg, &gt; 0; a stride of 0 gives all the same
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void SetMasses(uint body, uint first, ReadOnlySpan<float> masses) {
         var count = CommonLength(-1, masses.Length);
         fixed (float* masses_ = &MemoryMarshal.GetReference(masses))
         Check(Low.gphys_solver_set_masses(Handle, body, first, count, masses_, StrideOf(masses)));
     }
 
-    /// <summary>Collision radius, metres, &gt;= 0.</summary>
+    /// <summary>
+    /// Change the collision radii of particles. Wakes the body.
+    /// @param first, count  as in gphys_solver_get_positions
+    /// @param radii         metres, &gt;= 0; a stride of 0 gives all the same
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void SetRadii(uint body, uint first, ReadOnlySpan<float> radii) {
         var count = CommonLength(-1, radii.Length);
         fixed (float* radii_ = &MemoryMarshal.GetReference(radii))
         Check(Low.gphys_solver_set_radii(Handle, body, first, count, radii_, StrideOf(radii)));
     }
 
-    /// <summary>Forces in newtons that act beside gravity, from now on until set again.</summary>
+    /// <summary>
+    /// Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
+    /// @param first, count  as in gphys_solver_get_positions
+    /// @param forces        newtons; a stride of 0 gives all the same
+    /// Cost: O(count).
+    /// </summary>
     public unsafe void SetForces(uint body, uint first, ReadOnlySpan<Vec3> forces) {
         var count = CommonLength(-1, forces.Length);
         fixed (Vec3* forces_ = &MemoryMarshal.GetReference(forces))
@@ -1144,8 +1439,11 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>
-    /// Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+    /// Pin or release particles. A pinned particle stays where it is put and moves only by
     /// gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+    /// @param first, count  as in gphys_solver_get_positions
+    /// @param pinned        1: pin; 0: release
+    /// Cost: O(count).
     /// </summary>
     public unsafe void SetPinned(uint body, uint first, uint count, bool pinned) {
         Check(Low.gphys_solver_set_pinned(Handle, body, first, count, pinned ? 1 : 0));
@@ -1154,7 +1452,10 @@ public sealed partial class Solver : IDisposable {
     /// <summary>
     /// Fix a particle to a model: it follows the model's transform in each step, and is released when
     /// the model is gone. Steps must then be given this scene.
-    /// @param local_point  in the model's coordinates; NULL: where the particle is now
+    /// @param scene        of the same origin as the solver; not modified
+    /// @param local_point  metres, in the model's coordinates; NULL: where the particle is now
+    /// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+    /// Cost: O(1).
     /// </summary>
     public unsafe void Attach(Scene scene, uint body, uint particle, uint model, Vec3? localPoint = null) {
         var localPoint_ = localPoint.GetValueOrDefault();
@@ -1163,7 +1464,8 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>
     /// Release an attached particle.
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached
+    /// @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
+    /// Cost: O(1).
     /// </summary>
     public unsafe void Detach(uint body, uint particle) {
         Check(Low.gphys_solver_detach(Handle, body, particle));
@@ -1173,7 +1475,9 @@ public sealed partial class Solver : IDisposable {
     /// Hold two different particles of a body at a distance.
     /// @param rest_length  metres, &gt;= 0; negative: the present distance
     /// @param compliance   metres per newton, &gt;= 0; 0 is rigid
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    /// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
+    ///         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
+    /// Cost: O(1); the next step plans the body again, O(constraints).
     /// </summary>
     public unsafe uint AddDistance(uint body, uint particleA, uint particleB, float restLength, float compliance = 0) {
         var constraint = default(uint);
@@ -1189,7 +1493,7 @@ public sealed partial class Solver : IDisposable {
     /// @param compliance  metres per newton, &gt;= 0, of what it yields beyond that; 0 is rigid
     /// @return as gphys_solver_add_distance
     /// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-    /// strained only when it is too long.
+    /// strained only when it is too long. Cost: as gphys_solver_add_distance.
     /// </summary>
     public unsafe uint AddMaxDistance(uint body, uint particleA, uint particleB, float maxLength, float compliance = 0) {
         var constraint = default(uint);
@@ -1203,6 +1507,7 @@ public sealed partial class Solver : IDisposable {
     /// on steps. Rigid constraints have nothing to damp.
     /// @param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
     /// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+    /// Cost: as gphys_solver_add_distance.
     /// </summary>
     public unsafe void SetConstraintDamping(uint body, uint constraint, float damping) {
         Check(Low.gphys_solver_set_constraint_damping(Handle, body, constraint, damping));
@@ -1227,6 +1532,7 @@ public sealed partial class Solver : IDisposable {
     /// held at the end of the last step: above 0 it pushes outward.
     /// @param out_volume, out_pressure  may be NULL
     /// @return GPHYS_ERROR_UNSUPPORTED if none is held
+    /// Cost: O(triangles).
     /// </summary>
     public unsafe (float Volume, float Pressure) GetVolume(uint body) {
         var volume = default(float);
@@ -1235,11 +1541,19 @@ public sealed partial class Solver : IDisposable {
         return (volume, pressure);
     }
 
+    /// <summary>
+    /// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+    /// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
+    /// Cost: as gphys_solver_add_distance.
+    /// </summary>
     public unsafe void RemoveConstraint(uint body, uint constraint) {
         Check(Low.gphys_solver_remove_constraint(Handle, body, constraint));
     }
 
-    /// <summary>All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.</summary>
+    /// <summary>
+    /// All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    /// Cost: O(constraints).
+    /// </summary>
     public unsafe ConstraintInfo[] GetConstraints(uint body) {
         var result = new ConstraintInfo[Guess];
         for (;;) {
@@ -1277,8 +1591,9 @@ public sealed partial class Solver : IDisposable {
     }
 
     /// <summary>
-    /// End a joint.
+    /// End a joint. Wakes both bodies.
     /// @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
+    /// Cost: as gphys_solver_join.
     /// </summary>
     public unsafe void Unjoin(uint joint) {
         Check(Low.gphys_solver_unjoin(Handle, joint));
@@ -1287,6 +1602,7 @@ public sealed partial class Solver : IDisposable {
     /// <summary>
     /// Joints of a body, by id. Kept when too many: the lowest.
     /// @param body  0: of all bodies
+    /// Cost: O(joints of the solver).
     /// </summary>
     public unsafe JointInfo[] GetJoints(uint body) {
         var result = new JointInfo[Guess];
@@ -1308,10 +1624,10 @@ public sealed partial class Solver : IDisposable {
     /// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     /// takes more where they would be longer than 25 ms.
     /// @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-    /// @param dt     1e-6 .. 0.5
+    /// @param dt     seconds, 1e-6 .. 0.5
     /// Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-    /// through particles. Cost: O(particles + constraints)
-    /// substeps, and a scene query for particles near models.
+    /// through particles. May allocate.
+    /// Cost: O(particles + constraints) a substep, and a scene query for particles near models.
     /// </summary>
     public unsafe void Step(float dt, Scene scene = null) {
         Check(Low.gphys_solver_step(Handle, scene == null ? SceneHandle.None : scene.Handle, dt));
@@ -1323,6 +1639,7 @@ public sealed partial class Solver : IDisposable {
     /// @param frame_time    seconds, &gt;= 0
     /// @param out_steps     steps made; may be NULL
     /// @param out_leftover  0 &lt;= fraction of a step still owed &lt; 1, to blend drawings; may be NULL
+    /// Cost: that of the steps made.
     /// </summary>
     public unsafe (uint Steps, float Leftover) Advance(float frameTime, Scene scene = null) {
         var steps = default(uint);
@@ -1339,6 +1656,7 @@ public sealed partial class Solver : IDisposable {
     /// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
     /// target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
     /// met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    /// Cost: O(1).
     /// </summary>
     public unsafe uint GetSubsteps(uint body) {
         var substeps = default(uint);
@@ -1346,14 +1664,21 @@ public sealed partial class Solver : IDisposable {
         return substeps;
     }
 
-    /// <summary>@param body  0: all bodies together.  Cost: O(particles + constraints).</summary>
+    /// <summary>
+    /// Counts, strain and energy of a body at present.
+    /// @param body  0: all bodies together
+    /// Cost: O(particles + constraints).
+    /// </summary>
     public unsafe SolverStats GetStats(uint body) {
         var stats = default(SolverStats);
         Check(Low.gphys_solver_get_stats(Handle, body, &stats));
         return stats;
     }
 
-    /// <summary>Contacts of the last step by body, particle, model. Kept when too many: the first.</summary>
+    /// <summary>
+    /// Contacts of the last step by body, particle, model. Kept when too many: the first.
+    /// Cost: O(contacts).
+    /// </summary>
     public unsafe Contact[] GetContacts() {
         var result = new Contact[Guess];
         for (;;) {
@@ -1452,6 +1777,7 @@ public static partial class Geometry {
     /// <summary>
     /// Whether the shape fulfils the ranges beside its struct.
     /// @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+    /// Cost: O(1).
     /// </summary>
     public static unsafe void Validate(Shape shape) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1464,6 +1790,7 @@ public static partial class Geometry {
     /// The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
     /// @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
     ///         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+    /// Cost: O(1), for a mesh too.
     /// </summary>
     public static unsafe Aabb? Bounds(Shape shape) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1478,7 +1805,7 @@ public static partial class Geometry {
     /// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
     /// axes are those of its rotation in double precision).
     /// @param tolerance  &gt;= 0
-    /// @param out_contains  0 or 1
+    /// @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
     /// </summary>
     public static unsafe bool Contains(Shape shape, Vec3 point, float tolerance = 0) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1489,6 +1816,13 @@ public static partial class Geometry {
         return contains != 0;
     }
 
+    /// <summary>
+    /// Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
+    /// @param points        a stride of 0 asks for one point count times
+    /// @param tolerance     metres, &gt;= 0, for all points
+    /// @param out_contains  count elements, each 0 or 1
+    /// Cost: that of count single calls.
+    /// </summary>
     public static unsafe void ContainsBatch(Shape shape, ReadOnlySpan<Vec3> points, Span<int> contains, float tolerance = 0) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var count = CommonLength(-1, points.Length);
@@ -1507,6 +1841,7 @@ public static partial class Geometry {
     /// coordinate difference. If several are equally close, one of them,
     /// always the same. For a ray, t is limited by t_max.
     /// @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+    /// Cost: O(1); O(log n) expected for a mesh.
     /// </summary>
     public static unsafe Nearest? ClosestPoint(Shape shape, Vec3 point) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1516,7 +1851,13 @@ public static partial class Geometry {
         return Found(status) ? nearest : (Nearest?)null;
     }
 
-    /// <summary>The same for count points. An element for which there is none gets distance INFINITY.</summary>
+    /// <summary>
+    /// The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
+    /// element for which there is none gets distance INFINITY.
+    /// @param points       a stride of 0 asks for one point count times
+    /// @param out_nearest  count elements
+    /// Cost: that of count single calls.
+    /// </summary>
     public static unsafe void ClosestPointBatch(Shape shape, ReadOnlySpan<Vec3> points, Span<Nearest> nearest) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var count = CommonLength(-1, points.Length);
@@ -1531,7 +1872,9 @@ public static partial class Geometry {
 
     /// <summary>
     /// The closest points of two segments and their distance. Parallel segments have many: the first
-    /// along a, always the same. out_a, out_b, out_distance may each be NULL.
+    /// along a, always the same.
+    /// @param out_a, out_b, out_distance  each may be NULL; metres
+    /// Cost: O(1).
     /// </summary>
     public static unsafe (Vec3 Outa, Vec3 Outb, float Distance) SegmentClosestPoints(Segment a, Segment b) {
         var outA = default(Vec3);
@@ -1548,6 +1891,7 @@ public static partial class Geometry {
     /// Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
     /// precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
     /// @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+    /// Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
     /// </summary>
     public static unsafe bool Overlaps(Shape a, Shape b) {
         void* a_ = a.Mesh == null ? (void*)&a.Data : a.Mesh.Pointer;
@@ -1560,7 +1904,14 @@ public static partial class Geometry {
         return overlaps != 0;
     }
 
-    /// <summary>Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0.</summary>
+    /// <summary>
+    /// Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
+    /// @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
+    ///                      needs 0
+    /// @param out_overlaps  count elements, each 0 or 1
+    /// @return GPHYS_ERROR_UNSUPPORTED for rays and segments
+    /// Cost: that of count single calls.
+    /// </summary>
     public static unsafe void OverlapsBatch(Shapes a, Shapes b, Span<int> overlaps) {
         var aOne = a.One;
         var bOne = b.One;
@@ -1578,8 +1929,10 @@ public static partial class Geometry {
 
     /// <summary>
     /// Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-    /// @param out_signed_distance  of the shape's nearest point to the plane: &gt; 0 in front, &lt; 0
+    /// @param out_signed_distance  metres, of the shape's nearest point to the plane: &gt; 0 in front, &lt; 0
     ///                             behind, 0 when crossing; may be NULL
+    /// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    /// Cost: O(1).
     /// </summary>
     public static unsafe (Side Side, float Signeddistance) ClassifyPlane(Shape shape, Plane plane) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1594,6 +1947,8 @@ public static partial class Geometry {
     /// <summary>
     /// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
     /// that no point is shared, inside that the frustum holds the whole shape.
+    /// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    /// Cost: O(1).
     /// </summary>
     public static unsafe Side ClassifyFrustum(Shape shape, Frustum frustum) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1611,7 +1966,8 @@ public static partial class Geometry {
     /// Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
     /// and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
     /// smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-    /// @return GPHYS_OK or GPHYS_NO_HIT
+    /// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+    /// Cost: O(1); O(log n) expected for a mesh.
     /// </summary>
     public static unsafe Hit? Raycast(Shape shape, Ray ray) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1622,8 +1978,12 @@ public static partial class Geometry {
     }
 
     /// <summary>
-    /// The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
-    /// GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK
+    /// First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
+    /// t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
+    /// @param rays      a stride of 0 casts one ray count times
+    /// @param out_hits  count elements
+    /// @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+    /// Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
     /// </summary>
     public static unsafe void RaycastBatch(Shape shape, ReadOnlySpan<Ray> rays, Span<Hit> hits) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1641,7 +2001,8 @@ public static partial class Geometry {
     /// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
     /// A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
     /// then is met from no direction, the normal is zero.
-    /// @return GPHYS_OK or GPHYS_NO_HIT
+    /// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+    /// Cost: as gphys_shape_raycast.
     /// </summary>
     public static unsafe Hit? SegmentTest(Shape shape, Segment segment) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1652,15 +2013,16 @@ public static partial class Geometry {
     }
 
     /// <summary>
-    /// First contact of a sphere that moves by displacement (which may be zero) with a sphere,
-    /// capsule, AABB, OBB, plane, triangle, frustum or mesh.
+    /// First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
+    /// triangle, frustum or mesh.
+    /// @param displacement  metres; may be zero
     /// @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
     ///                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
     ///                 and where the centre itself is in a solid, the normal is opposite to the
     ///                 displacement (zero if that is zero).
+    /// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
     /// Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-    /// Cost: a frustum, approached step by step, takes about 10 us.
-    /// @return GPHYS_OK or GPHYS_NO_HIT
+    /// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
     /// </summary>
     public static unsafe Hit? SweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
@@ -1674,6 +2036,7 @@ public static partial class Geometry {
     /// The eight corners, each the intersection of three planes: near then far, each in the order
     /// left-bottom, right-bottom, right-top, left-top.
     /// @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+    /// Cost: O(1).
     /// </summary>
     public static unsafe Vec3[] FrustumCorners(Frustum frustum) {
         var corners = new Vec3[8];
@@ -1688,6 +2051,7 @@ public static partial class Geometry {
     /// origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
     /// @param reverse_z  0: near has the low depth; 1: near has the high depth
     /// @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+    /// Cost: O(1).
     /// </summary>
     public static unsafe Frustum FrustumFromMatrix(Mat4 viewProjection, DepthRange depthRange, bool reverseZ) {
         var frustum = default(Frustum);
@@ -1696,10 +2060,13 @@ public static partial class Geometry {
     }
 
     /// <summary>
-    /// Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
-    /// @param vertices       vertex_count elements of 3 floats
+    /// Examine arrays without building anything. Allocates while it runs.
+    /// @param vertices       vertex_count elements of 3 floats, metres
     /// @param vertex_stride  bytes between vertices, at least 12
     /// @param indices        index_count numbers, three for each triangle
+    /// @param out_report     what was found; indices out of range and bad vertices are counted, not refused
+    /// @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
+    /// Cost: O(n log n).
     /// </summary>
     public static unsafe MeshReport MeshCheck(ReadOnlySpan<Vec3> vertices, ReadOnlySpan<uint> indices) {
         var report = default(MeshReport);

@@ -21,30 +21,38 @@ module Gamephys
       own(Pointer) { |made| Low.gphys_mesh_create(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), vertices.pointer, vertices.stride, vertices.count, indices.pointer, indices.count, made) }
     end
 
-    # What the mesh was built from.
+    # What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+    # Cost: O(1).
     def get_report
       out_report = MeshReport.room
       Low.check(Low.gphys_mesh_get_report(opened, out_report))
       MeshReport.unpack(out_report)
     end
 
-    # Copy the vertices out; in their original order.
+    # Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+    # Cost: O(vertices).
     def get_vertices
       Low.list(Vec3) { |out, capacity, total| Low.gphys_mesh_get_vertices(opened, out, capacity, total) }
     end
 
-    # Copy the indices out; in their original order.
+    # Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
+    # *out_total counts indices, not triangles.
+    # Cost: O(n).
     def get_indices
       Low.list(UInt32) { |out, capacity, total| Low.gphys_mesh_get_indices(opened, out, capacity, total) }
     end
 
     # All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-    # Kept when the array is too small: the first ones.  @return GPHYS_OK (also for 0 hits)
+    # Kept when the array is too small: the first ones.
+    # @return GPHYS_OK (also for 0 hits)
+    # Cost: O(log n + k) expected.
     def raycast_all(ray)
       Low.list(Hit) { |out, capacity, total| Low.gphys_mesh_raycast_all(opened, Ray.pack(ray), out, capacity, total) }
     end
 
     # Whether a ray hits anything; cheaper than the closest hit.
+    # @param out_hit  0 or 1
+    # Cost: O(log n) expected.
     def raycast_any?(ray)
       out_hit = Int32.room
       Low.check(Low.gphys_mesh_raycast_any(opened, Ray.pack(ray), out_hit))
@@ -53,18 +61,21 @@ module Gamephys
 
     # Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
     # ascending. Kept when the array is too small: the lowest.
+    # @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    # Cost: O(log n + k) expected.
     def overlap(shape)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_mesh_overlap(opened, Low.kind(shape), Low.shape(shape), out, capacity, total) }
     end
 
-    # Cost: O(nodes).
+    # How the mesh's octree is made up. Cost: O(nodes).
     def get_octree_stats
       out_stats = OctreeStats.room
       Low.check(Low.gphys_mesh_get_octree_stats(opened, out_stats))
       OctreeStats.unpack(out_stats)
     end
 
-    # Boxes of the tree, each parent before its children. Kept when too many: the first.
+    # Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+    # Cost: O(nodes).
     def get_octree_boxes
       Low.list(OctreeBox) { |out, capacity, total| Low.gphys_mesh_get_octree_boxes(opened, out, capacity, total) }
     end
@@ -75,6 +86,7 @@ module Gamephys
       def self.release(pointer) = Low.gphys_scene_destroy(pointer)
     end
 
+    # Create a scene without models.
     # With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
     # adding and moving many models, share their work among n threads; the results have the same bits
     # for every n. Without a task_runner n - 1 threads are started here and joined by
@@ -82,8 +94,10 @@ module Gamephys
     # work. They take no signals but faults, and the floating-point settings of the thread that
     # created them. In a child of fork they are gone: calls there run on one thread, as they do on a
     # platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-    # @param desc  may be NULL
-    # @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+    # @param desc  NULL: the defaults
+    # @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
+    #         reserve_models is above 2^24 - 1
+    # Cost: O(reserve_models), and that of starting the threads.
     def initialize(**desc)
       own(Pointer) { |made| Low.gphys_scene_create(Low.desc(Low::SceneDesc, :gphys_scene_desc_init, desc), made) }
     end
@@ -102,7 +116,7 @@ module Gamephys
       nil
     end
 
-    # Where in the world the scene's coordinates count from.
+    # Where in the world the scene's coordinates count from. Cost: O(1).
     def get_origin
       out_origin = Float64.room(3)
       Low.check(Low.gphys_scene_get_origin(opened, out_origin))
@@ -123,8 +137,13 @@ module Gamephys
       UInt32.unpack(out_model)
     end
 
-    # Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
-    # needs shape_stride 0). transforms may be NULL. out_models has count elements.
+    # Add count models of one type, all or none, as gphys_scene_add does one.
+    # @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
+    # @param transforms  local; a stride of 0 shares one; NULL is the identity
+    # @param desc        for all; NULL: no parent, layer 1, tag 0
+    # @param out_models  count elements
+    # @return as gphys_scene_add
+    # Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
     def add_batch(shapes, transforms = nil, out: nil, **desc)
       shapes = Low.shapes(shapes)
       transforms = Low.array(Transform, transforms)
@@ -135,12 +154,15 @@ module Gamephys
     end
 
     # Remove a model. Its children stay where they are in the world and lose their parent.
+    # Cost: O(log n) amortised, and O(1) a child.
     def remove(model)
       Low.check(Low.gphys_scene_remove(opened, model))
       nil
     end
 
-    # Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID.
+    # Remove models, all or none.
+    # @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
+    # Cost: that of count calls of gphys_scene_remove.
     def remove_batch(models)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -148,29 +170,31 @@ module Gamephys
       nil
     end
 
-    # Remove a model and all its descendants.
+    # Remove a model and all its descendants. Cost: O(log n) amortised for each.
     def remove_subtree(model)
       Low.check(Low.gphys_scene_remove_subtree(opened, model))
       nil
     end
 
-    # Remove all. Ids given out before stay invalid.
+    # Remove all models. Ids given out before stay invalid. Cost: O(n).
     def clear
       Low.check(Low.gphys_scene_clear(opened))
       nil
     end
 
-    # GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID.
+    # Whether an id names a model of this scene.
+    # @return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
+    # Cost: O(1).
     def has?(model)
       Low.answered(Low.gphys_scene_has(opened, model), ERROR_INVALID_ID)
     end
 
-    # Ids of all models, ascending. Kept when too many: the lowest.
+    # Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
     def get_models
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_models(opened, out, capacity, total) }
     end
 
-    # Kind, parent, layers, tag and number of children of a model.
+    # Kind, parent, layers, tag and number of children of a model. Cost: O(1).
     def get_info(model)
       out_info = ModelInfo.room
       Low.check(Low.gphys_scene_get_info(opened, model, out_info))
@@ -178,24 +202,34 @@ module Gamephys
     end
 
     # World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-    # of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+    # of its sizes wider. That of an empty mesh is its position.
+    # @return GPHYS_UNBOUNDED for a plane
+    # Cost: O(1).
     def get_bounds(model)
       out_bounds = Aabb.room
       Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_bounds(opened, model, out_bounds))
     end
 
-    # World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out.
+    # World box of all bounded models. Planes are left out.
+    # @return GPHYS_NO_HIT if there are none
+    # Cost: O(1).
     def get_scene_bounds
       out_bounds = Aabb.room
       Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_scene_bounds(opened, out_bounds))
     end
 
-    # Change which queries see a model, or what its hits report. Children are not affected.
+    # Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
+    # affected.
+    # @param layers  any mask; 0: no query sees it
+    # Cost: O(1).
     def set_layers(model, layers)
       Low.check(Low.gphys_scene_set_layers(opened, model, layers))
       nil
     end
 
+    # Change the number that a model's hits report beside its id. Children are not affected.
+    # @param tag  any number of the caller's
+    # Cost: O(1).
     def set_tag(model, tag)
       Low.check(Low.gphys_scene_set_tag(opened, model, tag))
       nil
@@ -205,19 +239,26 @@ module Gamephys
     # @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
     #                    changed so that the world transform stays (within float32 rounding)
     # @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+    # Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
     def set_parent(model, parent, keep_world)
       Low.check(Low.gphys_scene_set_parent(opened, model, parent, Low.flag(keep_world)))
       nil
     end
 
-    # Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.
+    # Set a model's local transform. Descendants follow.
+    # @param transform  relative to the parent; scale > 0
+    # @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
+    # Cost: O(log n) for each model that moves.
     def set_transform(model, transform)
       Low.check(Low.gphys_scene_set_transform(opened, model, Transform.pack(transform)))
       nil
     end
 
-    # Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-    # that moves when few move, O(n) when many do.
+    # Set the local transforms of many models, all or none; a model that stands twice gets the last.
+    # Descendants follow.
+    # @param models      count ids
+    # @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
+    # Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
     def set_transforms(models, transforms)
       models = Low.array(UInt32, models)
       transforms = Low.array(Transform, transforms)
@@ -226,6 +267,10 @@ module Gamephys
       nil
     end
 
+    # Local transforms of count models, as they were set: relative to the parent.
+    # @param models          count ids; one may stand twice
+    # @param out_transforms  count elements
+    # Cost: O(count).
     def get_transforms(models, out: nil)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -234,6 +279,11 @@ module Gamephys
       out
     end
 
+    # World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+    # answer is exact with respect to these.
+    # @param models          count ids; one may stand twice
+    # @param out_transforms  count elements
+    # Cost: O(count).
     def get_world_transforms(models, out: nil)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -244,11 +294,17 @@ module Gamephys
 
     # Closest model on a ray; the fields are exact as in gphys_shape_raycast.
     # @return GPHYS_OK or GPHYS_NO_HIT
+    # Cost: O(log n) expected; no allocation.
     def raycast(ray, layers: ALL_LAYERS)
       out_hit = Hit.room
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_raycast(opened, Ray.pack(ray), layers, out_hit))
     end
 
+    # Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
+    # t = INFINITY.
+    # @param rays      a stride of 0 casts one ray count times
+    # @param out_hits  count elements
+    # Cost: at most that of count single calls; shared among workers.
     def raycast_batch(rays, layers: ALL_LAYERS, out: nil)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
@@ -258,12 +314,18 @@ module Gamephys
     end
 
     # Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    # @param out_hit  0 or 1
+    # Cost: O(log n) expected.
     def raycast_any?(ray, layers: ALL_LAYERS)
       out_hit = Int32.room
       Low.check(Low.gphys_scene_raycast_any(opened, Ray.pack(ray), layers, out_hit))
       Int32.unpack(out_hit) != 0
     end
 
+    # Whether each of count rays meets anything, as gphys_scene_raycast_any.
+    # @param rays      a stride of 0 casts one ray count times
+    # @param out_hits  count elements, each 0 or 1
+    # Cost: at most that of count single calls; shared among workers.
     def raycast_any_batch(rays, layers: ALL_LAYERS, out: nil)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
@@ -273,28 +335,39 @@ module Gamephys
     end
 
     # Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-    # the first.
+    # the first. Cost: O(log n + k log k) expected.
     def raycast_all(ray, layers: ALL_LAYERS)
       Low.list(Hit) { |out, capacity, total| Low.gphys_scene_raycast_all(opened, Ray.pack(ray), layers, out, capacity, total) }
     end
 
-    # The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+    # Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
+    # out_hits[out_offsets[i]] up to out_offsets[i + 1].
+    # @param rays         a stride of 0 casts one ray count times
     # @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
     #                     room. Where a ray's range crosses capacity, its first hits are written.
     # What stands in out_hits behind the last hit afterwards is unspecified.
     # @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+    # Cost: that of count single calls; shared among workers.
     def raycast_all_batch(rays, layers: ALL_LAYERS)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
       Low.ragged(Hit, count) { |out, capacity, offsets| Low.gphys_scene_raycast_all_batch(opened, rays.pointer, rays.stride, count, layers, out, capacity, offsets) }
     end
 
-    # Closest model along a segment from a to b, both included; t in 0..1.
+    # Closest model along a segment from a to b, both included; t in 0..1. Fields as in
+    # gphys_shape_segment_test.
+    # @return GPHYS_OK or GPHYS_NO_HIT
+    # Cost: O(log n) expected.
     def segment_test(segment, layers: ALL_LAYERS)
       out_hit = Hit.room
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_segment_test(opened, Segment.pack(segment), layers, out_hit))
     end
 
+    # Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
+    # model = 0 and t = INFINITY.
+    # @param segments  a stride of 0 tests one segment count times
+    # @param out_hits  count elements
+    # Cost: that of count single calls; shared among workers.
     def segment_test_batch(segments, layers: ALL_LAYERS, out: nil)
       segments = Low.array(Segment, segments)
       count = Low.common(segments)
@@ -303,13 +376,20 @@ module Gamephys
       out
     end
 
-    # Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-    # ascending. Kept when too many: the lowest.
+    # Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
+    # gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
+    # @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    # Cost: O(log n + k) expected.
     def overlap(shape, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_overlap(opened, Low.kind(shape), Low.shape(shape), layers, out, capacity, total) }
     end
 
-    # Offsets as in gphys_scene_raycast_all_batch.
+    # Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
+    # i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
+    # @param shapes       a stride of 0 asks for one shape count times
+    # @param out_offsets  count + 1 numbers, always complete
+    # @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
+    # Cost: at most that of count single calls; shared among workers.
     def overlap_batch(shapes, layers: ALL_LAYERS)
       shapes = Low.shapes(shapes)
       count = Low.common(shapes)
@@ -320,7 +400,7 @@ module Gamephys
     # own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
     # per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
     # too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-    # as scratch memory to order them.
+    # as scratch memory to order them. Cost: O(log n + k) expected.
     def cull(frustum, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_cull(opened, Frustum.pack(frustum), layers, out, capacity, total) }
     end
@@ -328,11 +408,18 @@ module Gamephys
     # The model nearest to a point, and its closest point.
     # @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
     # @return GPHYS_OK or GPHYS_NO_HIT
+    # Cost: O(log n) expected.
     def nearest(point, max_distance: Float::INFINITY, layers: ALL_LAYERS)
       out_nearest = Nearest.room
       Nearest.unpack(out_nearest) if Low.found(Low.gphys_scene_nearest(opened, Vec3.pack(point), max_distance, layers, out_nearest))
     end
 
+    # The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
+    # distance = INFINITY.
+    # @param points        a stride of 0 asks for one point count times
+    # @param max_distance  metres, >= 0, INFINITY allowed, for all points
+    # @param out_nearest   count elements
+    # Cost: that of count single calls; shared among workers.
     def nearest_batch(points, max_distance: Float::INFINITY, layers: ALL_LAYERS, out: nil)
       points = Low.array(Vec3, points)
       count = Low.common(points)
@@ -343,11 +430,20 @@ module Gamephys
 
     # First model that a sphere touches while it moves by displacement; t in 0..1.
     # Fields as in gphys_shape_sweep_sphere.
+    # @param displacement  metres; may be zero
+    # @return GPHYS_OK or GPHYS_NO_HIT
+    # Cost: O(log n + k) expected, k the models that the swept box touches.
     def sweep_sphere(sphere, displacement, layers: ALL_LAYERS)
       out_hit = Hit.room
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_sweep_sphere(opened, Sphere.pack(sphere), Vec3.pack(displacement), layers, out_hit))
     end
 
+    # First models that count spheres touch while each moves by its displacement, as
+    # gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
+    # @param spheres        a stride of 0 takes one sphere throughout
+    # @param displacements  metres; a stride of 0 moves all alike
+    # @param out_hits       count elements
+    # Cost: that of count single calls; shared among workers.
     def sweep_sphere_batch(spheres, displacements, layers: ALL_LAYERS, out: nil)
       spheres = Low.array(Sphere, spheres)
       displacements = Low.array(Vec3, displacements)
@@ -357,21 +453,23 @@ module Gamephys
       out
     end
 
-    # Cost: O(nodes).
+    # How the scene's octree is made up. Cost: O(nodes).
     def get_octree_stats
       out_stats = OctreeStats.room
       Low.check(Low.gphys_scene_get_octree_stats(opened, out_stats))
       OctreeStats.unpack(out_stats)
     end
 
-    # Boxes of the tree, each parent before its children. Kept when too many: the first.
+    # Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+    # Cost: O(nodes).
     def get_octree_boxes
       Low.list(OctreeBox) { |out, capacity, total| Low.gphys_scene_get_octree_boxes(opened, out, capacity, total) }
     end
 
     # Check the scene's own structure: every model once in the tree, every box around its content,
-    # parents and children in agreement, free slots free. For tests; O(n).
+    # parents and children in agreement, free slots free. For tests.
     # @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+    # Cost: O(n).
     def validate
       Low.check(Low.gphys_scene_validate(opened))
       nil
@@ -383,7 +481,9 @@ module Gamephys
       def self.release(pointer) = Low.gphys_camera_destroy(pointer)
     end
 
-    # @param desc  may be NULL
+    # Create a camera with the defaults above.
+    # @param desc  NULL: the defaults
+    # Cost: O(1).
     def initialize(**desc)
       own(Pointer) { |made| Low.gphys_camera_create(Low.desc(Low::CameraDesc, :gphys_camera_desc_init, desc), made) }
     end
@@ -391,59 +491,72 @@ module Gamephys
     # Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
     # The camera and the target of its orbit stay where they are in the world. Picking and culling need a
     # scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
+    # @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+    # Cost: O(1).
     def set_origin(origin)
       Low.check(Low.gphys_camera_set_origin(opened, Float64.pack_all(origin, 3)))
       nil
     end
 
-    # Where in the world the camera's coordinates count from.
+    # Where in the world the camera's coordinates count from, metres. Cost: O(1).
     def get_origin
       out_origin = Float64.room(3)
       Low.check(Low.gphys_camera_get_origin(opened, out_origin))
       Float64.unpack_all(out_origin, 3)
     end
 
-    # @param fov_y  full vertical angle, 1e-6 <= fov_y < pi
-    # @param near_distance  > 0
-    # @param far_distance   > near_distance; INFINITY allowed
+    # See with a perspective projection; what is further away is smaller.
+    # @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
+    # @param near_distance  metres, > 0
+    # @param far_distance   metres, > near_distance; INFINITY allowed
+    # Cost: O(1).
     def set_perspective(fov_y, near_distance, far_distance)
       Low.check(Low.gphys_camera_set_perspective(opened, fov_y, near_distance, far_distance))
       nil
     end
 
+    # See with an orthographic projection; the distance changes no size.
     # @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
-    # @param near_distance, far_distance  far at least 1e-6 above near, which may be negative
+    # @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+    # Cost: O(1).
     def set_orthographic(height, near_distance, far_distance)
       Low.check(Low.gphys_camera_set_orthographic(opened, height, near_distance, far_distance))
       nil
     end
 
-    # Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
-    # library's). It is not changed by gphys_camera_set_viewport.
+    # See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
+    # another library's). It is not changed by gphys_camera_set_viewport.
     # @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
     #         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
     #         the matrix is for another depth range
+    # Cost: O(1).
     def set_projection(projection)
       Low.check(Low.gphys_camera_set_projection(opened, Mat4.pack(projection)))
       nil
     end
 
-    # The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height.
+    # The viewport was resized. Perspective keeps fov_y, orthographic its height.
+    # @param width, height  pixels, 1e-3 .. 1e6
+    # Cost: O(1).
     def set_viewport(width, height)
       Low.check(Low.gphys_camera_set_viewport(opened, width, height))
       nil
     end
 
     # Place the camera.
+    # @param position  metres, of its centre
+    # @param rotation  from its own axes to those of the world
+    # Cost: O(1).
     def set_transform(position, rotation)
       Low.check(Low.gphys_camera_set_transform(opened, Vec3.pack(position), Quat.pack(rotation)))
       nil
     end
 
     # Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
-    # kept, then up), so that a matrix which drifted is mended.
+    # kept, then up), so that a matrix which drifted is corrected.
     # @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
     #         they mirror or the last row is not 0 0 0 1
+    # Cost: O(1).
     def set_world_matrix(world)
       Low.check(Low.gphys_camera_set_world_matrix(opened, Mat4.pack(world)))
       nil
@@ -452,12 +565,13 @@ module Gamephys
     # Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
     # chosen in its place, always the same for the same input.
     # @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+    # Cost: O(1).
     def look_at(eye, target, up)
       Low.check(Low.gphys_camera_look_at(opened, Vec3.pack(eye), Vec3.pack(target), Vec3.pack(up)))
       nil
     end
 
-    # Where the camera stands and how it is turned.
+    # Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
     def get_transform
       out_position = Vec3.room
       out_rotation = Quat.room
@@ -465,28 +579,29 @@ module Gamephys
       [Vec3.unpack(out_position), Quat.unpack(out_rotation)]
     end
 
-    # Camera to world.
+    # The matrix from camera to world. Cost: O(1).
     def get_world_matrix
       out_world = Mat4.room
       Low.check(Low.gphys_camera_get_world_matrix(opened, out_world))
       Mat4.unpack(out_world)
     end
 
-    # World to camera: the transpose of the orthonormal world axes, and the position through them.
+    # The matrix from world to camera: the transpose of the orthonormal world axes, and the position
+    # through them. Cost: O(1).
     def get_view_matrix
       out_view = Mat4.room
       Low.check(Low.gphys_camera_get_view_matrix(opened, out_view))
       Mat4.unpack(out_view)
     end
 
-    # Camera to clip space.
+    # The matrix from camera to clip space. Cost: O(1).
     def get_projection_matrix
       out_projection = Mat4.room
       Low.check(Low.gphys_camera_get_projection_matrix(opened, out_projection))
       Mat4.unpack(out_projection)
     end
 
-    # Projection * view, multiplied in double precision and rounded once.
+    # Projection * view, multiplied in double precision and rounded once. Cost: O(1).
     def get_view_projection_matrix
       out_view_projection = Mat4.room
       Low.check(Low.gphys_camera_get_view_projection_matrix(opened, out_view_projection))
@@ -494,71 +609,90 @@ module Gamephys
     end
 
     # Start orbiting with these settings; places the camera at once and drops pending input. An angle
-    # or a distance outside its limits is brought inside.
+    # or a distance outside its limits is brought inside. Cost: O(1).
     def set_orbit(orbit)
       Low.check(Low.gphys_camera_set_orbit(opened, Orbit.pack(orbit)))
       nil
     end
 
-    # The present settings, angles and distance.
+    # The present settings, angles and distance of the orbit.
     # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    # Cost: O(1).
     def get_orbit
       out_orbit = Orbit.room
       Low.check(Low.gphys_camera_get_orbit(opened, out_orbit))
       Orbit.unpack(out_orbit)
     end
 
-    # Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size.
+    # Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+    # @param units_x, units_y  finite, any size
+    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    # Cost: O(1).
     def orbit_rotate(units_x, units_y)
       Low.check(Low.gphys_camera_orbit_rotate(opened, units_x, units_y))
       nil
     end
 
-    # Add input: come closer by units times metres_per_unit (go back if negative).
+    # Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+    # @param units  finite, any size
+    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    # Cost: O(1).
     def orbit_zoom(units)
       Low.check(Low.gphys_camera_orbit_zoom(opened, units))
       nil
     end
 
-    # Add input: move the target to the camera's right and up, as the last update left them, by units
-    # times metres_per_unit.
+    # Add input to the orbit: move the target to the camera's right and up, as the last update left them,
+    # by units times metres_per_unit.
+    # @param units_right, units_up  finite, any size
+    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    # Cost: O(1).
     def orbit_pan(units_right, units_up)
       Low.check(Low.gphys_camera_orbit_pan(opened, units_right, units_up))
       nil
     end
 
     # Apply the input since the last update, within the limits, and place the camera. Angles are
-    # wrapped to -pi .. pi in constant time. The orbit's settings must have been set.
+    # wrapped to -pi .. pi in constant time.
+    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    # Cost: O(1).
     def orbit_update
       Low.check(Low.gphys_camera_orbit_update(opened))
       nil
     end
 
     # The seen volume, with origin at the camera's position and planes from its parameters: each
-    # number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double.
+    # number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    # Cost: O(1).
     def get_frustum
       out_frustum = Frustum.room
       Low.check(Low.gphys_camera_get_frustum(opened, out_frustum))
       Frustum.unpack(out_frustum)
     end
 
-    # World positions of its corners, in the order of gphys_frustum_corners.
+    # World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
     # @return GPHYS_UNBOUNDED with an infinite far plane
+    # Cost: O(1).
     def get_corners
       out_corners = Vec3.room(8)
       Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_camera_get_corners(opened, out_corners))
     end
 
-    # World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
-    # depth in the camera's range.
+    # World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
+    # z is the depth in the camera's range.
     # @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
     #         image lies beyond the range of coordinates
+    # Cost: O(1).
     def project(point)
       out_pixel = Vec3.room
       Vec3.unpack(out_pixel) if Low.found(Low.gphys_camera_project(opened, Vec3.pack(point), out_pixel))
     end
 
-    # The same for count points; a point without an image gets x = y = z = INFINITY.
+    # Pixels of count world points, as gphys_camera_project; a point without an image gets
+    # x = y = z = INFINITY.
+    # @param points      metres; a stride of 0 projects one point count times
+    # @param out_pixels  count elements
+    # Cost: O(count).
     def project_batch(points, out: nil)
       points = Low.array(Vec3, points)
       count = Low.common(points)
@@ -570,12 +704,17 @@ module Gamephys
     # Pixel and depth to world point: the inverse of gphys_camera_project.
     # @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
     #         beyond the range of coordinates
+    # Cost: O(1).
     def unproject(pixel)
       out_point = Vec3.room
       Vec3.unpack(out_point) if Low.found(Low.gphys_camera_unproject(opened, Vec3.pack(pixel), out_point))
     end
 
-    # The same for count pixels; one at infinity gets x = y = z = INFINITY.
+    # World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
+    # x = y = z = INFINITY.
+    # @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
+    # @param out_points  count elements
+    # Cost: O(count).
     def unproject_batch(pixels, out: nil)
       pixels = Low.array(Vec3, pixels)
       count = Low.common(pixels)
@@ -588,15 +727,20 @@ module Gamephys
     # on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
     # Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
     # near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-    # For perspective the stretch before the near plane is part of the ray. Pixels outside the
-    # viewport are allowed.
+    # For perspective the stretch before the near plane is part of the ray.
+    # @param pixel_x, pixel_y  pixels; may lie outside the viewport
     # @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+    # Cost: O(1).
     def pick_ray(pixel_x, pixel_y)
       out_ray = Ray.room
       Ray.unpack(out_ray) if Low.found(Low.gphys_camera_pick_ray(opened, pixel_x, pixel_y, out_ray))
     end
 
-    # Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32.
+    # Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
+    # @param x, y, width, height  pixels; width * height rays, fewer than 2^32
+    # @param out_rays             width * height elements
+    # @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+    # Cost: O(width * height).
     def pick_rays(x, y, width, height, out: nil)
       out = Low.results(Ray, out, width * height)
       Low.check(Low.gphys_camera_pick_rays(opened, x, y, width, height, out.pointer, Ray::BYTES))
@@ -605,13 +749,19 @@ module Gamephys
 
     # The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
     # float32; t is in metres.
+    # @param pixel_x, pixel_y  pixels; may lie outside the viewport
     # @return GPHYS_OK or GPHYS_NO_HIT
+    # Cost: O(log n) expected.
     def pick(scene, pixel_x, pixel_y, layers: ALL_LAYERS)
       out_hit = Hit.room
       Hit.unpack(out_hit) if Low.found(Low.gphys_camera_pick(opened, Low.opened(scene, Scene), pixel_x, pixel_y, layers, out_hit))
     end
 
-    # The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.
+    # The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
+    # t = INFINITY.
+    # @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
+    # @param out_hits  count elements
+    # Cost: at most that of count single calls; shared among the scene's workers.
     def pick_batch(scene, pixels, layers: ALL_LAYERS, out: nil)
       pixels = Low.array(Float32, pixels, 2)
       count = Low.common(pixels)
@@ -621,13 +771,16 @@ module Gamephys
     end
 
     # Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    # rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+    # rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
+    # @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
     # @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+    # Cost: O(log n + k) expected.
     def pick_rectangle(scene, x0, y0, x1, y1, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_pick_rectangle(opened, Low.opened(scene, Scene), x0, y0, x1, y1, layers, out, capacity, total) }
     end
 
-    # gphys_scene_cull with the camera's frustum.
+    # Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+    # Cost: O(log n + k) expected.
     def cull(scene, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_cull(opened, Low.opened(scene, Scene), layers, out, capacity, total) }
     end
@@ -638,10 +791,12 @@ module Gamephys
       def self.release(pointer) = Low.gphys_solver_destroy(pointer)
     end
 
+    # Create a solver without bodies.
     # With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
     # every n. Threads are started, joined and lost as those of gphys_scene_create.
-    # @param desc  may be NULL
+    # @param desc  NULL: the defaults
     # @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+    # Cost: O(1), and that of starting the threads.
     def initialize(**desc)
       own(Pointer) { |made| Low.gphys_solver_create(Low.desc(Low::SolverDesc, :gphys_solver_desc_init, desc), made) }
     end
@@ -649,37 +804,46 @@ module Gamephys
     # Move the point of the world that the coordinates of all particles count from; see
     # gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
     # step and an attachment need a scene of the same origin, else they return
-    # GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles).
+    # GPHYS_ERROR_INVALID_ARGUMENT.
+    # @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+    # @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+    # Cost: O(particles).
     def set_origin(origin)
       Low.check(Low.gphys_solver_set_origin(opened, Float64.pack_all(origin, 3)))
       nil
     end
 
-    # Where in the world the particles' coordinates count from.
+    # Where in the world the particles' coordinates count from, metres. Cost: O(1).
     def get_origin
       out_origin = Float64.room(3)
       Low.check(Low.gphys_solver_get_origin(opened, out_origin))
       Float64.unpack_all(out_origin, 3)
     end
 
-    # m/s^2, from the next step on.
+    # Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
+    # @param gravity  m/s^2; may be zero
+    # Cost: O(bodies).
     def set_gravity(gravity)
       Low.check(Low.gphys_solver_set_gravity(opened, Vec3.pack(gravity)))
       nil
     end
 
-    # 1 .. 1000. More substeps: smaller errors, proportionally more time. The error of motion goes with the square
-    # of their length. Ropes that move calmly - in a substep no link turns by half a radian, or would swing by one if
-    # its ends were pushed - make each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the
-    # error.
+    # Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
+    # error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
+    # by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
+    # al. 1985): twice the time, a seventh of the error.
+    # @param substeps  1 .. 1000
+    # Cost: O(1).
     def set_substeps(substeps)
       Low.check(Low.gphys_solver_set_substeps(opened, substeps))
       nil
     end
 
-    # Add particles without constraints.
-    # @param desc  may be NULL
-    # @param positions  count elements, count >= 1
+    # Add a body of particles without constraints.
+    # @param desc       NULL: the defaults
+    # @param positions  metres; count elements, count >= 1
+    # @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    # Cost: O(count).
     def add_particles(positions, **desc)
       positions = Low.array(Vec3, positions)
       count = Low.common(positions)
@@ -689,8 +853,11 @@ module Gamephys
     end
 
     # Add a rope through the given points, one particle at each.
-    # @param count  >= 2
+    # @param desc         NULL: the defaults
+    # @param positions    metres; count elements, count >= 2
     # @param link_length  rest length of each link in metres; 0: as placed
+    # @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    # Cost: O(count).
     def add_rope(positions, link_length: 0, **desc)
       positions = Low.array(Vec3, positions)
       count = Low.common(positions)
@@ -701,7 +868,12 @@ module Gamephys
 
     # Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
     # corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+    # @param desc           NULL: the defaults
+    # @param corner         metres
+    # @param edge_u, edge_v metres, from the corner along a row and along a column
     # @param columns, rows  >= 2
+    # @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    # Cost: O(columns * rows).
     def add_cloth(corner, edge_u, edge_v, columns, rows, **desc)
       out_body = UInt32.room
       Low.check(Low.gphys_solver_add_cloth(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Vec3.pack(corner), Vec3.pack(edge_u), Vec3.pack(edge_v), columns, rows, out_body))
@@ -710,19 +882,25 @@ module Gamephys
 
     # Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
     # with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    # @param transform  places the mesh; may be NULL
+    # @param desc       NULL: the defaults
+    # @param transform  places the mesh; NULL is the identity
+    # @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    # Cost: O(n log n).
     def add_cloth_mesh(mesh, transform = nil, **desc)
       out_body = UInt32.room
       Low.check(Low.gphys_solver_add_cloth_mesh(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Low.opened(mesh, Mesh), transform && Transform.pack(transform), out_body))
       UInt32.unpack(out_body)
     end
 
+    # Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
+    # last step are no longer listed.
+    # Cost: O(particles + constraints of the body), and O(joints of the solver).
     def remove_body(body)
       Low.check(Low.gphys_solver_remove_body(opened, body))
       nil
     end
 
-    # Ids of all bodies, ascending. Kept when too many: the lowest.
+    # Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
     def get_bodies
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_bodies(opened, out, capacity, total) }
     end
@@ -733,13 +911,14 @@ module Gamephys
     # keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
     # wakes in the step before which a model came, went or moved as near as it could come in a step at
     # 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-    # its state, of gravity or of the origin.
+    # its state, of gravity or of the origin. Cost: O(bodies).
     def get_sleeping
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_sleeping(opened, out, capacity, total) }
     end
 
     # Wake a body; its time of rest begins again.
     # @param body  0: all
+    # Cost: O(1) a body.
     def wake(body)
       Low.check(Low.gphys_solver_wake(opened, body))
       nil
@@ -753,19 +932,28 @@ module Gamephys
       BodyInfo.unpack(out_info)
     end
 
-    # Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.
+    # Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
+    # *out_total counts numbers, not triangles; it is 0 for other bodies.
+    # Cost: O(triangles).
     def get_triangles(body)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_triangles(opened, body, out, capacity, total) }
     end
 
-    # Metres.
+    # Where the particles are, metres.
+    # @param first, count   the particles first .. first + count - 1; a range beyond the body is
+    #                       GPHYS_ERROR_INVALID_ARGUMENT
+    # @param out_positions  count elements
+    # Cost: O(count).
     def get_positions(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
       Low.check(Low.gphys_solver_get_positions(opened, body, first, count, out.pointer, Vec3::BYTES))
       out
     end
 
-    # Moves particles there at once and without collision on the way; velocities stay as they are.
+    # Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
+    # @param first, count  as in gphys_solver_get_positions
+    # @param positions     metres; a stride of 0 moves all to one place
+    # Cost: O(count).
     def set_positions(body, first, positions)
       positions = Low.array(Vec3, positions)
       count = Low.common(positions)
@@ -773,13 +961,20 @@ module Gamephys
       nil
     end
 
-    # m/s
+    # How fast the particles are, m/s.
+    # @param first, count    as in gphys_solver_get_positions
+    # @param out_velocities  count elements; 0 of what is pinned
+    # Cost: O(count).
     def get_velocities(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
       Low.check(Low.gphys_solver_get_velocities(opened, body, first, count, out.pointer, Vec3::BYTES))
       out
     end
 
+    # Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
+    # @param first, count  as in gphys_solver_get_positions
+    # @param velocities    m/s; a stride of 0 gives all the same
+    # Cost: O(count).
     def set_velocities(body, first, velocities)
       velocities = Low.array(Vec3, velocities)
       count = Low.common(velocities)
@@ -787,13 +982,21 @@ module Gamephys
       nil
     end
 
-    # kg, > 0. A pinned particle keeps its mass for the time when it is released.
+    # Masses of particles, kg. That of a pinned particle is what it has when it is released.
+    # @param first, count  as in gphys_solver_get_positions
+    # @param out_masses    count elements
+    # Cost: O(count).
     def get_masses(body, first, count, out: nil)
       out = Low.results(Float32, out, count)
       Low.check(Low.gphys_solver_get_masses(opened, body, first, count, out.pointer, Float32::BYTES))
       out
     end
 
+    # Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
+    # Wakes the body.
+    # @param first, count  as in gphys_solver_get_positions
+    # @param masses        kg, > 0; a stride of 0 gives all the same
+    # Cost: O(count).
     def set_masses(body, first, masses)
       masses = Low.array(Float32, masses)
       count = Low.common(masses)
@@ -801,7 +1004,10 @@ module Gamephys
       nil
     end
 
-    # Collision radius, metres, >= 0.
+    # Change the collision radii of particles. Wakes the body.
+    # @param first, count  as in gphys_solver_get_positions
+    # @param radii         metres, >= 0; a stride of 0 gives all the same
+    # Cost: O(count).
     def set_radii(body, first, radii)
       radii = Low.array(Float32, radii)
       count = Low.common(radii)
@@ -809,7 +1015,10 @@ module Gamephys
       nil
     end
 
-    # Forces in newtons that act beside gravity, from now on until set again.
+    # Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
+    # @param first, count  as in gphys_solver_get_positions
+    # @param forces        newtons; a stride of 0 gives all the same
+    # Cost: O(count).
     def set_forces(body, first, forces)
       forces = Low.array(Vec3, forces)
       count = Low.common(forces)
@@ -817,8 +1026,11 @@ module Gamephys
       nil
     end
 
-    # Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+    # Pin or release particles. A pinned particle stays where it is put and moves only by
     # gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+    # @param first, count  as in gphys_solver_get_positions
+    # @param pinned        1: pin; 0: release
+    # Cost: O(count).
     def set_pinned(body, first, count, pinned)
       Low.check(Low.gphys_solver_set_pinned(opened, body, first, count, Low.flag(pinned)))
       nil
@@ -826,14 +1038,18 @@ module Gamephys
 
     # Fix a particle to a model: it follows the model's transform in each step, and is released when
     # the model is gone. Steps must then be given this scene.
-    # @param local_point  in the model's coordinates; NULL: where the particle is now
+    # @param scene        of the same origin as the solver; not modified
+    # @param local_point  metres, in the model's coordinates; NULL: where the particle is now
+    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+    # Cost: O(1).
     def attach(scene, body, particle, model, local_point = nil)
       Low.check(Low.gphys_solver_attach(opened, Low.opened(scene, Scene), body, particle, model, local_point && Vec3.pack(local_point)))
       nil
     end
 
     # Release an attached particle.
-    # @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached
+    # @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
+    # Cost: O(1).
     def detach(body, particle)
       Low.check(Low.gphys_solver_detach(opened, body, particle))
       nil
@@ -842,7 +1058,9 @@ module Gamephys
     # Hold two different particles of a body at a distance.
     # @param rest_length  metres, >= 0; negative: the present distance
     # @param compliance   metres per newton, >= 0; 0 is rigid
-    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
+    #         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
+    # Cost: O(1); the next step plans the body again, O(constraints).
     def add_distance(body, particle_a, particle_b, rest_length, compliance: 0)
       out_constraint = UInt32.room
       Low.check(Low.gphys_solver_add_distance(opened, body, particle_a, particle_b, rest_length, compliance, out_constraint))
@@ -856,7 +1074,7 @@ module Gamephys
     # @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     # @return as gphys_solver_add_distance
     # It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-    # strained only when it is too long.
+    # strained only when it is too long. Cost: as gphys_solver_add_distance.
     def add_max_distance(body, particle_a, particle_b, max_length, compliance: 0)
       out_constraint = UInt32.room
       Low.check(Low.gphys_solver_add_max_distance(opened, body, particle_a, particle_b, max_length, compliance, out_constraint))
@@ -868,6 +1086,7 @@ module Gamephys
     # on steps. Rigid constraints have nothing to damp.
     # @param damping  N s/m, >= 0; 0, which every constraint begins with: none
     # @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+    # Cost: as gphys_solver_add_distance.
     def set_constraint_damping(body, constraint, damping)
       Low.check(Low.gphys_solver_set_constraint_damping(opened, body, constraint, damping))
       nil
@@ -890,6 +1109,7 @@ module Gamephys
     # held at the end of the last step: above 0 it pushes outward.
     # @param out_volume, out_pressure  may be NULL
     # @return GPHYS_ERROR_UNSUPPORTED if none is held
+    # Cost: O(triangles).
     def get_volume(body)
       out_volume = Float32.room
       out_pressure = Float32.room
@@ -897,12 +1117,16 @@ module Gamephys
       [Float32.unpack(out_volume), Float32.unpack(out_pressure)]
     end
 
+    # End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+    # @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
+    # Cost: as gphys_solver_add_distance.
     def remove_constraint(body, constraint)
       Low.check(Low.gphys_solver_remove_constraint(opened, body, constraint))
       nil
     end
 
     # All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    # Cost: O(constraints).
     def get_constraints(body)
       Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, body, out, capacity, total) }
     end
@@ -925,8 +1149,9 @@ module Gamephys
       UInt32.unpack(out_joint)
     end
 
-    # End a joint.
+    # End a joint. Wakes both bodies.
     # @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
+    # Cost: as gphys_solver_join.
     def unjoin(joint)
       Low.check(Low.gphys_solver_unjoin(opened, joint))
       nil
@@ -934,6 +1159,7 @@ module Gamephys
 
     # Joints of a body, by id. Kept when too many: the lowest.
     # @param body  0: of all bodies
+    # Cost: O(joints of the solver).
     def get_joints(body)
       Low.list(JointInfo) { |out, capacity, total| Low.gphys_solver_get_joints(opened, body, out, capacity, total) }
     end
@@ -941,10 +1167,10 @@ module Gamephys
     # Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     # takes more where they would be longer than 25 ms.
     # @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-    # @param dt     1e-6 .. 0.5
+    # @param dt     seconds, 1e-6 .. 0.5
     # Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-    # through particles. Cost: O(particles + constraints)
-    # substeps, and a scene query for particles near models.
+    # through particles. May allocate.
+    # Cost: O(particles + constraints) a substep, and a scene query for particles near models.
     def step(scene, dt)
       Low.check(Low.gphys_solver_step(opened, scene && Low.opened(scene, Scene), dt))
       nil
@@ -955,6 +1181,7 @@ module Gamephys
     # @param frame_time    seconds, >= 0
     # @param out_steps     steps made; may be NULL
     # @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    # Cost: that of the steps made.
     def advance(scene, frame_time)
       out_steps = UInt32.room
       out_leftover = Float32.room
@@ -969,13 +1196,16 @@ module Gamephys
     # most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
     # target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
     # met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    # Cost: O(1).
     def get_substeps(body)
       out_substeps = UInt32.room
       Low.check(Low.gphys_solver_get_substeps(opened, body, out_substeps))
       UInt32.unpack(out_substeps)
     end
 
-    # @param body  0: all bodies together.  Cost: O(particles + constraints).
+    # Counts, strain and energy of a body at present.
+    # @param body  0: all bodies together
+    # Cost: O(particles + constraints).
     def get_stats(body)
       out_stats = SolverStats.room
       Low.check(Low.gphys_solver_get_stats(opened, body, out_stats))
@@ -983,6 +1213,7 @@ module Gamephys
     end
 
     # Contacts of the last step by body, particle, model. Kept when too many: the first.
+    # Cost: O(contacts).
     def get_contacts
       Low.list(Contact) { |out, capacity, total| Low.gphys_solver_get_contacts(opened, out, capacity, total) }
     end
@@ -1033,6 +1264,7 @@ module Gamephys
 
   # Whether the shape fulfils the ranges beside its struct.
   # @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+  # Cost: O(1).
   def self.validate(shape)
     Low.check(Low.gphys_shape_validate(Low.kind(shape), Low.shape(shape)))
     nil
@@ -1041,6 +1273,7 @@ module Gamephys
   # The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
   # @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
   #         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+  # Cost: O(1), for a mesh too.
   def self.bounds(shape)
     out_bounds = Aabb.room
     Aabb.unpack(out_bounds) if Low.found(Low.gphys_shape_bounds(Low.kind(shape), Low.shape(shape), out_bounds))
@@ -1050,13 +1283,18 @@ module Gamephys
   # With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
   # axes are those of its rotation in double precision).
   # @param tolerance  >= 0
-  # @param out_contains  0 or 1
+  # @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
   def self.contains?(shape, point, tolerance: 0)
     out_contains = Int32.room
     Low.check(Low.gphys_shape_contains(Low.kind(shape), Low.shape(shape), Vec3.pack(point), tolerance, out_contains))
     Int32.unpack(out_contains) != 0
   end
 
+  # Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
+  # @param points        a stride of 0 asks for one point count times
+  # @param tolerance     metres, >= 0, for all points
+  # @param out_contains  count elements, each 0 or 1
+  # Cost: that of count single calls.
   def self.contains_batch(shape, points, tolerance: 0, out: nil)
     points = Low.array(Vec3, points)
     count = Low.common(points)
@@ -1070,12 +1308,17 @@ module Gamephys
   # coordinate difference. If several are equally close, one of them,
   # always the same. For a ray, t is limited by t_max.
   # @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+  # Cost: O(1); O(log n) expected for a mesh.
   def self.closest_point(shape, point)
     out_nearest = Nearest.room
     Nearest.unpack(out_nearest) if Low.found(Low.gphys_shape_closest_point(Low.kind(shape), Low.shape(shape), Vec3.pack(point), out_nearest))
   end
 
-  # The same for count points. An element for which there is none gets distance INFINITY.
+  # The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
+  # element for which there is none gets distance INFINITY.
+  # @param points       a stride of 0 asks for one point count times
+  # @param out_nearest  count elements
+  # Cost: that of count single calls.
   def self.closest_point_batch(shape, points, out: nil)
     points = Low.array(Vec3, points)
     count = Low.common(points)
@@ -1085,7 +1328,9 @@ module Gamephys
   end
 
   # The closest points of two segments and their distance. Parallel segments have many: the first
-  # along a, always the same. out_a, out_b, out_distance may each be NULL.
+  # along a, always the same.
+  # @param out_a, out_b, out_distance  each may be NULL; metres
+  # Cost: O(1).
   def self.segment_closest_points(a, b)
     out_a = Vec3.room
     out_b = Vec3.room
@@ -1100,13 +1345,19 @@ module Gamephys
   # Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
   # precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
   # @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+  # Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
   def self.overlaps?(a, b)
     out_overlaps = Int32.room
     Low.check(Low.gphys_shape_overlaps(Low.kind(a), Low.shape(a), Low.kind(b), Low.shape(b), out_overlaps))
     Int32.unpack(out_overlaps) != 0
   end
 
-  # Pair i is a[i] against b[i]; a stride of 0 tests one shape against many. A mesh needs 0.
+  # Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
+  # @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
+  #                      needs 0
+  # @param out_overlaps  count elements, each 0 or 1
+  # @return GPHYS_ERROR_UNSUPPORTED for rays and segments
+  # Cost: that of count single calls.
   def self.overlaps_batch(a, b, out: nil)
     a = Low.shapes(a)
     b = Low.shapes(b)
@@ -1117,8 +1368,10 @@ module Gamephys
   end
 
   # Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-  # @param out_signed_distance  of the shape's nearest point to the plane: > 0 in front, < 0
+  # @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
   #                             behind, 0 when crossing; may be NULL
+  # @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+  # Cost: O(1).
   def self.classify_plane(shape, plane)
     out_side = Int32.room
     out_signed_distance = Float32.room
@@ -1128,6 +1381,8 @@ module Gamephys
 
   # Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
   # that no point is shared, inside that the frustum holds the whole shape.
+  # @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+  # Cost: O(1).
   def self.classify_frustum(shape, frustum)
     out_side = Int32.room
     Low.check(Low.gphys_shape_classify_frustum(Low.kind(shape), Low.shape(shape), Frustum.pack(frustum), out_side))
@@ -1140,14 +1395,19 @@ module Gamephys
   # Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
   # and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
   # smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-  # @return GPHYS_OK or GPHYS_NO_HIT
+  # @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+  # Cost: O(1); O(log n) expected for a mesh.
   def self.raycast(shape, ray)
     out_hit = Hit.room
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_raycast(Low.kind(shape), Low.shape(shape), Ray.pack(ray), out_hit))
   end
 
-  # The same for count rays. A ray that hits nothing gets t = INFINITY, triangle =
-  # GPHYS_NO_TRIANGLE and zeros in its out_hits element.  @return GPHYS_OK
+  # First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
+  # t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
+  # @param rays      a stride of 0 casts one ray count times
+  # @param out_hits  count elements
+  # @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+  # Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
   def self.raycast_batch(shape, rays, out: nil)
     rays = Low.array(Ray, rays)
     count = Low.common(rays)
@@ -1159,21 +1419,23 @@ module Gamephys
   # First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
   # A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
   # then is met from no direction, the normal is zero.
-  # @return GPHYS_OK or GPHYS_NO_HIT
+  # @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+  # Cost: as gphys_shape_raycast.
   def self.segment_test(shape, segment)
     out_hit = Hit.room
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_segment_test(Low.kind(shape), Low.shape(shape), Segment.pack(segment), out_hit))
   end
 
-  # First contact of a sphere that moves by displacement (which may be zero) with a sphere,
-  # capsule, AABB, OBB, plane, triangle, frustum or mesh.
+  # First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
+  # triangle, frustum or mesh.
+  # @param displacement  metres; may be zero
   # @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
   #                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
   #                 and where the centre itself is in a solid, the normal is opposite to the
   #                 displacement (zero if that is zero).
+  # @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
   # Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-  # Cost: a frustum, approached step by step, takes about 10 us.
-  # @return GPHYS_OK or GPHYS_NO_HIT
+  # Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
   def self.sweep_sphere(shape, sphere, displacement)
     out_hit = Hit.room
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_sweep_sphere(Low.kind(shape), Low.shape(shape), Sphere.pack(sphere), Vec3.pack(displacement), out_hit))
@@ -1182,6 +1444,7 @@ module Gamephys
   # The eight corners, each the intersection of three planes: near then far, each in the order
   # left-bottom, right-bottom, right-top, left-top.
   # @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+  # Cost: O(1).
   def self.frustum_corners(frustum)
     out_corners = Vec3.room(8)
     Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_frustum_corners(Frustum.pack(frustum), out_corners))
@@ -1191,16 +1454,20 @@ module Gamephys
   # origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
   # @param reverse_z  0: near has the low depth; 1: near has the high depth
   # @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+  # Cost: O(1).
   def self.frustum_from_matrix(view_projection, depth_range, reverse_z)
     out_frustum = Frustum.room
     Low.check(Low.gphys_frustum_from_matrix(Mat4.pack(view_projection), depth_range, Low.flag(reverse_z), out_frustum))
     Frustum.unpack(out_frustum)
   end
 
-  # Examine arrays without building anything. Allocates while it runs. Cost: O(n log n).
-  # @param vertices       vertex_count elements of 3 floats
+  # Examine arrays without building anything. Allocates while it runs.
+  # @param vertices       vertex_count elements of 3 floats, metres
   # @param vertex_stride  bytes between vertices, at least 12
   # @param indices        index_count numbers, three for each triangle
+  # @param out_report     what was found; indices out of range and bad vertices are counted, not refused
+  # @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
+  # Cost: O(n log n).
   def self.mesh_check(vertices, indices)
     vertices = Low.array(Float32, vertices, 3)
     indices = Low.array(UInt32, indices)

@@ -6,7 +6,9 @@ import java.util.Optional;
 
 /**
  * <pre>
- * &#64;param desc  may be NULL
+ * Create a camera with the defaults above.
+ * &#64;param desc  NULL: the defaults
+ * Cost: O(1).
  * </pre>
  */
 public final class Camera extends Owned {
@@ -27,6 +29,8 @@ public final class Camera extends Owned {
      * Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
      * The camera and the target of its orbit stay where they are in the world. Picking and culling need a
      * scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
+     * &#64;param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+     * Cost: O(1).
      * </pre>
      */
     public void setOrigin(double[] origin) {
@@ -38,7 +42,7 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Where in the world the camera's coordinates count from.
+     * Where in the world the camera's coordinates count from, metres. Cost: O(1).
      * </pre>
      */
     public double[] getOrigin() {
@@ -51,9 +55,11 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * &#64;param fov_y  full vertical angle, 1e-6 &lt;= fov_y &lt; pi
-     * &#64;param near_distance  &gt; 0
-     * &#64;param far_distance   &gt; near_distance; INFINITY allowed
+     * See with a perspective projection; what is further away is smaller.
+     * &#64;param fov_y  full vertical angle in radians, 1e-6 &lt;= fov_y &lt; pi
+     * &#64;param near_distance  metres, &gt; 0
+     * &#64;param far_distance   metres, &gt; near_distance; INFINITY allowed
+     * Cost: O(1).
      * </pre>
      */
     public void setPerspective(float fovY, float nearDistance, float farDistance) {
@@ -64,8 +70,10 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
+     * See with an orthographic projection; the distance changes no size.
      * &#64;param height  metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
-     * &#64;param near_distance, far_distance  far at least 1e-6 above near, which may be negative
+     * &#64;param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+     * Cost: O(1).
      * </pre>
      */
     public void setOrthographic(float height, float nearDistance, float farDistance) {
@@ -76,11 +84,12 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Any projection matrix of the camera's depth range and direction (off-centre, oblique, another
-     * library's). It is not changed by gphys_camera_set_viewport.
+     * See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
+     * another library's). It is not changed by gphys_camera_set_viewport.
      * &#64;return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
      *         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
      *         the matrix is for another depth range
+     * Cost: O(1).
      * </pre>
      */
     public void setProjection(Mat4 projection) {
@@ -92,7 +101,9 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * The viewport was resized: pixels, 1e-3 .. 1e6. Perspective keeps fov_y, orthographic its height.
+     * The viewport was resized. Perspective keeps fov_y, orthographic its height.
+     * &#64;param width, height  pixels, 1e-3 .. 1e6
+     * Cost: O(1).
      * </pre>
      */
     public void setViewport(float width, float height) {
@@ -104,6 +115,9 @@ public final class Camera extends Owned {
     /**
      * <pre>
      * Place the camera.
+     * &#64;param position  metres, of its centre
+     * &#64;param rotation  from its own axes to those of the world
+     * Cost: O(1).
      * </pre>
      */
     public void setTransform(Vec3 position, Quat rotation) {
@@ -116,9 +130,10 @@ public final class Camera extends Owned {
     /**
      * <pre>
      * Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
-     * kept, then up), so that a matrix which drifted is mended.
+     * kept, then up), so that a matrix which drifted is corrected.
      * &#64;return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
      *         they mirror or the last row is not 0 0 0 1
+     * Cost: O(1).
      * </pre>
      */
     public void setWorldMatrix(Mat4 world) {
@@ -133,6 +148,7 @@ public final class Camera extends Owned {
      * Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
      * chosen in its place, always the same for the same input.
      * &#64;return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+     * Cost: O(1).
      * </pre>
      */
     public void lookAt(Vec3 eye, Vec3 target, Vec3 up) {
@@ -147,7 +163,7 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Where the camera stands and how it is turned.
+     * Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
      * </pre>
      */
     public TransformResult getTransform() {
@@ -160,7 +176,7 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Camera to world.
+     * The matrix from camera to world. Cost: O(1).
      * </pre>
      */
     public Mat4 getWorldMatrix() {
@@ -173,7 +189,8 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * World to camera: the transpose of the orthonormal world axes, and the position through them.
+     * The matrix from world to camera: the transpose of the orthonormal world axes, and the position
+     * through them. Cost: O(1).
      * </pre>
      */
     public Mat4 getViewMatrix() {
@@ -186,7 +203,7 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Camera to clip space.
+     * The matrix from camera to clip space. Cost: O(1).
      * </pre>
      */
     public Mat4 getProjectionMatrix() {
@@ -199,7 +216,7 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Projection * view, multiplied in double precision and rounded once.
+     * Projection * view, multiplied in double precision and rounded once. Cost: O(1).
      * </pre>
      */
     public Mat4 getViewProjectionMatrix() {
@@ -213,7 +230,7 @@ public final class Camera extends Owned {
     /**
      * <pre>
      * Start orbiting with these settings; places the camera at once and drops pending input. An angle
-     * or a distance outside its limits is brought inside.
+     * or a distance outside its limits is brought inside. Cost: O(1).
      * </pre>
      */
     public void setOrbit(Orbit orbit) {
@@ -225,8 +242,9 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * The present settings, angles and distance.
+     * The present settings, angles and distance of the orbit.
      * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+     * Cost: O(1).
      * </pre>
      */
     public Orbit getOrbit() {
@@ -239,7 +257,10 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Add input: yaw by units_x, pitch by units_y, times radians_per_unit. Finite, any size.
+     * Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+     * &#64;param units_x, units_y  finite, any size
+     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+     * Cost: O(1).
      * </pre>
      */
     public void orbitRotate(float unitsX, float unitsY) {
@@ -250,7 +271,10 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Add input: come closer by units times metres_per_unit (go back if negative).
+     * Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+     * &#64;param units  finite, any size
+     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+     * Cost: O(1).
      * </pre>
      */
     public void orbitZoom(float units) {
@@ -261,8 +285,11 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Add input: move the target to the camera's right and up, as the last update left them, by units
-     * times metres_per_unit.
+     * Add input to the orbit: move the target to the camera's right and up, as the last update left them,
+     * by units times metres_per_unit.
+     * &#64;param units_right, units_up  finite, any size
+     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+     * Cost: O(1).
      * </pre>
      */
     public void orbitPan(float unitsRight, float unitsUp) {
@@ -274,7 +301,9 @@ public final class Camera extends Owned {
     /**
      * <pre>
      * Apply the input since the last update, within the limits, and place the camera. Angles are
-     * wrapped to -pi .. pi in constant time. The orbit's settings must have been set.
+     * wrapped to -pi .. pi in constant time.
+     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+     * Cost: O(1).
      * </pre>
      */
     public void orbitUpdate() {
@@ -286,7 +315,8 @@ public final class Camera extends Owned {
     /**
      * <pre>
      * The seen volume, with origin at the camera's position and planes from its parameters: each
-     * number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double.
+     * number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+     * Cost: O(1).
      * </pre>
      */
     public Frustum getFrustum() {
@@ -299,8 +329,9 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * World positions of its corners, in the order of gphys_frustum_corners.
+     * World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
      * &#64;return GPHYS_UNBOUNDED with an infinite far plane
+     * Cost: O(1).
      * </pre>
      */
     public Optional<java.util.List<Vec3>> getCorners() {
@@ -312,10 +343,11 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport; z is the
-     * depth in the camera's range.
+     * World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
+     * z is the depth in the camera's range.
      * &#64;return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
      *         image lies beyond the range of coordinates
+     * Cost: O(1).
      * </pre>
      */
     public Optional<Vec3> project(Vec3 point) {
@@ -327,7 +359,11 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * The same for count points; a point without an image gets x = y = z = INFINITY.
+     * Pixels of count world points, as gphys_camera_project; a point without an image gets
+     * x = y = z = INFINITY.
+     * &#64;param points      metres; a stride of 0 projects one point count times
+     * &#64;param out_pixels  count elements
+     * Cost: O(count).
      * </pre>
      */
     public Batch<Vec3> projectBatch(Batch<Vec3> points, Batch<Vec3> out) {
@@ -349,6 +385,7 @@ public final class Camera extends Owned {
      * Pixel and depth to world point: the inverse of gphys_camera_project.
      * &#64;return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
      *         beyond the range of coordinates
+     * Cost: O(1).
      * </pre>
      */
     public Optional<Vec3> unproject(Vec3 pixel) {
@@ -360,7 +397,11 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * The same for count pixels; one at infinity gets x = y = z = INFINITY.
+     * World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
+     * x = y = z = INFINITY.
+     * &#64;param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
+     * &#64;param out_points  count elements
+     * Cost: O(count).
      * </pre>
      */
     public Batch<Vec3> unprojectBatch(Batch<Vec3> pixels, Batch<Vec3> out) {
@@ -383,9 +424,10 @@ public final class Camera extends Owned {
      * on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
      * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
      * near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-     * For perspective the stretch before the near plane is part of the ray. Pixels outside the
-     * viewport are allowed.
+     * For perspective the stretch before the near plane is part of the ray.
+     * &#64;param pixel_x, pixel_y  pixels; may lie outside the viewport
      * &#64;return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+     * Cost: O(1).
      * </pre>
      */
     public Optional<Ray> pickRay(float pixelX, float pixelY) {
@@ -397,7 +439,11 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * Rays for a rectangle of pixel centres, row by row: width * height rays, fewer than 2^32.
+     * Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
+     * &#64;param x, y, width, height  pixels; width * height rays, fewer than 2^32
+     * &#64;param out_rays             width * height elements
+     * &#64;return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+     * Cost: O(width * height).
      * </pre>
      */
     public Batch<Ray> pickRays(int x, int y, int width, int height, Batch<Ray> out) {
@@ -417,7 +463,9 @@ public final class Camera extends Owned {
      * <pre>
      * The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
      * float32; t is in metres.
+     * &#64;param pixel_x, pixel_y  pixels; may lie outside the viewport
      * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * Cost: O(log n) expected.
      * </pre>
      */
     public Optional<Hit> pick(Scene scene, float pixelX, float pixelY, int layers) {
@@ -434,7 +482,11 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * The same for count pixels, given as x, y pairs of floats. Misses as in the scene's batches.
+     * The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
+     * t = INFINITY.
+     * &#64;param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
+     * &#64;param out_hits  count elements
+     * Cost: at most that of count single calls; shared among the scene's workers.
      * </pre>
      */
     public Batch<Hit> pickBatch(Scene scene, Batch<Float> pixels, int layers, Batch<Hit> out) {
@@ -459,8 +511,10 @@ public final class Camera extends Owned {
     /**
      * <pre>
      * Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-     * rectangle, between near and far plane; exact shapes, ascending. Corners in any order.
+     * rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
+     * &#64;param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
      * &#64;return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+     * Cost: O(log n + k) expected.
      * </pre>
      */
     public Batch<Integer> pickRectangle(Scene scene, float x0, float y0, float x1, float y1, int layers) {
@@ -478,7 +532,8 @@ public final class Camera extends Owned {
 
     /**
      * <pre>
-     * gphys_scene_cull with the camera's frustum.
+     * Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+     * Cost: O(log n + k) expected.
      * </pre>
      */
     public Batch<Integer> cull(Scene scene, int layers) {

@@ -29,7 +29,8 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * What the mesh was built from.
+     * What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+     * Cost: O(1).
      * </pre>
      */
     public MeshReport getReport() {
@@ -42,7 +43,8 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Copy the vertices out; in their original order.
+     * Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+     * Cost: O(vertices).
      * </pre>
      */
     public Batch<Vec3> getVertices() {
@@ -55,7 +57,9 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Copy the indices out; in their original order.
+     * Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
+     * *out_total counts indices, not triangles.
+     * Cost: O(n).
      * </pre>
      */
     public Batch<Integer> getIndices() {
@@ -69,7 +73,9 @@ public final class Mesh extends Owned implements Shape {
     /**
      * <pre>
      * All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-     * Kept when the array is too small: the first ones.  &#64;return GPHYS_OK (also for 0 hits)
+     * Kept when the array is too small: the first ones.
+     * &#64;return GPHYS_OK (also for 0 hits)
+     * Cost: O(log n + k) expected.
      * </pre>
      */
     public Batch<Hit> raycastAll(Ray ray) {
@@ -84,6 +90,8 @@ public final class Mesh extends Owned implements Shape {
     /**
      * <pre>
      * Whether a ray hits anything; cheaper than the closest hit.
+     * &#64;param out_hit  0 or 1
+     * Cost: O(log n) expected.
      * </pre>
      */
     public boolean raycastAny(Ray ray) {
@@ -98,6 +106,8 @@ public final class Mesh extends Owned implements Shape {
      * <pre>
      * Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
      * ascending. Kept when the array is too small: the lowest.
+     * &#64;return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+     * Cost: O(log n + k) expected.
      * </pre>
      */
     public Batch<Integer> overlap(Shape shape) {
@@ -111,7 +121,7 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Cost: O(nodes).
+     * How the mesh's octree is made up. Cost: O(nodes).
      * </pre>
      */
     public OctreeStats getOctreeStats() {
@@ -124,7 +134,8 @@ public final class Mesh extends Owned implements Shape {
 
     /**
      * <pre>
-     * Boxes of the tree, each parent before its children. Kept when too many: the first.
+     * Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+     * Cost: O(nodes).
      * </pre>
      */
     public Batch<OctreeBox> getOctreeBoxes() {

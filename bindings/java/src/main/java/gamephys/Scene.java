@@ -6,6 +6,7 @@ import java.util.Optional;
 
 /**
  * <pre>
+ * Create a scene without models.
  * With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
  * adding and moving many models, share their work among n threads; the results have the same bits
  * for every n. Without a task_runner n - 1 threads are started here and joined by
@@ -13,8 +14,10 @@ import java.util.Optional;
  * work. They take no signals but faults, and the floating-point settings of the thread that
  * created them. In a child of fork they are gone: calls there run on one thread, as they do on a
  * platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
- * &#64;param desc  may be NULL
- * &#64;return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+ * &#64;param desc  NULL: the defaults
+ * &#64;return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
+ *         reserve_models is above 2^24 - 1
+ * Cost: O(reserve_models), and that of starting the threads.
  * </pre>
  */
 public final class Scene extends SceneBase {
@@ -52,7 +55,7 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Where in the world the scene's coordinates count from.
+     * Where in the world the scene's coordinates count from. Cost: O(1).
      * </pre>
      */
     public double[] getOrigin() {
@@ -95,8 +98,13 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Add count models of one type, all or none. A stride of 0 shares one shape or transform (a mesh
-     * needs shape_stride 0). transforms may be NULL. out_models has count elements.
+     * Add count models of one type, all or none, as gphys_scene_add does one.
+     * &#64;param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
+     * &#64;param transforms  local; a stride of 0 shares one; NULL is the identity
+     * &#64;param desc        for all; NULL: no parent, layer 1, tag 0
+     * &#64;param out_models  count elements
+     * &#64;return as gphys_scene_add
+     * Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
      * </pre>
      */
     public Batch<Integer> addBatch(Shapes shapes, Batch<Transform> transforms, ModelDesc desc, Batch<Integer> out) {
@@ -126,6 +134,7 @@ public final class Scene extends SceneBase {
     /**
      * <pre>
      * Remove a model. Its children stay where they are in the world and lose their parent.
+     * Cost: O(log n) amortised, and O(1) a child.
      * </pre>
      */
     public void remove(int model) {
@@ -136,7 +145,9 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Remove models, all or none. An id that stands twice is GPHYS_ERROR_INVALID_ID.
+     * Remove models, all or none.
+     * &#64;param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
+     * Cost: that of count calls of gphys_scene_remove.
      * </pre>
      */
     public void removeBatch(Batch<Integer> models) {
@@ -148,7 +159,7 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Remove a model and all its descendants.
+     * Remove a model and all its descendants. Cost: O(log n) amortised for each.
      * </pre>
      */
     public void removeSubtree(int model) {
@@ -159,7 +170,7 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Remove all. Ids given out before stay invalid.
+     * Remove all models. Ids given out before stay invalid. Cost: O(n).
      * </pre>
      */
     public void clear() {
@@ -170,7 +181,9 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * GPHYS_OK if the id names a model of this scene, else GPHYS_ERROR_INVALID_ID.
+     * Whether an id names a model of this scene.
+     * &#64;return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
+     * Cost: O(1).
      * </pre>
      */
     public boolean has(int model) {
@@ -181,7 +194,7 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Ids of all models, ascending. Kept when too many: the lowest.
+     * Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
      * </pre>
      */
     public Batch<Integer> getModels() {
@@ -194,7 +207,7 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Kind, parent, layers, tag and number of children of a model.
+     * Kind, parent, layers, tag and number of children of a model. Cost: O(1).
      * </pre>
      */
     public ModelInfo getInfo(int model) {
@@ -208,7 +221,9 @@ public final class Scene extends SceneBase {
     /**
      * <pre>
      * World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-     * of its sizes wider. GPHYS_UNBOUNDED for a plane. That of an empty mesh is its position.
+     * of its sizes wider. That of an empty mesh is its position.
+     * &#64;return GPHYS_UNBOUNDED for a plane
+     * Cost: O(1).
      * </pre>
      */
     public Optional<Aabb> getBounds(int model) {
@@ -220,7 +235,9 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * World box of all bounded models; GPHYS_NO_HIT if there are none. Planes are left out.
+     * World box of all bounded models. Planes are left out.
+     * &#64;return GPHYS_NO_HIT if there are none
+     * Cost: O(1).
      * </pre>
      */
     public Optional<Aabb> getSceneBounds() {
@@ -232,7 +249,10 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Change which queries see a model, or what its hits report. Children are not affected.
+     * Change which queries see a model: those with a mask m of which layers &amp; m is not 0. Children are not
+     * affected.
+     * &#64;param layers  any mask; 0: no query sees it
+     * Cost: O(1).
      * </pre>
      */
     public void setLayers(int model, int layers) {
@@ -241,6 +261,13 @@ public final class Scene extends SceneBase {
         Low.check(status);
     }
 
+    /**
+     * <pre>
+     * Change the number that a model's hits report beside its id. Children are not affected.
+     * &#64;param tag  any number of the caller's
+     * Cost: O(1).
+     * </pre>
+     */
     public void setTag(int model, int tag) {
         int status = Low.gphys_scene_set_tag(opened(), model, tag);
         Low.keep(this);
@@ -253,6 +280,7 @@ public final class Scene extends SceneBase {
      * &#64;param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
      *                    changed so that the world transform stays (within float32 rounding)
      * &#64;return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
+     * Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
      * </pre>
      */
     public void setParent(int model, int parent, boolean keepWorld) {
@@ -263,7 +291,10 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Set one local transform. Descendants follow. Cost: O(log n) for each model that moves.
+     * Set a model's local transform. Descendants follow.
+     * &#64;param transform  relative to the parent; scale &gt; 0
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
+     * Cost: O(log n) for each model that moves.
      * </pre>
      */
     public void setTransform(int model, Transform transform) {
@@ -280,8 +311,11 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Set many, all or none; a model that stands twice gets the last. Cost: O(log n) for each model
-     * that moves when few move, O(n) when many do.
+     * Set the local transforms of many models, all or none; a model that stands twice gets the last.
+     * Descendants follow.
+     * &#64;param models      count ids
+     * &#64;param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
+     * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
      * </pre>
      */
     public void setTransforms(Batch<Integer> models, Batch<Transform> transforms) {
@@ -296,6 +330,14 @@ public final class Scene extends SceneBase {
         setTransforms(models, (Batch<Transform>) null);
     }
 
+    /**
+     * <pre>
+     * Local transforms of count models, as they were set: relative to the parent.
+     * &#64;param models          count ids; one may stand twice
+     * &#64;param out_transforms  count elements
+     * Cost: O(count).
+     * </pre>
+     */
     public Batch<Transform> getTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
         Batch<Transform> room = Batch.room(Transform.LAYOUT, count, out);
@@ -310,6 +352,15 @@ public final class Scene extends SceneBase {
         return getTransforms(models, (Batch<Transform>) null);
     }
 
+    /**
+     * <pre>
+     * World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+     * answer is exact with respect to these.
+     * &#64;param models          count ids; one may stand twice
+     * &#64;param out_transforms  count elements
+     * Cost: O(count).
+     * </pre>
+     */
     public Batch<Transform> getWorldTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
         Batch<Transform> room = Batch.room(Transform.LAYOUT, count, out);
@@ -328,6 +379,7 @@ public final class Scene extends SceneBase {
      * <pre>
      * Closest model on a ray; the fields are exact as in gphys_shape_raycast.
      * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * Cost: O(log n) expected; no allocation.
      * </pre>
      */
     public Optional<Hit> raycast(Ray ray, int layers) {
@@ -342,6 +394,15 @@ public final class Scene extends SceneBase {
         return raycast(ray, Gamephys.ALL_LAYERS);
     }
 
+    /**
+     * <pre>
+     * Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
+     * t = INFINITY.
+     * &#64;param rays      a stride of 0 casts one ray count times
+     * &#64;param out_hits  count elements
+     * Cost: at most that of count single calls; shared among workers.
+     * </pre>
+     */
     public Batch<Hit> raycastBatch(Batch<Ray> rays, int layers, Batch<Hit> out) {
         int count = Low.common(rays.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
@@ -364,6 +425,8 @@ public final class Scene extends SceneBase {
     /**
      * <pre>
      * Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+     * &#64;param out_hit  0 or 1
+     * Cost: O(log n) expected.
      * </pre>
      */
     public boolean raycastAny(Ray ray, int layers) {
@@ -379,6 +442,14 @@ public final class Scene extends SceneBase {
         return raycastAny(ray, Gamephys.ALL_LAYERS);
     }
 
+    /**
+     * <pre>
+     * Whether each of count rays meets anything, as gphys_scene_raycast_any.
+     * &#64;param rays      a stride of 0 casts one ray count times
+     * &#64;param out_hits  count elements, each 0 or 1
+     * Cost: at most that of count single calls; shared among workers.
+     * </pre>
+     */
     public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, int layers, Batch<Integer> out) {
         int count = Low.common(rays.common());
         Batch<Integer> room = Batch.room(Layout.INT, count, out);
@@ -401,7 +472,7 @@ public final class Scene extends SceneBase {
     /**
      * <pre>
      * Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-     * the first.
+     * the first. Cost: O(log n + k log k) expected.
      * </pre>
      */
     public Batch<Hit> raycastAll(Ray ray, int layers) {
@@ -420,11 +491,14 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * The hits of ray i stand at out_hits[out_offsets[i]] up to out_offsets[i + 1].
+     * Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
+     * out_hits[out_offsets[i]] up to out_offsets[i + 1].
+     * &#64;param rays         a stride of 0 casts one ray count times
      * &#64;param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
      *                     room. Where a ray's range crosses capacity, its first hits are written.
      * What stands in out_hits behind the last hit afterwards is unspecified.
      * &#64;return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity
+     * Cost: that of count single calls; shared among workers.
      * </pre>
      */
     public Ragged<Hit> raycastAllBatch(Batch<Ray> rays, int layers) {
@@ -443,7 +517,10 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Closest model along a segment from a to b, both included; t in 0..1.
+     * Closest model along a segment from a to b, both included; t in 0..1. Fields as in
+     * gphys_shape_segment_test.
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * Cost: O(log n) expected.
      * </pre>
      */
     public Optional<Hit> segmentTest(Segment segment, int layers) {
@@ -458,6 +535,15 @@ public final class Scene extends SceneBase {
         return segmentTest(segment, Gamephys.ALL_LAYERS);
     }
 
+    /**
+     * <pre>
+     * Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
+     * model = 0 and t = INFINITY.
+     * &#64;param segments  a stride of 0 tests one segment count times
+     * &#64;param out_hits  count elements
+     * Cost: that of count single calls; shared among workers.
+     * </pre>
+     */
     public Batch<Hit> segmentTestBatch(Batch<Segment> segments, int layers, Batch<Hit> out) {
         int count = Low.common(segments.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
@@ -479,8 +565,10 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-     * ascending. Kept when too many: the lowest.
+     * Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
+     * gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
+     * &#64;return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+     * Cost: O(log n + k) expected.
      * </pre>
      */
     public Batch<Integer> overlap(Shape shape, int layers) {
@@ -499,7 +587,12 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Offsets as in gphys_scene_raycast_all_batch.
+     * Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
+     * i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
+     * &#64;param shapes       a stride of 0 asks for one shape count times
+     * &#64;param out_offsets  count + 1 numbers, always complete
+     * &#64;return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity; GPHYS_ERROR_UNSUPPORTED as there
+     * Cost: at most that of count single calls; shared among workers.
      * </pre>
      */
     public Ragged<Integer> overlapBatch(Shapes shapes, int layers) {
@@ -522,7 +615,7 @@ public final class Scene extends SceneBase {
      * own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
      * per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
      * too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-     * as scratch memory to order them.
+     * as scratch memory to order them. Cost: O(log n + k) expected.
      * </pre>
      */
     public Batch<Integer> cull(Frustum frustum, int layers) {
@@ -544,6 +637,7 @@ public final class Scene extends SceneBase {
      * The model nearest to a point, and its closest point.
      * &#64;param max_distance  &gt;= 0, INFINITY allowed; a model at exactly this distance counts
      * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * Cost: O(log n) expected.
      * </pre>
      */
     public Optional<Nearest> nearest(Vec3 point, float maxDistance, int layers) {
@@ -563,6 +657,16 @@ public final class Scene extends SceneBase {
         return nearest(point, Float.POSITIVE_INFINITY, Gamephys.ALL_LAYERS);
     }
 
+    /**
+     * <pre>
+     * The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
+     * distance = INFINITY.
+     * &#64;param points        a stride of 0 asks for one point count times
+     * &#64;param max_distance  metres, &gt;= 0, INFINITY allowed, for all points
+     * &#64;param out_nearest   count elements
+     * Cost: that of count single calls; shared among workers.
+     * </pre>
+     */
     public Batch<Nearest> nearestBatch(Batch<Vec3> points, float maxDistance, int layers, Batch<Nearest> out) {
         int count = Low.common(points.common());
         Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
@@ -591,6 +695,9 @@ public final class Scene extends SceneBase {
      * <pre>
      * First model that a sphere touches while it moves by displacement; t in 0..1.
      * Fields as in gphys_shape_sweep_sphere.
+     * &#64;param displacement  metres; may be zero
+     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * Cost: O(log n + k) expected, k the models that the swept box touches.
      * </pre>
      */
     public Optional<Hit> sweepSphere(Sphere sphere, Vec3 displacement, int layers) {
@@ -605,6 +712,16 @@ public final class Scene extends SceneBase {
         return sweepSphere(sphere, displacement, Gamephys.ALL_LAYERS);
     }
 
+    /**
+     * <pre>
+     * First models that count spheres touch while each moves by its displacement, as
+     * gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
+     * &#64;param spheres        a stride of 0 takes one sphere throughout
+     * &#64;param displacements  metres; a stride of 0 moves all alike
+     * &#64;param out_hits       count elements
+     * Cost: that of count single calls; shared among workers.
+     * </pre>
+     */
     public Batch<Hit> sweepSphereBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, int layers, Batch<Hit> out) {
         int count = Low.common(spheres.common(), displacements.common());
         Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
@@ -626,7 +743,7 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Cost: O(nodes).
+     * How the scene's octree is made up. Cost: O(nodes).
      * </pre>
      */
     public OctreeStats getOctreeStats() {
@@ -639,7 +756,8 @@ public final class Scene extends SceneBase {
 
     /**
      * <pre>
-     * Boxes of the tree, each parent before its children. Kept when too many: the first.
+     * Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+     * Cost: O(nodes).
      * </pre>
      */
     public Batch<OctreeBox> getOctreeBoxes() {
@@ -653,8 +771,9 @@ public final class Scene extends SceneBase {
     /**
      * <pre>
      * Check the scene's own structure: every model once in the tree, every box around its content,
-     * parents and children in agreement, free slots free. For tests; O(n).
+     * parents and children in agreement, free slots free. For tests.
      * &#64;return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+     * Cost: O(n).
      * </pre>
      */
     public void validate() {

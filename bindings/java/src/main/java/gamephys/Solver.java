@@ -6,10 +6,12 @@ import java.util.Optional;
 
 /**
  * <pre>
+ * Create a solver without bodies.
  * With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
  * every n. Threads are started, joined and lost as those of gphys_scene_create.
- * &#64;param desc  may be NULL
+ * &#64;param desc  NULL: the defaults
  * &#64;return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+ * Cost: O(1), and that of starting the threads.
  * </pre>
  */
 public final class Solver extends Owned {
@@ -30,7 +32,10 @@ public final class Solver extends Owned {
      * Move the point of the world that the coordinates of all particles count from; see
      * gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
      * step and an attachment need a scene of the same origin, else they return
-     * GPHYS_ERROR_INVALID_ARGUMENT. Cost: O(particles).
+     * GPHYS_ERROR_INVALID_ARGUMENT.
+     * &#64;param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+     * Cost: O(particles).
      * </pre>
      */
     public void setOrigin(double[] origin) {
@@ -42,7 +47,7 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Where in the world the particles' coordinates count from.
+     * Where in the world the particles' coordinates count from, metres. Cost: O(1).
      * </pre>
      */
     public double[] getOrigin() {
@@ -55,7 +60,9 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * m/s^2, from the next step on.
+     * Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
+     * &#64;param gravity  m/s^2; may be zero
+     * Cost: O(bodies).
      * </pre>
      */
     public void setGravity(Vec3 gravity) {
@@ -67,10 +74,12 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * 1 .. 1000. More substeps: smaller errors, proportionally more time. The error of motion goes with the square
-     * of their length. Ropes that move calmly - in a substep no link turns by half a radian, or would swing by one if
-     * its ends were pushed - make each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the
-     * error.
+     * Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
+     * error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
+     * by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
+     * al. 1985): twice the time, a seventh of the error.
+     * &#64;param substeps  1 .. 1000
+     * Cost: O(1).
      * </pre>
      */
     public void setSubsteps(int substeps) {
@@ -81,9 +90,11 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Add particles without constraints.
-     * &#64;param desc  may be NULL
-     * &#64;param positions  count elements, count &gt;= 1
+     * Add a body of particles without constraints.
+     * &#64;param desc       NULL: the defaults
+     * &#64;param positions  metres; count elements, count &gt;= 1
+     * &#64;return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+     * Cost: O(count).
      * </pre>
      */
     public int addParticles(Batch<Vec3> positions, BodyDesc desc) {
@@ -103,8 +114,11 @@ public final class Solver extends Owned {
     /**
      * <pre>
      * Add a rope through the given points, one particle at each.
-     * &#64;param count  &gt;= 2
+     * &#64;param desc         NULL: the defaults
+     * &#64;param positions    metres; count elements, count &gt;= 2
      * &#64;param link_length  rest length of each link in metres; 0: as placed
+     * &#64;return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+     * Cost: O(count).
      * </pre>
      */
     public int addRope(Batch<Vec3> positions, float linkLength, BodyDesc desc) {
@@ -130,7 +144,12 @@ public final class Solver extends Owned {
      * <pre>
      * Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
      * corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
+     * &#64;param desc           NULL: the defaults
+     * &#64;param corner         metres
+     * &#64;param edge_u, edge_v metres, from the corner along a row and along a column
      * &#64;param columns, rows  &gt;= 2
+     * &#64;return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+     * Cost: O(columns * rows).
      * </pre>
      */
     public int addCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, int columns, int rows, BodyDesc desc) {
@@ -150,7 +169,10 @@ public final class Solver extends Owned {
      * <pre>
      * Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
      * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-     * &#64;param transform  places the mesh; may be NULL
+     * &#64;param desc       NULL: the defaults
+     * &#64;param transform  places the mesh; NULL is the identity
+     * &#64;return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+     * Cost: O(n log n).
      * </pre>
      */
     public int addClothMesh(Mesh mesh, Transform transform, BodyDesc desc) {
@@ -171,6 +193,13 @@ public final class Solver extends Owned {
         return addClothMesh(mesh, (Transform) null, (BodyDesc) null);
     }
 
+    /**
+     * <pre>
+     * Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
+     * last step are no longer listed.
+     * Cost: O(particles + constraints of the body), and O(joints of the solver).
+     * </pre>
+     */
     public void removeBody(int body) {
         int status = Low.gphys_solver_remove_body(opened(), body);
         Low.keep(this);
@@ -179,7 +208,7 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Ids of all bodies, ascending. Kept when too many: the lowest.
+     * Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
      * </pre>
      */
     public Batch<Integer> getBodies() {
@@ -198,7 +227,7 @@ public final class Solver extends Owned {
      * keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
      * wakes in the step before which a model came, went or moved as near as it could come in a step at
      * 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-     * its state, of gravity or of the origin.
+     * its state, of gravity or of the origin. Cost: O(bodies).
      * </pre>
      */
     public Batch<Integer> getSleeping() {
@@ -213,6 +242,7 @@ public final class Solver extends Owned {
      * <pre>
      * Wake a body; its time of rest begins again.
      * &#64;param body  0: all
+     * Cost: O(1) a body.
      * </pre>
      */
     public void wake(int body) {
@@ -237,7 +267,9 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Particle numbers of a cloth's triangles, three each; total counts numbers, not triangles.
+     * Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
+     * *out_total counts numbers, not triangles; it is 0 for other bodies.
+     * Cost: O(triangles).
      * </pre>
      */
     public Batch<Integer> getTriangles(int body) {
@@ -250,7 +282,11 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Metres.
+     * Where the particles are, metres.
+     * &#64;param first, count   the particles first .. first + count - 1; a range beyond the body is
+     *                       GPHYS_ERROR_INVALID_ARGUMENT
+     * &#64;param out_positions  count elements
+     * Cost: O(count).
      * </pre>
      */
     public Batch<Vec3> getPositions(int body, int first, int count, Batch<Vec3> out) {
@@ -268,7 +304,10 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Moves particles there at once and without collision on the way; velocities stay as they are.
+     * Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
+     * &#64;param first, count  as in gphys_solver_get_positions
+     * &#64;param positions     metres; a stride of 0 moves all to one place
+     * Cost: O(count).
      * </pre>
      */
     public void setPositions(int body, int first, Batch<Vec3> positions) {
@@ -280,7 +319,10 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * m/s
+     * How fast the particles are, m/s.
+     * &#64;param first, count    as in gphys_solver_get_positions
+     * &#64;param out_velocities  count elements; 0 of what is pinned
+     * Cost: O(count).
      * </pre>
      */
     public Batch<Vec3> getVelocities(int body, int first, int count, Batch<Vec3> out) {
@@ -296,6 +338,14 @@ public final class Solver extends Owned {
         return getVelocities(body, first, count, (Batch<Vec3>) null);
     }
 
+    /**
+     * <pre>
+     * Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
+     * &#64;param first, count  as in gphys_solver_get_positions
+     * &#64;param velocities    m/s; a stride of 0 gives all the same
+     * Cost: O(count).
+     * </pre>
+     */
     public void setVelocities(int body, int first, Batch<Vec3> velocities) {
         int count = Low.common(velocities.common());
         int status = Low.gphys_solver_set_velocities(opened(), body, first, count, velocities.pointer(), velocities.stride());
@@ -305,7 +355,10 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * kg, &gt; 0. A pinned particle keeps its mass for the time when it is released.
+     * Masses of particles, kg. That of a pinned particle is what it has when it is released.
+     * &#64;param first, count  as in gphys_solver_get_positions
+     * &#64;param out_masses    count elements
+     * Cost: O(count).
      * </pre>
      */
     public Batch<Float> getMasses(int body, int first, int count, Batch<Float> out) {
@@ -321,6 +374,15 @@ public final class Solver extends Owned {
         return getMasses(body, first, count, (Batch<Float>) null);
     }
 
+    /**
+     * <pre>
+     * Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
+     * Wakes the body.
+     * &#64;param first, count  as in gphys_solver_get_positions
+     * &#64;param masses        kg, &gt; 0; a stride of 0 gives all the same
+     * Cost: O(count).
+     * </pre>
+     */
     public void setMasses(int body, int first, Batch<Float> masses) {
         int count = Low.common(masses.common());
         int status = Low.gphys_solver_set_masses(opened(), body, first, count, masses.pointer(), masses.stride());
@@ -330,7 +392,10 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Collision radius, metres, &gt;= 0.
+     * Change the collision radii of particles. Wakes the body.
+     * &#64;param first, count  as in gphys_solver_get_positions
+     * &#64;param radii         metres, &gt;= 0; a stride of 0 gives all the same
+     * Cost: O(count).
      * </pre>
      */
     public void setRadii(int body, int first, Batch<Float> radii) {
@@ -342,7 +407,10 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Forces in newtons that act beside gravity, from now on until set again.
+     * Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
+     * &#64;param first, count  as in gphys_solver_get_positions
+     * &#64;param forces        newtons; a stride of 0 gives all the same
+     * Cost: O(count).
      * </pre>
      */
     public void setForces(int body, int first, Batch<Vec3> forces) {
@@ -354,8 +422,11 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * Pin (1) or release (0) a range. A pinned particle stays where it is put and moves only by
+     * Pin or release particles. A pinned particle stays where it is put and moves only by
      * gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
+     * &#64;param first, count  as in gphys_solver_get_positions
+     * &#64;param pinned        1: pin; 0: release
+     * Cost: O(count).
      * </pre>
      */
     public void setPinned(int body, int first, int count, boolean pinned) {
@@ -368,7 +439,10 @@ public final class Solver extends Owned {
      * <pre>
      * Fix a particle to a model: it follows the model's transform in each step, and is released when
      * the model is gone. Steps must then be given this scene.
-     * &#64;param local_point  in the model's coordinates; NULL: where the particle is now
+     * &#64;param scene        of the same origin as the solver; not modified
+     * &#64;param local_point  metres, in the model's coordinates; NULL: where the particle is now
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+     * Cost: O(1).
      * </pre>
      */
     public void attach(Scene scene, int body, int particle, int model, Vec3 localPoint) {
@@ -386,7 +460,8 @@ public final class Solver extends Owned {
     /**
      * <pre>
      * Release an attached particle.
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
+     * Cost: O(1).
      * </pre>
      */
     public void detach(int body, int particle) {
@@ -400,7 +475,9 @@ public final class Solver extends Owned {
      * Hold two different particles of a body at a distance.
      * &#64;param rest_length  metres, &gt;= 0; negative: the present distance
      * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one
+     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
+     *         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
+     * Cost: O(1); the next step plans the body again, O(constraints).
      * </pre>
      */
     public int addDistance(int body, int particleA, int particleB, float restLength, float compliance) {
@@ -425,7 +502,7 @@ public final class Solver extends Owned {
      * &#64;param compliance  metres per newton, &gt;= 0, of what it yields beyond that; 0 is rigid
      * &#64;return as gphys_solver_add_distance
      * It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-     * strained only when it is too long.
+     * strained only when it is too long. Cost: as gphys_solver_add_distance.
      * </pre>
      */
     public int addMaxDistance(int body, int particleA, int particleB, float maxLength, float compliance) {
@@ -448,6 +525,7 @@ public final class Solver extends Owned {
      * on steps. Rigid constraints have nothing to damp.
      * &#64;param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
      * &#64;return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
+     * Cost: as gphys_solver_add_distance.
      * </pre>
      */
     public void setConstraintDamping(int body, int constraint, float damping) {
@@ -488,6 +566,7 @@ public final class Solver extends Owned {
      * held at the end of the last step: above 0 it pushes outward.
      * &#64;param out_volume, out_pressure  may be NULL
      * &#64;return GPHYS_ERROR_UNSUPPORTED if none is held
+     * Cost: O(triangles).
      * </pre>
      */
     public VolumeResult getVolume(int body) {
@@ -498,6 +577,13 @@ public final class Solver extends Owned {
         return new VolumeResult(scratch.getFloat(2), scratch.getFloat(3));
     }
 
+    /**
+     * <pre>
+     * End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+     * &#64;return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
+     * Cost: as gphys_solver_add_distance.
+     * </pre>
+     */
     public void removeConstraint(int body, int constraint) {
         int status = Low.gphys_solver_remove_constraint(opened(), body, constraint);
         Low.keep(this);
@@ -507,6 +593,7 @@ public final class Solver extends Owned {
     /**
      * <pre>
      * All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+     * Cost: O(constraints).
      * </pre>
      */
     public Batch<ConstraintInfo> getConstraints(int body) {
@@ -548,8 +635,9 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * End a joint.
+     * End a joint. Wakes both bodies.
      * &#64;return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
+     * Cost: as gphys_solver_join.
      * </pre>
      */
     public void unjoin(int joint) {
@@ -562,6 +650,7 @@ public final class Solver extends Owned {
      * <pre>
      * Joints of a body, by id. Kept when too many: the lowest.
      * &#64;param body  0: of all bodies
+     * Cost: O(joints of the solver).
      * </pre>
      */
     public Batch<JointInfo> getJoints(int body) {
@@ -577,10 +666,10 @@ public final class Solver extends Owned {
      * Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
      * takes more where they would be longer than 25 ms.
      * &#64;param scene  to collide with and to follow attachments; NULL: none. Not modified.
-     * &#64;param dt     1e-6 .. 0.5
+     * &#64;param dt     seconds, 1e-6 .. 0.5
      * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-     * through particles. Cost: O(particles + constraints)
-     * substeps, and a scene query for particles near models.
+     * through particles. May allocate.
+     * Cost: O(particles + constraints) a substep, and a scene query for particles near models.
      * </pre>
      */
     public void step(Scene scene, float dt) {
@@ -599,6 +688,7 @@ public final class Solver extends Owned {
      * &#64;param frame_time    seconds, &gt;= 0
      * &#64;param out_steps     steps made; may be NULL
      * &#64;param out_leftover  0 &lt;= fraction of a step still owed &lt; 1, to blend drawings; may be NULL
+     * Cost: that of the steps made.
      * </pre>
      */
     public AdvanceResult advance(Scene scene, float frameTime) {
@@ -618,6 +708,7 @@ public final class Solver extends Owned {
      * most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
      * target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
      * met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+     * Cost: O(1).
      * </pre>
      */
     public int getSubsteps(int body) {
@@ -630,7 +721,9 @@ public final class Solver extends Owned {
 
     /**
      * <pre>
-     * &#64;param body  0: all bodies together.  Cost: O(particles + constraints).
+     * Counts, strain and energy of a body at present.
+     * &#64;param body  0: all bodies together
+     * Cost: O(particles + constraints).
      * </pre>
      */
     public SolverStats getStats(int body) {
@@ -644,6 +737,7 @@ public final class Solver extends Owned {
     /**
      * <pre>
      * Contacts of the last step by body, particle, model. Kept when too many: the first.
+     * Cost: O(contacts).
      * </pre>
      */
     public Batch<Contact> getContacts() {
