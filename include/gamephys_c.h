@@ -318,8 +318,9 @@ GPHYS_API gphys_status gphys_shape_transform(gphys_shape_type type, const void* 
 /** Whether the point is within tolerance metres of the shape (solid or surface).
  *  With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
  *  axes are those of its rotation in double precision).
- *  @param tolerance  >= 0
- *  @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh. */
+ *  @param tolerance     metres, >= 0
+ *  @param out_contains  0 or 1
+ *  Cost: O(1); O(log n) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_contains(gphys_shape_type type, const void* shape, const gphys_vec3* point,
                                             float tolerance, int32_t* out_contains);
 /** Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
@@ -365,7 +366,7 @@ GPHYS_API gphys_status gphys_segment_closest_points(const gphys_segment* a, cons
 GPHYS_API gphys_status gphys_shape_overlaps(gphys_shape_type a_type, const void* a, gphys_shape_type b_type,
                                             const void* b, int32_t* out_overlaps);
 /** Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
- *  @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
+ *  @param a, b          shapes of one type each; a stride of 0 tests one shape against many, and a mesh
  *                       needs 0
  *  @param out_overlaps  count elements, each 0 or 1
  *  @return GPHYS_ERROR_UNSUPPORTED for rays and segments
@@ -602,8 +603,8 @@ GPHYS_API gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t si
 /** Create a scene without models.
  *  With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
  *  adding and moving many models, share their work among n threads; the results have the same bits
- *  for every n. Without a task_runner n - 1 threads are started here and joined by
- *  gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
+ *  for every n. Without a task_runner n - 1 threads are started here and joined when
+ *  the scene is destroyed. They serve one call at a time: others that come meanwhile do their own
  *  work. They take no signals but faults, and the floating-point settings of the thread that
  *  created them. In a child of fork they are gone: calls there run on one thread, as they do on a
  *  platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
@@ -649,7 +650,7 @@ GPHYS_API gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t si
  *  @param transform  local; NULL is the identity
  *  @param desc       NULL: no parent, layer 1, tag 0
  *  @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
- *          GPHYS_ERROR_CAPACITY
+ *          GPHYS_ERROR_CAPACITY beyond 2^24 - 1 models
  *  Cost: O(log n) amortised. */
 GPHYS_API gphys_status gphys_scene_add(gphys_scene* scene, gphys_shape_type type, const void* shape,
                                        const gphys_transform* transform, const gphys_model_desc* desc,
@@ -853,7 +854,7 @@ GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_fr
                                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 
 /** The model nearest to a point, and its closest point.
- *  @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
+ *  @param max_distance  metres, >= 0, INFINITY allowed; a model at exactly this distance counts
  *  @return GPHYS_OK or GPHYS_NO_HIT
  *  Cost: O(log n) expected. */
 GPHYS_API gphys_status gphys_scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance,
@@ -933,7 +934,7 @@ typedef struct gphys_camera_desc {
  *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_desc_init(gphys_camera_desc* desc, uint32_t size);
-/** Create a camera with the defaults above.
+/** Create a camera that stands at the origin, with the projection and the viewport of its desc.
  *  @param desc  NULL: the defaults
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_create(const gphys_camera_desc* desc, gphys_camera** out_camera);
@@ -1332,7 +1333,7 @@ typedef struct gphys_body_info {
 GPHYS_API gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body,
                                                   gphys_body_info* out_info);
 /** Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
- *  *out_total counts numbers, not triangles; it is 0 for other bodies.
+ *  Other bodies have none. *out_total counts numbers, not triangles.
  *  Cost: O(triangles). */
 GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
                                                   uint32_t capacity, uint32_t* out_total);
@@ -1606,9 +1607,9 @@ GPHYS_API gphys_status gphys_solver_get_snapshot(const gphys_solver* solver, uin
                                                  uint32_t* out_total);
 /** Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
  *  time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
- *  too, is as it was.
+ *  too, is as it was. On an error the solver is as before.
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
- *          byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
+ *          byte order; GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it
  *  Cost: as gphys_solver_get_snapshot; allocates. */
 GPHYS_API gphys_status gphys_solver_restore(gphys_solver* solver, const uint32_t* words, uint32_t count);
 /** A hash of the whole state, the low half first. Equal states have equal hashes on every machine;

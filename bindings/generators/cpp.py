@@ -1,5 +1,6 @@
 """C++: a header of classes over the C interface. Structs are the C ones under shorter names."""
 from ._calls import arguments, batch_arrays, comment
+from ._docs import Language, as_text, translated
 from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element
 
 HEADER = """// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
@@ -133,7 +134,13 @@ inline Orbit orbit() {
 """
 
 
+# Values keep their C names, which the C header below defines.
+LANGUAGE = Language(null="nullptr", function=lambda owner, call: f"{owner or 'gamephys'}::{call.name}", type=camel,
+                    constant=lambda name: name, parameter=lambda name: name, message="the exception's message")
+
+
 def generate(api):
+    api = translated(api, LANGUAGE, lambda doc, creates: as_text(doc, "std::nullopt", "Throws Error with {}"))
     out = [HEADER + '#ifndef GAMEPHYS_HPP\n#define GAMEPHYS_HPP\n\n#include "gamephys_support.hpp"\n\nnamespace gamephys {\n']
     for struct in api["structs"]:
         out.append(f"using {camel(struct['name'])} = {struct['name']};")

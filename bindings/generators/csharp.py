@@ -2,6 +2,7 @@
 import copy
 
 from ._calls import arguments, batch_arrays
+from ._docs import Language, outcome, paragraphs, translated, wrapped
 from ._names import BUILT, SHAPES, base_type, calls, camel, common_prefix, creations, element, lower_camel, plain
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
@@ -36,10 +37,16 @@ def local(name):
     return "@" + text if text in WORDS else text
 
 
+def escaped(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
 def docs(text, indent=""):
     if not text:
         return ""
-    lines = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").split("\n")
+    if text.startswith("<summary>"):
+        return "".join(f"{indent}/// {line}".rstrip() + "\n" for line in text.split("\n"))
+    lines = escaped(text).split("\n")
     if len(lines) == 1:
         return f"{indent}/// <summary>{lines[0]}</summary>\n"
     return "".join(f"{indent}/// {line}".rstrip() + "\n" for line in ["<summary>", *lines, "</summary>"])
@@ -345,6 +352,33 @@ def objects(api):
     return "\n".join(out) + "\n"
 
 
+def language(api):
+    names = {}
+    for enum in api["enums"]:
+        for value in enum["values"]:
+            prefix = common_prefix([v["name"] for v in enum["values"]]) if enum["name"] else ""
+            names[value["name"]] = f"{camel(enum['name'])}.{camel(value['name'][len(prefix):])}" if prefix else camel(value["name"])
+    return Language(null="null", function=lambda owner, call: f"{owner or 'Geometry'}.{camel(call.name)}", type=camel,
+                    constant=lambda name: names.get(name, camel(name)), parameter=lambda name: local(name).lstrip("@"),
+                    message="the exception's message", flags=("false", "true"))
+
+
+def commented(doc, creates):
+    """XML: a summary, a param for each parameter, what is returned and thrown."""
+    lines = [escaped(line) for line in [*paragraphs(doc, 100), *wrapped(f"Cost: {doc.cost}", 100)]]
+    lines[0] = "<summary>" + lines[0]
+    lines[-1] += "</summary>"
+    for names, text in doc.parameters:
+        for name in names.split(", "):
+            lines += wrapped(escaped(text) + "</param>", 100, f'<param name="{name}">')
+    if outcome(doc, "null"):
+        lines += wrapped(escaped(outcome(doc, "null")) + "</returns>", 100, "<returns>")
+    for status, when in doc.errors:
+        lines += wrapped(escaped(f"{status}: {when}") + "</exception>", 100, '<exception cref="GamephysException">')
+    return "\n".join(lines)
+
+
 def generate(api):
+    api = translated(api, language(api), commented)
     return {"csharp/src/Values.cs": values(api), "csharp/src/Low.cs": low(api), "csharp/src/Objects.cs": objects(copy.deepcopy(api)),
             "csharp/tests/Layout.cs": layout(api)}

@@ -1,5 +1,6 @@
 """Java: native methods for JNA, records for values, classes for settings and objects."""
 from ._calls import arguments, batch_arrays
+from ._docs import Language, as_tags, as_text, translated
 from ._names import (ANSWERS, SHAPES, base_type, calls, camel, constants, creations, element, lower_camel, plain)
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\npackage gamephys;\n\n"
@@ -40,12 +41,17 @@ def struct(api, of):
     return next((s for s in api["structs"] if s["name"] == of), None)
 
 
+TAG = "\0"  # stands before the tags of a method's comment, which then needs no <pre>
+
+
 def doc(text, indent):
     if not text:
         return ""
-    for character, escape in (("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("@", "&#64;"), ("*/", "*&#47;")):
+    for character, escape in (("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("@", "&#64;"), (TAG + "&#64;", TAG + "@"), ("*/", "*&#47;")):
         text = text.replace(character, escape)
     lines = "".join(f"{indent} * {line}".rstrip() + "\n" for line in text.split("\n"))
+    if TAG in lines:
+        return f"{indent}/**\n{lines.replace(TAG, '')}{indent} */\n"
     return f"{indent}/**\n{indent} * <pre>\n{lines}{indent} * </pre>\n{indent} */\n"
 
 
@@ -294,7 +300,19 @@ def indented(text):
     return "".join(f"    {line}".rstrip() + "\n" for line in text.splitlines())
 
 
+LANGUAGE = Language(null="null", function=lambda owner, call: f"{owner or 'Gamephys'}.{lower_camel(call.name)}", type=camel,
+                    constant=plain, parameter=lambda name: lower_camel(name.removeprefix("out_")),
+                    message="the exception's message", flags=("false", "true"))
+
+
+def commented(doc, creates):
+    if creates:
+        return as_text(doc, "empty", "Throws GamephysException with {}")
+    return TAG + as_tags(doc, "empty", "@return", "@throws GamephysException with {}:").replace("\n@", "\n" + TAG + "@")
+
+
 def generate(api):
+    api = translated(api, LANGUAGE, commented)
     folder, files = "java/src/main/java/gamephys/", {}
     largest = max(s["size"][0] for s in api["structs"] if not s["name"].endswith("_desc"))
     assert largest <= SLOT, f"a struct of {largest} bytes: make Scratch larger"

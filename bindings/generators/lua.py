@@ -1,5 +1,6 @@
 """Lua: the declarations for LuaJIT's FFI, and a method for each function."""
 from ._calls import arguments, batch_arrays, comment
+from ._docs import Language, as_tags, translated
 from ._names import (ANSWERS, SHAPES, base_type, calls, camel, constants, creations, declarations, element, plain)
 
 HEADER = "-- Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
@@ -150,5 +151,10 @@ def methods(api):
     return "\n".join(out) + "end\n"
 
 
+LANGUAGE = Language(null="nil", function=lambda owner, call: f"{owner}:{call.name}" if owner else f"gp.{call.name}", type=camel,
+                    constant=plain, parameter=lambda name: name.removeprefix("out_"))
+
+
 def generate(api):
+    api = translated(api, LANGUAGE, lambda doc, creates: as_tags(doc, "nil", "@return", "@raise status {}:"))
     return {"lua/gamephys/declarations.lua": declared(api), "lua/gamephys/methods.lua": methods(api)}

@@ -1,4 +1,5 @@
 """Python: ctypes structs, numpy dtypes, prototypes, and a method for each function."""
+from ._docs import Language, outcome, paragraphs, translated, wrapped
 from ._names import ANSWERS, BUILT, SHAPES, base_type, calls, camel, counted_array, creations, element, plain
 
 NUMBERS = {"float": "c_float", "int32_t": "c_int32", "uint32_t": "c_uint32", "size_t": "c_size_t"}
@@ -283,5 +284,25 @@ from ._runtime import (Models, Object, array_of, check, common_length, found, ha
     return "\n".join(line for line in out if line is not None)
 
 
+LANGUAGE = Language(null="None", function=lambda owner, call: f"{owner or 'gamephys'}.{call.name}", type=camel, constant=plain,
+                    parameter=lambda name: name.removeprefix("out_"), flags=("False", "True"))
+# Statuses that are exceptions of their own; the others are an Error with that status.
+EXCEPTIONS = {"ERROR_INVALID_ARGUMENT": "InvalidArgument", "ERROR_INVALID_ID": "InvalidId", "ERROR_OUT_OF_MEMORY": "OutOfMemory"}
+
+
+def layout(doc, creates):
+    lines = paragraphs(doc, 96) + wrapped(f"Cost: {doc.cost}", 96)
+    sections = {"Args": [f"{names}: {text}" for names, text in doc.parameters],
+                "Returns": [text] if (text := outcome(doc, "None")) else [],
+                "Raises": [f"{EXCEPTIONS.get(status, f'Error, status {status}')}: {when}" for status, when in doc.errors]}
+    for title, entries in sections.items():
+        if entries:
+            lines += ["", f"{title}:"]
+            for entry in entries:
+                lines += wrapped(entry, 96, "    ", "        ")
+    return "\n".join(lines)
+
+
 def generate(api):
+    api = translated(api, LANGUAGE, layout)
     return {"python/gamephys/_low.py": low_level(api), "python/gamephys/_objects.py": objects(api)}

@@ -1,5 +1,6 @@
 """Ruby: the functions for the ffi gem, values as Structs, and a method for each function."""
 from ._calls import arguments, batch_arrays, comment
+from ._docs import Language, as_tags, translated
 from ._names import ANSWERS, SHAPES, base_type, calls, camel, constants, creations, element, plain
 
 HEADER = "# frozen_string_literal: true\n\n# Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
@@ -213,6 +214,19 @@ def methods(api):
     return indented("\n".join(out)) + "end\n"
 
 
+LANGUAGE = Language(null="nil", function=lambda owner, call: f"{owner}#{call.name}" if owner else f"Gamephys.{call.name}",
+                    type=camel, constant=plain, parameter=lambda name: name.removeprefix("out_"))
+# Statuses that are exceptions of their own.
+EXCEPTIONS = {"ERROR_INVALID_ARGUMENT": "InvalidArgument", "ERROR_INVALID_ID": "InvalidId", "ERROR_OUT_OF_MEMORY": "OutOfMemory"}
+
+
+def commented(doc, creates):
+    doc.errors = [(EXCEPTIONS.get(status, "Error"), when if status in EXCEPTIONS else f"{when} ({status})")
+                  for status, when in doc.errors]
+    return as_tags(doc, "nil", "@return", "@raise [{}]")
+
+
 def generate(api):
+    api = translated(api, LANGUAGE, commented)
     return {"ruby/lib/gamephys/low.rb": low(api), "ruby/lib/gamephys/values.rb": values(api),
             "ruby/lib/gamephys/methods.rb": methods(api)}

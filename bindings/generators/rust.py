@@ -2,6 +2,7 @@
 import re
 
 from ._calls import arguments, batch_arrays
+from ._docs import Language, outcome, paragraphs, translated, wrapped
 from ._names import BUILT, SHAPES, base_type, calls, camel, common_prefix, creations, element, plain
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
@@ -311,5 +312,34 @@ def objects(api):
     return "\n".join(out)
 
 
+def language(api):
+    names = {}
+    for enum in api["enums"]:
+        for value in enum["values"]:
+            prefix = common_prefix([v["name"] for v in enum["values"]]) if enum["name"] else ""
+            names[value["name"]] = f"{camel(enum['name'])}::{value['name'][len(prefix):]}" if prefix else plain(value["name"])
+    return Language(null="None", function=lambda owner, call: f"`{owner[1:-1]}::{call.name}`" if owner else f"`{call.name}`",
+                    type=lambda name: f"`{camel(name)}`", constant=lambda name: f"`{names.get(name, plain(name))}`",
+                    parameter=lambda name: name.removeprefix("out_"), flags=("false", "true"))
+
+
+def commented(doc, creates):
+    """As rustdoc has it: parameters as a list, errors in a section of their own."""
+    lines = paragraphs(doc, 100) + ["", *wrapped(f"Cost: {doc.cost}", 100)]
+    if doc.parameters:
+        lines.append("")
+    for names, text in doc.parameters:
+        names = ", ".join(f"`{name}`" for name in names.split(", "))
+        lines += wrapped(text, 100, f"* {names}: ", "  ")
+    if outcome(doc, "`None`"):
+        lines += ["", *wrapped(f"Returns {outcome(doc, '`None`')}", 100)]
+    if doc.errors:
+        lines += ["", "# Errors"]
+    for status, when in doc.errors:
+        lines += wrapped(when, 100, f"* {status}: ", "  ")
+    return "\n".join(lines)
+
+
 def generate(api):
+    api = translated(api, language(api), commented)
     return {"rust/src/types.rs": types(api), "rust/src/sys.rs": sys(api), "rust/src/objects.rs": objects(api)}

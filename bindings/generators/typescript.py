@@ -1,4 +1,5 @@
 """The types of the JavaScript package for TypeScript, with the header's comments."""
+from ._docs import Language, as_tags, as_text, translated
 from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
 
 NUMBERS = ("float", "double", "int32_t", "uint32_t", "size_t")
@@ -160,5 +161,16 @@ def typescript(api):
     return "\n".join(out) + "\n"
 
 
+LANGUAGE = Language(null="null", function=lambda owner, call: f"{owner}.{lower_camel(call.name)}" if owner else lower_camel(call.name),
+                    type=camel, constant=plain, parameter=lambda name: name.removeprefix("out_"), flags=("false", "true"))
+
+
+def commented(doc, creates):
+    if creates:
+        return as_text(doc, "null", "Throws GamephysError with {}")
+    return as_tags(doc, "null", "@returns", "@throws {{GamephysError}} {}:", separator=" - ")
+
+
 def generate(api):
+    api = translated(api, LANGUAGE, commented)
     return {"javascript/index.d.ts": typescript(api)}

@@ -53,9 +53,8 @@ type Mesh struct {
 
 // Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
 // segments or points that they are, and counted in the report. 0 triangles are allowed.
-// @param desc  may be NULL
-// @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
-//         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+// The error is ErrInvalidArgument for an index out of range, an indexCount that is no multiple of 3 or
+// a bad vertex; MeshCheck tells which.
 // Cost: O(n log n), about 1 us per triangle.
 func NewMesh(vertices []Vec3, indices []uint32, desc *MeshDesc) (o *Mesh, err error) {
 	if err = checkLength(len(vertices)); err != nil {
@@ -90,7 +89,7 @@ func (o *Mesh) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
-// What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+// What the mesh was built from: the report that MeshCheck makes of its arrays.
 // Cost: O(1).
 func (o *Mesh) Report() (report MeshReport, err error) {
 	self, err := o.open()
@@ -106,7 +105,7 @@ func (o *Mesh) Report() (report MeshReport, err error) {
 	return
 }
 
-// Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+// Copy the vertices out, in metres and in their original order.
 // Cost: O(vertices).
 func (o *Mesh) Vertices() (result []Vec3, err error) {
 	self, err := o.open()
@@ -121,8 +120,7 @@ func (o *Mesh) Vertices() (result []Vec3, err error) {
 	return
 }
 
-// Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
-// *out_total counts indices, not triangles.
+// Copy the indices out, three for each triangle, in their original order.
 // Cost: O(n).
 func (o *Mesh) Indices() (result []uint32, err error) {
 	self, err := o.open()
@@ -138,8 +136,6 @@ func (o *Mesh) Indices() (result []uint32, err error) {
 }
 
 // All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-// Kept when the array is too small: the first ones.
-// @return GPHYS_OK (also for 0 hits)
 // Cost: O(log n + k) expected.
 func (o *Mesh) RaycastAll(ray Ray) (result []Hit, err error) {
 	self, err := o.open()
@@ -155,7 +151,6 @@ func (o *Mesh) RaycastAll(ray Ray) (result []Hit, err error) {
 }
 
 // Whether a ray hits anything; cheaper than the closest hit.
-// @param out_hit  0 or 1
 // Cost: O(log n) expected.
 func (o *Mesh) RaycastAny(ray Ray) (hit bool, err error) {
 	self, err := o.open()
@@ -172,8 +167,8 @@ func (o *Mesh) RaycastAny(ray Ray) (hit bool, err error) {
 }
 
 // Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-// ascending. Kept when the array is too small: the lowest.
-// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// ascending.
+// The error is ErrUnsupported for other types of shapes.
 // Cost: O(log n + k) expected.
 func (o *Mesh) Overlap(shape Shape) (result []uint32, err error) {
 	self, err := o.open()
@@ -193,7 +188,8 @@ func (o *Mesh) Overlap(shape Shape) (result []uint32, err error) {
 	return
 }
 
-// How the mesh's octree is made up. Cost: O(nodes).
+// How the mesh's octree is made up.
+// Cost: O(nodes).
 func (o *Mesh) OctreeStats() (stats OctreeStats, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -208,7 +204,7 @@ func (o *Mesh) OctreeStats() (stats OctreeStats, err error) {
 	return
 }
 
-// Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+// Boxes of the mesh's octree, each parent before its children.
 // Cost: O(nodes).
 func (o *Mesh) OctreeBoxes() (result []OctreeBox, err error) {
 	self, err := o.open()
@@ -228,17 +224,16 @@ type Scene struct {
 	handle unsafe.Pointer
 }
 
-// Create a scene without models.
-// With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
-// adding and moving many models, share their work among n threads; the results have the same bits
-// for every n. Without a task_runner n - 1 threads are started here and joined by
-// gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
-// work. They take no signals but faults, and the floating-point settings of the thread that
+// Create a scene without models. With a worker_count of n, all batch queries of the scene
+// (Camera.PickBatch too), and adding and moving many models, share their work among n threads; the
+// results have the same bits for every n. Without a task_runner n - 1 threads are started here and
+// joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
+// their own work. They take no signals but faults, and the floating-point settings of the thread that
 // created them. In a child of fork they are gone: calls there run on one thread, as they do on a
 // platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-// @param desc  NULL: the defaults
-// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
-//         reserve_models is above 2^24 - 1
+//   - desc: nil: the defaults
+// The error is ErrOutOfMemory also if the threads cannot be started.
+// The error is ErrCapacity if reserve_models is above 2^24 - 1.
 // Cost: O(reserve_models), and that of starting the threads.
 func NewScene(desc *SceneDesc) (o *Scene, err error) {
 	r := C.go_gphys_scene_create((*C.gphys_scene_desc)(unsafe.Pointer(desc)))
@@ -267,15 +262,15 @@ func (o *Scene) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
-// Move the point of the world that all coordinates of the scene count from, those that it is given
-// and those that it returns. Models stay where they are in the world: the positions of those without
-// a parent become what they are from there, kept in double precision and rounded to float32 once,
+// Move the point of the world that all coordinates of the scene count from, those that it is given and
+// those that it returns. Models stay where they are in the world: the positions of those without a
+// parent become what they are from there, kept in double precision and rounded to float32 once,
 // however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
 // and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
-// @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
-// @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
-// Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
-// on. Queries cost nothing more.
+//   - origin: x, y, z in the world, within MaxCoordinate; before the first call 0 0 0
+// The error is ErrInvalidArgument also if a model would leave the range of coordinates.
+// Cost: that of Scene.SetTransforms of all models, and 24 bytes a model from the first call on.
+// Queries cost nothing more.
 func (o *Scene) SetOrigin(origin [3]float64) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -287,7 +282,8 @@ func (o *Scene) SetOrigin(origin [3]float64) (err error) {
 	return
 }
 
-// Where in the world the scene's coordinates count from. Cost: O(1).
+// Where in the world the scene's coordinates count from.
+// Cost: O(1).
 func (o *Scene) Origin() (origin [3]float64, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -303,12 +299,13 @@ func (o *Scene) Origin() (origin [3]float64, err error) {
 }
 
 // Add a model.
-// @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
-// @param shape      in the model's own coordinates
-// @param transform  local; NULL is the identity
-// @param desc       NULL: no parent, layer 1, tag 0
-// @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
-//         GPHYS_ERROR_CAPACITY
+//   - shape: sphere, capsule, AABB, OBB, plane, triangle or mesh
+//   - shape: in the model's own coordinates
+//   - transform: local; nil is the identity
+//   - desc: nil: no parent, layer 1, tag 0
+// The error is ErrUnsupported for another type.
+// The error is ErrInvalidID for a stale parent.
+// The error is ErrCapacity beyond 2^24 - 1 models.
 // Cost: O(log n) amortised.
 func (o *Scene) Add(shape Shape, transform *Transform, desc *ModelDesc) (model ModelID, err error) {
 	self, err := o.open()
@@ -329,13 +326,13 @@ func (o *Scene) Add(shape Shape, transform *Transform, desc *ModelDesc) (model M
 	return
 }
 
-// Add count models of one type, all or none, as gphys_scene_add does one.
-// @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
-// @param transforms  local; a stride of 0 shares one; NULL is the identity
-// @param desc        for all; NULL: no parent, layer 1, tag 0
-// @param out_models  count elements
-// @return as gphys_scene_add
-// Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
+// Add the models of one type, all or none, as Scene.Add does one.
+// Fails as Scene.Add.
+//   - shapes: in the models' own coordinates
+//   - transforms: local; nil is the identity
+//   - desc: for all; nil: no parent, layer 1, tag 0
+// Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their number
+// is of the order of n.
 func (o *Scene) AddBatch(shapes Shapes, transforms []Transform, desc *ModelDesc, models []ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -373,8 +370,8 @@ func (o *Scene) Remove(model ModelID) (err error) {
 }
 
 // Remove models, all or none.
-// @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
-// Cost: that of count calls of gphys_scene_remove.
+//   - models: the ids; one that stands twice is ErrInvalidID
+// Cost: that of as many calls of Scene.Remove.
 func (o *Scene) RemoveBatch(models []ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -390,7 +387,8 @@ func (o *Scene) RemoveBatch(models []ModelID) (err error) {
 	return
 }
 
-// Remove a model and all its descendants. Cost: O(log n) amortised for each.
+// Remove a model and all its descendants.
+// Cost: O(log n) amortised for each.
 func (o *Scene) RemoveSubtree(model ModelID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -402,7 +400,8 @@ func (o *Scene) RemoveSubtree(model ModelID) (err error) {
 	return
 }
 
-// Remove all models. Ids given out before stay invalid. Cost: O(n).
+// Remove all models. Ids given out before stay invalid.
+// Cost: O(n).
 func (o *Scene) Clear() (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -414,7 +413,8 @@ func (o *Scene) Clear() (err error) {
 	return
 }
 
-// Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
+// Ids of all models, ascending.
+// Cost: O(n).
 func (o *Scene) Models() (result []ModelID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -428,7 +428,8 @@ func (o *Scene) Models() (result []ModelID, err error) {
 	return
 }
 
-// Kind, parent, layers, tag and number of children of a model. Cost: O(1).
+// Kind, parent, layers, tag and number of children of a model.
+// Cost: O(1).
 func (o *Scene) Info(model ModelID) (info ModelInfo, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -445,7 +446,7 @@ func (o *Scene) Info(model ModelID) (info ModelInfo, err error) {
 
 // World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
 // of its sizes wider. That of an empty mesh is its position.
-// @return GPHYS_UNBOUNDED for a plane
+// Result: found is false for a plane.
 // Cost: O(1).
 func (o *Scene) Bounds(model ModelID) (bounds AABB, found bool, err error) {
 	self, err := o.open()
@@ -463,7 +464,7 @@ func (o *Scene) Bounds(model ModelID) (bounds AABB, found bool, err error) {
 }
 
 // World box of all bounded models. Planes are left out.
-// @return GPHYS_NO_HIT if there are none
+// Result: found is false if there are none.
 // Cost: O(1).
 func (o *Scene) SceneBounds() (bounds AABB, found bool, err error) {
 	self, err := o.open()
@@ -482,7 +483,7 @@ func (o *Scene) SceneBounds() (bounds AABB, found bool, err error) {
 
 // Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
 // affected.
-// @param layers  any mask; 0: no query sees it
+//   - layers: any mask; 0: no query sees it
 // Cost: O(1).
 func (o *Scene) SetLayers(model ModelID, layers uint32) (err error) {
 	self, err := o.open()
@@ -496,7 +497,7 @@ func (o *Scene) SetLayers(model ModelID, layers uint32) (err error) {
 }
 
 // Change the number that a model's hits report beside its id. Children are not affected.
-// @param tag  any number of the caller's
+//   - tag: any number of the caller's
 // Cost: O(1).
 func (o *Scene) SetTag(model ModelID, tag uint32) (err error) {
 	self, err := o.open()
@@ -510,10 +511,10 @@ func (o *Scene) SetTag(model ModelID, tag uint32) (err error) {
 }
 
 // Hang a model below another one, or below none (0).
-// @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
-//                    changed so that the world transform stays (within float32 rounding)
-// @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
-// Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
+//   - keepWorld: false: the local transform is kept, the model jumps; true: the local transform is
+//     changed so that the world transform stays (within float32 rounding)
+// The error is ErrCycle if parent is the model or one of its descendants.
+// Cost: O(depth of the tree of models), and as Scene.SetTransform for what moves.
 func (o *Scene) SetParent(model ModelID, parent ModelID, keepWorld bool) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -526,8 +527,8 @@ func (o *Scene) SetParent(model ModelID, parent ModelID, keepWorld bool) (err er
 }
 
 // Set a model's local transform. Descendants follow.
-// @param transform  relative to the parent; scale > 0
-// @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
+//   - transform: relative to the parent; scale > 0
+// The error is ErrInvalidArgument also if it, or a descendant, would leave the range of the world.
 // Cost: O(log n) for each model that moves.
 func (o *Scene) SetTransform(model ModelID, transform Transform) (err error) {
 	self, err := o.open()
@@ -542,8 +543,8 @@ func (o *Scene) SetTransform(model ModelID, transform Transform) (err error) {
 
 // Set the local transforms of many models, all or none; a model that stands twice gets the last.
 // Descendants follow.
-// @param models      count ids
-// @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
+//   - models: the ids
+//   - transforms: as in Scene.SetTransform
 // Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
 func (o *Scene) SetTransforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
@@ -560,10 +561,9 @@ func (o *Scene) SetTransforms(models []ModelID, transforms []Transform) (err err
 	return
 }
 
-// Local transforms of count models, as they were set: relative to the parent.
-// @param models          count ids; one may stand twice
-// @param out_transforms  count elements
-// Cost: O(count).
+// Local transforms of the models, as they were set: relative to the parent.
+//   - models: the ids; one may stand twice
+// Cost: O(elements).
 func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -582,11 +582,10 @@ func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error)
 	return
 }
 
-// World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+// World transforms of the models: those of all ancestors applied, rounded to float32. What queries
 // answer is exact with respect to these.
-// @param models          count ids; one may stand twice
-// @param out_transforms  count elements
-// Cost: O(count).
+//   - models: the ids; one may stand twice
+// Cost: O(elements).
 func (o *Scene) WorldTransforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -605,8 +604,8 @@ func (o *Scene) WorldTransforms(models []ModelID, transforms []Transform) (err e
 	return
 }
 
-// Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-// @return GPHYS_OK or GPHYS_NO_HIT
+// Closest model on a ray; the fields are exact as in Raycast.
+// Result: found is false if nothing is found.
 // Cost: O(log n) expected; no allocation.
 func (o *Scene) Raycast(ray Ray, layers uint32) (hit Hit, found bool, err error) {
 	self, err := o.open()
@@ -623,11 +622,9 @@ func (o *Scene) Raycast(ray Ray, layers uint32) (hit Hit, found bool, err error)
 	return
 }
 
-// Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
-// t = INFINITY.
-// @param rays      a stride of 0 casts one ray count times
-// @param out_hits  count elements
-// Cost: at most that of count single calls; shared among workers.
+// Closest models on the rays, as Scene.Raycast; a ray that hits nothing gets model = 0 and t =
+// INFINITY.
+// Cost: at most that of as many single calls; shared among workers.
 func (o *Scene) RaycastBatch(rays []Ray, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -647,7 +644,6 @@ func (o *Scene) RaycastBatch(rays []Ray, layers uint32, hits []Hit) (err error) 
 }
 
 // Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-// @param out_hit  0 or 1
 // Cost: O(log n) expected.
 func (o *Scene) RaycastAny(ray Ray, layers uint32) (hit bool, err error) {
 	self, err := o.open()
@@ -663,10 +659,8 @@ func (o *Scene) RaycastAny(ray Ray, layers uint32) (hit bool, err error) {
 	return
 }
 
-// Whether each of count rays meets anything, as gphys_scene_raycast_any.
-// @param rays      a stride of 0 casts one ray count times
-// @param out_hits  count elements, each 0 or 1
-// Cost: at most that of count single calls; shared among workers.
+// Whether each of the rays meets anything, as Scene.RaycastAny.
+// Cost: at most that of as many single calls; shared among workers.
 func (o *Scene) RaycastAnyBatch(rays []Ray, layers uint32, hits []int32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -685,8 +679,8 @@ func (o *Scene) RaycastAnyBatch(rays []Ray, layers uint32, hits []int32) (err er
 	return
 }
 
-// Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-// the first. Cost: O(log n + k log k) expected.
+// Every model that a ray meets, each once with its first hit, by t, then id.
+// Cost: O(log n + k log k) expected.
 func (o *Scene) RaycastAll(ray Ray, layers uint32) (result []Hit, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -700,14 +694,9 @@ func (o *Scene) RaycastAll(ray Ray, layers uint32) (result []Hit, err error) {
 	return
 }
 
-// Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
-// out_hits[out_offsets[i]] up to out_offsets[i + 1].
-// @param rays         a stride of 0 casts one ray count times
-// @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
-//                     room. Where a ray's range crosses capacity, its first hits are written.
-// What stands in out_hits behind the last hit afterwards is unspecified.
-// @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
-// Cost: that of count single calls; shared among workers.
+// Every model that each of the rays meets, as Scene.RaycastAll: the hits of ray i stand at
+// hits[offsets[i]] up to offsets[i + 1].
+// Cost: that of as many single calls; shared among workers.
 func (o *Scene) RaycastAllBatch(rays []Ray, layers uint32) (result Ragged[Hit], err error) {
 	self, err := o.open()
 	if err != nil {
@@ -725,9 +714,8 @@ func (o *Scene) RaycastAllBatch(rays []Ray, layers uint32) (result Ragged[Hit], 
 	return
 }
 
-// Closest model along a segment from a to b, both included; t in 0..1. Fields as in
-// gphys_shape_segment_test.
-// @return GPHYS_OK or GPHYS_NO_HIT
+// Closest model along a segment from a to b, both included; t in 0..1. Fields as in SegmentTest.
+// Result: found is false if nothing is found.
 // Cost: O(log n) expected.
 func (o *Scene) SegmentTest(segment Segment, layers uint32) (hit Hit, found bool, err error) {
 	self, err := o.open()
@@ -744,11 +732,9 @@ func (o *Scene) SegmentTest(segment Segment, layers uint32) (hit Hit, found bool
 	return
 }
 
-// Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
-// model = 0 and t = INFINITY.
-// @param segments  a stride of 0 tests one segment count times
-// @param out_hits  count elements
-// Cost: that of count single calls; shared among workers.
+// Closest models along the segments, as Scene.SegmentTest; one that hits nothing gets model = 0 and t
+// = INFINITY.
+// Cost: that of as many single calls; shared among workers.
 func (o *Scene) SegmentTestBatch(segments []Segment, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -768,8 +754,8 @@ func (o *Scene) SegmentTestBatch(segments []Segment, layers uint32, hits []Hit) 
 }
 
 // Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
-// gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
-// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Overlaps, ascending.
+// The error is ErrUnsupported for other types of shapes.
 // Cost: O(log n + k) expected.
 func (o *Scene) Overlap(shape Shape, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
@@ -789,12 +775,10 @@ func (o *Scene) Overlap(shape Shape, layers uint32) (result []ModelID, err error
 	return
 }
 
-// Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
-// i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
-// @param shapes       a stride of 0 asks for one shape count times
-// @param out_offsets  count + 1 numbers, always complete
-// @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
-// Cost: at most that of count single calls; shared among workers.
+// Ids of all models that each of the shapes of one type overlaps, as Scene.Overlap: those of shape i
+// stand at models[offsets[i]] up to offsets[i + 1], as in Scene.RaycastAllBatch.
+// The error is ErrUnsupported as there.
+// Cost: at most that of as many single calls; shared among workers.
 func (o *Scene) OverlapBatch(shapes Shapes, layers uint32) (result Ragged[ModelID], err error) {
 	self, err := o.open()
 	if err != nil {
@@ -817,11 +801,10 @@ func (o *Scene) OverlapBatch(shapes Shapes, layers uint32) (result Ragged[ModelI
 	return
 }
 
-// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-// own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
-// per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
-// too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-// as scratch memory to order them. Cost: O(log n + k) expected.
+// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
+// box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
+// more are listed, which Scene.Overlap sorts out by testing the shapes.
+// Cost: O(log n + k) expected.
 func (o *Scene) Cull(frustum Frustum, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -836,8 +819,8 @@ func (o *Scene) Cull(frustum Frustum, layers uint32) (result []ModelID, err erro
 }
 
 // The model nearest to a point, and its closest point.
-// @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-// @return GPHYS_OK or GPHYS_NO_HIT
+//   - maxDistance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+// Result: found is false if nothing is found.
 // Cost: O(log n) expected.
 func (o *Scene) Nearest(point Vec3, maxDistance float32, layers uint32) (nearest Nearest, found bool, err error) {
 	self, err := o.open()
@@ -854,12 +837,10 @@ func (o *Scene) Nearest(point Vec3, maxDistance float32, layers uint32) (nearest
 	return
 }
 
-// The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
-// distance = INFINITY.
-// @param points        a stride of 0 asks for one point count times
-// @param max_distance  metres, >= 0, INFINITY allowed, for all points
-// @param out_nearest   count elements
-// Cost: that of count single calls; shared among workers.
+// The models nearest to the points, as Scene.Nearest; a point with none gets model = 0 and distance =
+// INFINITY.
+//   - maxDistance: metres, >= 0, INFINITY allowed, for all points
+// Cost: that of as many single calls; shared among workers.
 func (o *Scene) NearestBatch(points []Vec3, maxDistance float32, layers uint32, nearest []Nearest) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -878,10 +859,10 @@ func (o *Scene) NearestBatch(points []Vec3, maxDistance float32, layers uint32, 
 	return
 }
 
-// First model that a sphere touches while it moves by displacement; t in 0..1.
-// Fields as in gphys_shape_sweep_sphere.
-// @param displacement  metres; may be zero
-// @return GPHYS_OK or GPHYS_NO_HIT
+// First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+// SweepSphere.
+//   - displacement: metres; may be zero
+// Result: found is false if nothing is found.
 // Cost: O(log n + k) expected, k the models that the swept box touches.
 func (o *Scene) SweepSphere(sphere Sphere, displacement Vec3, layers uint32) (hit Hit, found bool, err error) {
 	self, err := o.open()
@@ -898,12 +879,10 @@ func (o *Scene) SweepSphere(sphere Sphere, displacement Vec3, layers uint32) (hi
 	return
 }
 
-// First models that count spheres touch while each moves by its displacement, as
-// gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
-// @param spheres        a stride of 0 takes one sphere throughout
-// @param displacements  metres; a stride of 0 moves all alike
-// @param out_hits       count elements
-// Cost: that of count single calls; shared among workers.
+// First models that the spheres touch while each moves by its displacement, as Scene.SweepSphere; one
+// that touches nothing gets model = 0 and t = INFINITY.
+//   - displacements: metres
+// Cost: that of as many single calls; shared among workers.
 func (o *Scene) SweepSphereBatch(spheres []Sphere, displacements []Vec3, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -922,7 +901,8 @@ func (o *Scene) SweepSphereBatch(spheres []Sphere, displacements []Vec3, layers 
 	return
 }
 
-// How the scene's octree is made up. Cost: O(nodes).
+// How the scene's octree is made up.
+// Cost: O(nodes).
 func (o *Scene) OctreeStats() (stats OctreeStats, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -937,7 +917,7 @@ func (o *Scene) OctreeStats() (stats OctreeStats, err error) {
 	return
 }
 
-// Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+// Boxes of the scene's octree, each parent before its children.
 // Cost: O(nodes).
 func (o *Scene) OctreeBoxes() (result []OctreeBox, err error) {
 	self, err := o.open()
@@ -952,9 +932,9 @@ func (o *Scene) OctreeBoxes() (result []OctreeBox, err error) {
 	return
 }
 
-// Check the scene's own structure: every model once in the tree, every box around its content,
-// parents and children in agreement, free slots free. For tests.
-// @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+// Check the scene's own structure: every model once in the tree, every box around its content, parents
+// and children in agreement, free slots free. For tests.
+// The error is ErrInternal and the error's message says what is wrong.
 // Cost: O(n).
 func (o *Scene) Validate() (err error) {
 	self, err := o.open()
@@ -972,8 +952,8 @@ type Camera struct {
 	handle unsafe.Pointer
 }
 
-// Create a camera with the defaults above.
-// @param desc  NULL: the defaults
+// Create a camera that stands at the origin, with the projection and the viewport of its desc.
+//   - desc: nil: the defaults
 // Cost: O(1).
 func NewCamera(desc *CameraDesc) (o *Camera, err error) {
 	r := C.go_gphys_camera_create((*C.gphys_camera_desc)(unsafe.Pointer(desc)))
@@ -1002,10 +982,10 @@ func (o *Camera) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
-// Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
-// The camera and the target of its orbit stay where they are in the world. Picking and culling need a
-// scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
-// @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+// Move the point of the world that the camera's coordinates count from; see Scene.SetOrigin. The
+// camera and the target of its orbit stay where they are in the world. Picking and culling need a
+// scene of the same origin, else they fail with ErrInvalidArgument.
+//   - origin: x, y, z in the world, metres, within MaxCoordinate
 // Cost: O(1).
 func (o *Camera) SetOrigin(origin [3]float64) (err error) {
 	self, err := o.open()
@@ -1018,7 +998,8 @@ func (o *Camera) SetOrigin(origin [3]float64) (err error) {
 	return
 }
 
-// Where in the world the camera's coordinates count from, metres. Cost: O(1).
+// Where in the world the camera's coordinates count from, metres.
+// Cost: O(1).
 func (o *Camera) Origin() (origin [3]float64, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1034,9 +1015,9 @@ func (o *Camera) Origin() (origin [3]float64, err error) {
 }
 
 // See with a perspective projection; what is further away is smaller.
-// @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
-// @param near_distance  metres, > 0
-// @param far_distance   metres, > near_distance; INFINITY allowed
+//   - fovY: full vertical angle in radians, 1e-6 <= fovY < pi
+//   - nearDistance: metres, > 0
+//   - farDistance: metres, > nearDistance; INFINITY allowed
 // Cost: O(1).
 func (o *Camera) SetPerspective(fovY float32, nearDistance float32, farDistance float32) (err error) {
 	self, err := o.open()
@@ -1050,8 +1031,8 @@ func (o *Camera) SetPerspective(fovY float32, nearDistance float32, farDistance 
 }
 
 // See with an orthographic projection; the distance changes no size.
-// @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
-// @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+//   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+//   - nearDistance, farDistance: metres; far at least 1e-6 above near, which may be negative
 // Cost: O(1).
 func (o *Camera) SetOrthographic(height float32, nearDistance float32, farDistance float32) (err error) {
 	self, err := o.open()
@@ -1065,10 +1046,10 @@ func (o *Camera) SetOrthographic(height float32, nearDistance float32, farDistan
 }
 
 // See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-// another library's). It is not changed by gphys_camera_set_viewport.
-// @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
-//         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
-//         the matrix is for another depth range
+// another library's). It is not changed by Camera.SetViewport.
+// The error is ErrSingular if it has no inverse, or is too close to such a matrix to tell.
+// The error is ErrInvalidArgument if a plane other than far lies at infinity, as it does when the
+// matrix is for another depth range.
 // Cost: O(1).
 func (o *Camera) SetProjection(projection Mat4) (err error) {
 	self, err := o.open()
@@ -1081,8 +1062,8 @@ func (o *Camera) SetProjection(projection Mat4) (err error) {
 	return
 }
 
-// The viewport was resized. Perspective keeps fov_y, orthographic its height.
-// @param width, height  pixels, 1e-3 .. 1e6
+// The viewport was resized. Perspective keeps fovY, orthographic its height.
+//   - width, height: pixels, 1e-3 .. 1e6
 // Cost: O(1).
 func (o *Camera) SetViewport(width float32, height float32) (err error) {
 	self, err := o.open()
@@ -1096,8 +1077,8 @@ func (o *Camera) SetViewport(width float32, height float32) (err error) {
 }
 
 // Place the camera.
-// @param position  metres, of its centre
-// @param rotation  from its own axes to those of the world
+//   - position: metres, of its centre
+//   - rotation: from its own axes to those of the world
 // Cost: O(1).
 func (o *Camera) SetTransform(position Vec3, rotation Quat) (err error) {
 	self, err := o.open()
@@ -1112,8 +1093,8 @@ func (o *Camera) SetTransform(position Vec3, rotation Quat) (err error) {
 
 // Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
 // kept, then up), so that a matrix which drifted is corrected.
-// @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
-//         they mirror or the last row is not 0 0 0 1
+// The error is ErrSingular if the axes do not span space.
+// The error is ErrInvalidArgument if they mirror or the last row is not 0 0 0 1.
 // Cost: O(1).
 func (o *Camera) SetWorldMatrix(world Mat4) (err error) {
 	self, err := o.open()
@@ -1128,7 +1109,7 @@ func (o *Camera) SetWorldMatrix(world Mat4) (err error) {
 
 // Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
 // chosen in its place, always the same for the same input.
-// @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+// The error is ErrInvalidArgument if eye equals target or up is zero.
 // Cost: O(1).
 func (o *Camera) LookAt(eye Vec3, target Vec3, up Vec3) (err error) {
 	self, err := o.open()
@@ -1141,7 +1122,8 @@ func (o *Camera) LookAt(eye Vec3, target Vec3, up Vec3) (err error) {
 	return
 }
 
-// Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
+// Where the camera stands, in metres, and how it is turned, rounded to float32.
+// Cost: O(1).
 func (o *Camera) Transform() (position Vec3, rotation Quat, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1157,7 +1139,8 @@ func (o *Camera) Transform() (position Vec3, rotation Quat, err error) {
 	return
 }
 
-// The matrix from camera to world. Cost: O(1).
+// The matrix from camera to world.
+// Cost: O(1).
 func (o *Camera) WorldMatrix() (world Mat4, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1173,7 +1156,8 @@ func (o *Camera) WorldMatrix() (world Mat4, err error) {
 }
 
 // The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-// through them. Cost: O(1).
+// through them.
+// Cost: O(1).
 func (o *Camera) ViewMatrix() (view Mat4, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1188,7 +1172,8 @@ func (o *Camera) ViewMatrix() (view Mat4, err error) {
 	return
 }
 
-// The matrix from camera to clip space. Cost: O(1).
+// The matrix from camera to clip space.
+// Cost: O(1).
 func (o *Camera) ProjectionMatrix() (projection Mat4, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1203,7 +1188,8 @@ func (o *Camera) ProjectionMatrix() (projection Mat4, err error) {
 	return
 }
 
-// Projection * view, multiplied in double precision and rounded once. Cost: O(1).
+// Projection * view, multiplied in double precision and rounded once.
+// Cost: O(1).
 func (o *Camera) ViewProjectionMatrix() (viewProjection Mat4, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1218,8 +1204,9 @@ func (o *Camera) ViewProjectionMatrix() (viewProjection Mat4, err error) {
 	return
 }
 
-// Start orbiting with these settings; places the camera at once and drops pending input. An angle
-// or a distance outside its limits is brought inside. Cost: O(1).
+// Start orbiting with these settings; places the camera at once and drops pending input. An angle or a
+// distance outside its limits is brought inside.
+// Cost: O(1).
 func (o *Camera) SetOrbit(orbit Orbit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1232,7 +1219,7 @@ func (o *Camera) SetOrbit(orbit Orbit) (err error) {
 }
 
 // The present settings, angles and distance of the orbit.
-// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+// The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
 func (o *Camera) Orbit() (orbit Orbit, err error) {
 	self, err := o.open()
@@ -1248,9 +1235,9 @@ func (o *Camera) Orbit() (orbit Orbit, err error) {
 	return
 }
 
-// Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
-// @param units_x, units_y  finite, any size
-// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+// Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit.
+//   - unitsX, unitsY: finite, any size
+// The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
 func (o *Camera) OrbitRotate(unitsX float32, unitsY float32) (err error) {
 	self, err := o.open()
@@ -1264,8 +1251,8 @@ func (o *Camera) OrbitRotate(unitsX float32, unitsY float32) (err error) {
 }
 
 // Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
-// @param units  finite, any size
-// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+//   - units: finite, any size
+// The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
 func (o *Camera) OrbitZoom(units float32) (err error) {
 	self, err := o.open()
@@ -1280,8 +1267,8 @@ func (o *Camera) OrbitZoom(units float32) (err error) {
 
 // Add input to the orbit: move the target to the camera's right and up, as the last update left them,
 // by units times metres_per_unit.
-// @param units_right, units_up  finite, any size
-// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+//   - unitsRight, unitsUp: finite, any size
+// The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
 func (o *Camera) OrbitPan(unitsRight float32, unitsUp float32) (err error) {
 	self, err := o.open()
@@ -1294,9 +1281,9 @@ func (o *Camera) OrbitPan(unitsRight float32, unitsUp float32) (err error) {
 	return
 }
 
-// Apply the input since the last update, within the limits, and place the camera. Angles are
-// wrapped to -pi .. pi in constant time.
-// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+// Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
+// to -pi .. pi in constant time.
+// The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
 func (o *Camera) OrbitUpdate() (err error) {
 	self, err := o.open()
@@ -1309,8 +1296,8 @@ func (o *Camera) OrbitUpdate() (err error) {
 	return
 }
 
-// The seen volume, with origin at the camera's position and planes from its parameters: each
-// number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+// The seen volume, with origin at the camera's position and planes from its parameters: each number
+// within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
 // Cost: O(1).
 func (o *Camera) Frustum() (frustum Frustum, err error) {
 	self, err := o.open()
@@ -1326,8 +1313,8 @@ func (o *Camera) Frustum() (frustum Frustum, err error) {
 	return
 }
 
-// World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
-// @return GPHYS_UNBOUNDED with an infinite far plane
+// World positions of the corners of the seen volume, in the order of FrustumCorners.
+// Result: found is false with an infinite far plane.
 // Cost: O(1).
 func (o *Camera) Corners() (corners [8]Vec3, found bool, err error) {
 	self, err := o.open()
@@ -1344,10 +1331,10 @@ func (o *Camera) Corners() (corners [8]Vec3, found bool, err error) {
 	return
 }
 
-// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
-// z is the depth in the camera's range.
-// @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
-//         image lies beyond the range of coordinates
+// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+// viewport; z is the depth in the camera's range.
+// Result: found is false if the point is not in front of the camera's centre (no image), or its image
+// lies beyond the range of coordinates.
 // Cost: O(1).
 func (o *Camera) Project(point Vec3) (pixel Vec3, found bool, err error) {
 	self, err := o.open()
@@ -1364,11 +1351,9 @@ func (o *Camera) Project(point Vec3) (pixel Vec3, found bool, err error) {
 	return
 }
 
-// Pixels of count world points, as gphys_camera_project; a point without an image gets
-// x = y = z = INFINITY.
-// @param points      metres; a stride of 0 projects one point count times
-// @param out_pixels  count elements
-// Cost: O(count).
+// Pixels of count world points, as Camera.Project; a point without an image gets x = y = z = INFINITY.
+//   - points: metres
+// Cost: O(elements).
 func (o *Camera) ProjectBatch(points []Vec3, pixels []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1387,9 +1372,9 @@ func (o *Camera) ProjectBatch(points []Vec3, pixels []Vec3) (err error) {
 	return
 }
 
-// Pixel and depth to world point: the inverse of gphys_camera_project.
-// @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
-//         beyond the range of coordinates
+// Pixel and depth to world point: the inverse of Camera.Project.
+// Result: found is false for the depth of an infinite far plane, and for points beyond that or beyond
+// the range of coordinates.
 // Cost: O(1).
 func (o *Camera) Unproject(pixel Vec3) (point Vec3, found bool, err error) {
 	self, err := o.open()
@@ -1406,11 +1391,10 @@ func (o *Camera) Unproject(pixel Vec3) (point Vec3, found bool, err error) {
 	return
 }
 
-// World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
-// x = y = z = INFINITY.
-// @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
-// @param out_points  count elements
-// Cost: O(count).
+// World points of the pixels with depth, as Camera.Unproject; one at infinity gets x = y = z =
+// INFINITY.
+//   - pixels: x, y in pixels, z the depth
+// Cost: O(elements).
 func (o *Camera) UnprojectBatch(pixels []Vec3, points []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1429,13 +1413,13 @@ func (o *Camera) UnprojectBatch(pixels []Vec3, points []Vec3) (err error) {
 	return
 }
 
-// The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
-// on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
-// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-// near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-// For perspective the stretch before the near plane is part of the ray.
-// @param pixel_x, pixel_y  pixels; may lie outside the viewport
-// @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+// The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
+// the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
+// image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
+// half an ulp of a direction can be; Camera.Pick is not so limited. For perspective the stretch before
+// the near plane is part of the ray.
+//   - pixelX, pixelY: pixels; may lie outside the viewport
+// Result: found is false if the line of sight does not meet the near plane (user projections).
 // Cost: O(1).
 func (o *Camera) PickRay(pixelX float32, pixelY float32) (ray Ray, found bool, err error) {
 	self, err := o.open()
@@ -1452,10 +1436,8 @@ func (o *Camera) PickRay(pixelX float32, pixelY float32) (ray Ray, found bool, e
 	return
 }
 
-// Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
-// @param x, y, width, height  pixels; width * height rays, fewer than 2^32
-// @param out_rays             width * height elements
-// @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+// Rays for a rectangle of pixel centres, as Camera.PickRay, row by row.
+//   - x, y, width, height: pixels; width * height rays, fewer than 2^32
 // Cost: O(width * height).
 func (o *Camera) PickRays(x uint32, y uint32, width uint32, height uint32, rays []Ray) (err error) {
 	self, err := o.open()
@@ -1471,10 +1453,10 @@ func (o *Camera) PickRays(x uint32, y uint32, width uint32, height uint32, rays 
 	return
 }
 
-// The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
-// float32; t is in metres.
-// @param pixel_x, pixel_y  pixels; may lie outside the viewport
-// @return GPHYS_OK or GPHYS_NO_HIT
+// The model under a pixel: the first hit of Camera.PickRay, before that is rounded to float32; t is in
+// metres.
+//   - pixelX, pixelY: pixels; may lie outside the viewport
+// Result: found is false if nothing is found.
 // Cost: O(log n) expected.
 func (o *Camera) Pick(scene *Scene, pixelX float32, pixelY float32, layers uint32) (hit Hit, found bool, err error) {
 	self, err := o.open()
@@ -1496,11 +1478,9 @@ func (o *Camera) Pick(scene *Scene, pixelX float32, pixelY float32, layers uint3
 	return
 }
 
-// The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
-// t = INFINITY.
-// @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
-// @param out_hits  count elements
-// Cost: at most that of count single calls; shared among the scene's workers.
+// The models under the pixels, as Camera.Pick; a pixel without one gets model = 0 and t = INFINITY.
+//   - pixels: x, y pairs of floats
+// Cost: at most that of as many single calls; shared among the scene's workers.
 func (o *Camera) PickBatch(scene *Scene, pixels [][2]float32, layers uint32, hits []Hit) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1525,9 +1505,9 @@ func (o *Camera) PickBatch(scene *Scene, pixels [][2]float32, layers uint32, hit
 }
 
 // Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-// rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
-// @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
-// @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+// rectangle, between near and far plane; exact shapes, ascending.
+//   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+// The error is ErrInvalidArgument if the rectangle has no area.
 // Cost: O(log n + k) expected.
 func (o *Camera) PickRectangle(scene *Scene, x0 float32, y0 float32, x1 float32, y1 float32, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
@@ -1547,7 +1527,7 @@ func (o *Camera) PickRectangle(scene *Scene, x0 float32, y0 float32, x1 float32,
 	return
 }
 
-// Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+// Ids of the models to draw: Scene.Cull with the camera's frustum.
 // Cost: O(log n + k) expected.
 func (o *Camera) Cull(scene *Scene, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
@@ -1572,11 +1552,10 @@ type Solver struct {
 	handle unsafe.Pointer
 }
 
-// Create a solver without bodies.
-// With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
-// every n. Threads are started, joined and lost as those of gphys_scene_create.
-// @param desc  NULL: the defaults
-// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+// Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
+// results have the same bits for every n. Threads are started, joined and lost as those of Scene.
+//   - desc: nil: the defaults
+// The error is ErrOutOfMemory also if the threads cannot be started.
 // Cost: O(1), and that of starting the threads.
 func NewSolver(desc *SolverDesc) (o *Solver, err error) {
 	r := C.go_gphys_solver_create((*C.gphys_solver_desc)(unsafe.Pointer(desc)))
@@ -1605,12 +1584,11 @@ func (o *Solver) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
-// Move the point of the world that the coordinates of all particles count from; see
-// gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
-// step and an attachment need a scene of the same origin, else they return
-// GPHYS_ERROR_INVALID_ARGUMENT.
-// @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-// @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+// Move the point of the world that the coordinates of all particles count from; see Scene.SetOrigin.
+// Particles stay where they are in the world and keep moving as they do. A step and an attachment need
+// a scene of the same origin, else they fail with ErrInvalidArgument.
+//   - origin: x, y, z in the world, metres, within MaxCoordinate
+// The error is ErrInvalidArgument also if a particle would leave the range of coordinates.
 // Cost: O(particles).
 func (o *Solver) SetOrigin(origin [3]float64) (err error) {
 	self, err := o.open()
@@ -1623,7 +1601,8 @@ func (o *Solver) SetOrigin(origin [3]float64) (err error) {
 	return
 }
 
-// Where in the world the particles' coordinates count from, metres. Cost: O(1).
+// Where in the world the particles' coordinates count from, metres.
+// Cost: O(1).
 func (o *Solver) Origin() (origin [3]float64, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1639,7 +1618,7 @@ func (o *Solver) Origin() (origin [3]float64, err error) {
 }
 
 // Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
-// @param gravity  m/s^2; may be zero
+//   - gravity: m/s^2; may be zero
 // Cost: O(bodies).
 func (o *Solver) SetGravity(gravity Vec3) (err error) {
 	self, err := o.open()
@@ -1652,11 +1631,11 @@ func (o *Solver) SetGravity(gravity Vec3) (err error) {
 	return
 }
 
-// Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
-// error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
-// by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
-// al. 1985): twice the time, a seventh of the error.
-// @param substeps  1 .. 1000
+// Change the number of substeps of a step. More substeps: smaller errors, proportionally more time.
+// The error of motion goes with the square of their length. Ropes that move calmly - in a substep no
+// link turns by half a radian, or would swing by one if its ends were pushed - make each in two stages
+// (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
+//   - substeps: 1 .. 1000
 // Cost: O(1).
 func (o *Solver) SetSubsteps(substeps uint32) (err error) {
 	self, err := o.open()
@@ -1670,10 +1649,10 @@ func (o *Solver) SetSubsteps(substeps uint32) (err error) {
 }
 
 // Add a body of particles without constraints.
-// @param desc       NULL: the defaults
-// @param positions  metres; count elements, count >= 1
-// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-// Cost: O(count).
+//   - desc: nil: the defaults
+//   - positions: metres
+// The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
+// Cost: O(elements).
 func (o *Solver) AddParticles(positions []Vec3, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1693,11 +1672,11 @@ func (o *Solver) AddParticles(positions []Vec3, desc *BodyDesc) (body BodyID, er
 }
 
 // Add a rope through the given points, one particle at each.
-// @param desc         NULL: the defaults
-// @param positions    metres; count elements, count >= 2
-// @param link_length  rest length of each link in metres; 0: as placed
-// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-// Cost: O(count).
+//   - desc: nil: the defaults
+//   - positions: metres
+//   - linkLength: rest length of each link in metres; 0: as placed
+// The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
+// Cost: O(elements).
 func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1717,12 +1696,12 @@ func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (
 }
 
 // Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-// corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-// @param desc           NULL: the defaults
-// @param corner         metres
-// @param edge_u, edge_v metres, from the corner along a row and along a column
-// @param columns, rows  >= 2
-// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+// corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV.
+//   - desc: nil: the defaults
+//   - corner: metres
+//   - edgeU, edgeV: metres, from the corner along a row and along a column
+//   - columns, rows: >= 2
+// The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
 // Cost: O(columns * rows).
 func (o *Solver) AddCloth(corner Vec3, edgeU Vec3, edgeV Vec3, columns uint32, rows uint32, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
@@ -1738,11 +1717,11 @@ func (o *Solver) AddCloth(corner Vec3, edgeU Vec3, edgeV Vec3, columns uint32, r
 	return
 }
 
-// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-// with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-// @param desc       NULL: the defaults
-// @param transform  places the mesh; NULL is the identity
-// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
+// ClothBend one across each inner edge. Vertices at the same place stay separate.
+//   - desc: nil: the defaults
+//   - transform: places the mesh; nil is the identity
+// The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
 // Cost: O(n log n).
 func (o *Solver) AddClothMesh(mesh *Mesh, transform *Transform, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
@@ -1763,8 +1742,8 @@ func (o *Solver) AddClothMesh(mesh *Mesh, transform *Transform, desc *BodyDesc) 
 	return
 }
 
-// Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
-// last step are no longer listed.
+// Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
+// the last step are no longer listed.
 // Cost: O(particles + constraints of the body), and O(joints of the solver).
 func (o *Solver) RemoveBody(body BodyID) (err error) {
 	self, err := o.open()
@@ -1777,7 +1756,8 @@ func (o *Solver) RemoveBody(body BodyID) (err error) {
 	return
 }
 
-// Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
+// Ids of all bodies, ascending.
+// Cost: O(bodies).
 func (o *Solver) Bodies() (result []BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1791,13 +1771,13 @@ func (o *Solver) Bodies() (result []BodyID, err error) {
 	return
 }
 
-// Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
-// A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
-// sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
-// keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
-// wakes in the step before which a model came, went or moved as near as it could come in a step at
-// 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-// its state, of gravity or of the origin. Cost: O(bodies).
+// Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+// sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
+// than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
+// more than a look for models nearby. It wakes in the step before which a model came, went or moved as
+// near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
+// exchanged; and at once by any change of its state, of gravity or of the origin.
+// Cost: O(bodies).
 func (o *Solver) Sleeping() (result []BodyID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1812,7 +1792,7 @@ func (o *Solver) Sleeping() (result []BodyID, err error) {
 }
 
 // Wake a body; its time of rest begins again.
-// @param body  0: all
+//   - body: 0: all
 // Cost: O(1) a body.
 func (o *Solver) Wake(body BodyID) (err error) {
 	self, err := o.open()
@@ -1825,8 +1805,8 @@ func (o *Solver) Wake(body BodyID) (err error) {
 	return
 }
 
-// What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
-// it allocates.
+// What a body is made of and how it is solved.
+// Cost: O(1); after a change of constraints O(particles), and it allocates.
 func (o *Solver) BodyInfo(body BodyID) (info BodyInfo, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1841,8 +1821,7 @@ func (o *Solver) BodyInfo(body BodyID) (info BodyInfo, err error) {
 	return
 }
 
-// Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
-// *out_total counts numbers, not triangles; it is 0 for other bodies.
+// Particle numbers of a cloth's triangles, three each, for drawing.
 // Cost: O(triangles).
 func (o *Solver) Triangles(body BodyID) (result []uint32, err error) {
 	self, err := o.open()
@@ -1858,9 +1837,8 @@ func (o *Solver) Triangles(body BodyID) (result []uint32, err error) {
 }
 
 // Where the particles are, metres.
-// @param first, count   the particles first .. first + count - 1; a range beyond the body is
-//                       GPHYS_ERROR_INVALID_ARGUMENT
-// @param out_positions  count elements
+//   - first, count: the particles first .. first + count - 1; a range beyond the body is
+//     ErrInvalidArgument
 // Cost: O(count).
 func (o *Solver) Positions(body BodyID, first uint32, positions []Vec3) (err error) {
 	self, err := o.open()
@@ -1877,10 +1855,11 @@ func (o *Solver) Positions(body BodyID, first uint32, positions []Vec3) (err err
 	return
 }
 
-// Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
-// @param first, count  as in gphys_solver_get_positions
-// @param positions     metres; a stride of 0 moves all to one place
-// Cost: O(count).
+// Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+// body.
+//   - first: as in Solver.Positions
+//   - positions: metres
+// Cost: O(elements).
 func (o *Solver) SetPositions(body BodyID, first uint32, positions []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1897,8 +1876,8 @@ func (o *Solver) SetPositions(body BodyID, first uint32, positions []Vec3) (err 
 }
 
 // How fast the particles are, m/s.
-// @param first, count    as in gphys_solver_get_positions
-// @param out_velocities  count elements; 0 of what is pinned
+//   - first, count: as in Solver.Positions
+// Result: 0 of what is pinned.
 // Cost: O(count).
 func (o *Solver) Velocities(body BodyID, first uint32, velocities []Vec3) (err error) {
 	self, err := o.open()
@@ -1916,9 +1895,9 @@ func (o *Solver) Velocities(body BodyID, first uint32, velocities []Vec3) (err e
 }
 
 // Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
-// @param first, count  as in gphys_solver_get_positions
-// @param velocities    m/s; a stride of 0 gives all the same
-// Cost: O(count).
+//   - first: as in Solver.Positions
+//   - velocities: m/s
+// Cost: O(elements).
 func (o *Solver) SetVelocities(body BodyID, first uint32, velocities []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1935,8 +1914,7 @@ func (o *Solver) SetVelocities(body BodyID, first uint32, velocities []Vec3) (er
 }
 
 // Masses of particles, kg. That of a pinned particle is what it has when it is released.
-// @param first, count  as in gphys_solver_get_positions
-// @param out_masses    count elements
+//   - first, count: as in Solver.Positions
 // Cost: O(count).
 func (o *Solver) Masses(body BodyID, first uint32, masses []float32) (err error) {
 	self, err := o.open()
@@ -1955,9 +1933,9 @@ func (o *Solver) Masses(body BodyID, first uint32, masses []float32) (err error)
 
 // Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
 // Wakes the body.
-// @param first, count  as in gphys_solver_get_positions
-// @param masses        kg, > 0; a stride of 0 gives all the same
-// Cost: O(count).
+//   - first: as in Solver.Positions
+//   - masses: kg, > 0
+// Cost: O(elements).
 func (o *Solver) SetMasses(body BodyID, first uint32, masses []float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1974,9 +1952,9 @@ func (o *Solver) SetMasses(body BodyID, first uint32, masses []float32) (err err
 }
 
 // Change the collision radii of particles. Wakes the body.
-// @param first, count  as in gphys_solver_get_positions
-// @param radii         metres, >= 0; a stride of 0 gives all the same
-// Cost: O(count).
+//   - first: as in Solver.Positions
+//   - radii: metres, >= 0
+// Cost: O(elements).
 func (o *Solver) SetRadii(body BodyID, first uint32, radii []float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1993,9 +1971,9 @@ func (o *Solver) SetRadii(body BodyID, first uint32, radii []float32) (err error
 }
 
 // Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
-// @param first, count  as in gphys_solver_get_positions
-// @param forces        newtons; a stride of 0 gives all the same
-// Cost: O(count).
+//   - first: as in Solver.Positions
+//   - forces: newtons
+// Cost: O(elements).
 func (o *Solver) SetForces(body BodyID, first uint32, forces []Vec3) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2012,9 +1990,9 @@ func (o *Solver) SetForces(body BodyID, first uint32, forces []Vec3) (err error)
 }
 
 // Pin or release particles. A pinned particle stays where it is put and moves only by
-// gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
-// @param first, count  as in gphys_solver_get_positions
-// @param pinned        1: pin; 0: release
+// Solver.SetPositions; its speed is 0. Both pinning and releasing end an attachment.
+//   - first, count: as in Solver.Positions
+//   - pinned: true: pin; false: release
 // Cost: O(count).
 func (o *Solver) SetPinned(body BodyID, first uint32, count uint32, pinned bool) (err error) {
 	self, err := o.open()
@@ -2027,11 +2005,11 @@ func (o *Solver) SetPinned(body BodyID, first uint32, count uint32, pinned bool)
 	return
 }
 
-// Fix a particle to a model: it follows the model's transform in each step, and is released when
-// the model is gone. Steps must then be given this scene.
-// @param scene        of the same origin as the solver; not modified
-// @param local_point  metres, in the model's coordinates; NULL: where the particle is now
-// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+// Fix a particle to a model: it follows the model's transform in each step, and is released when the
+// model is gone. Steps must then be given this scene.
+//   - scene: of the same origin as the solver; not modified
+//   - localPoint: metres, in the model's coordinates; nil: where the particle is now
+// The error is ErrInvalidArgument for a particle that does not exist.
 // Cost: O(1).
 func (o *Solver) Attach(scene *Scene, body BodyID, particle uint32, model ModelID, localPoint *Vec3) (err error) {
 	self, err := o.open()
@@ -2050,7 +2028,7 @@ func (o *Solver) Attach(scene *Scene, body BodyID, particle uint32, model ModelI
 }
 
 // Release an attached particle.
-// @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
+// The error is ErrInvalidArgument if it is not attached, or does not exist.
 // Cost: O(1).
 func (o *Solver) Detach(body BodyID, particle uint32) (err error) {
 	self, err := o.open()
@@ -2064,10 +2042,10 @@ func (o *Solver) Detach(body BodyID, particle uint32) (err error) {
 }
 
 // Hold two different particles of a body at a distance.
-// @param rest_length  metres, >= 0; negative: the present distance
-// @param compliance   metres per newton, >= 0; 0 is rigid
-// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
-//         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
+//   - restLength: metres, >= 0; negative: the present distance
+//   - compliance: metres per newton, >= 0; 0 is rigid
+// The error is ErrInvalidArgument for a particle that does not exist or twice the same one.
+// The error is ErrCapacity beyond 2^24 - 1 constraints of a body.
 // Cost: O(1); the next step plans the body again, O(constraints).
 func (o *Solver) AddDistance(body BodyID, particleA uint32, particleB uint32, restLength float32, compliance float32) (constraint ConstraintID, err error) {
 	self, err := o.open()
@@ -2086,11 +2064,12 @@ func (o *Solver) AddDistance(body BodyID, particleA uint32, particleB uint32, re
 // Keep two different particles of a body from being further apart than a length, like a string between
 // them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
 // rigid, the speed at which the particles part is lost and no other.
-// @param max_length  metres, >= 0; negative: the present distance
-// @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
-// @return as gphys_solver_add_distance
-// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-// strained only when it is too long. Cost: as gphys_solver_add_distance.
+// Fails as Solver.AddDistance.
+// It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
+// strained only when it is too long.
+//   - maxLength: metres, >= 0; negative: the present distance
+//   - compliance: metres per newton, >= 0, of what it yields beyond that; 0 is rigid
+// Cost: as Solver.AddDistance.
 func (o *Solver) AddMaxDistance(body BodyID, particleA uint32, particleB uint32, maxLength float32, compliance float32) (constraint ConstraintID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2105,12 +2084,12 @@ func (o *Solver) AddMaxDistance(body BodyID, particleA uint32, particleB uint32,
 	return
 }
 
-// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-// its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-// on steps. Rigid constraints have nothing to damp.
-// @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
-// Cost: as gphys_solver_add_distance.
+// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+// beside its tension; one of Solver.AddMaxDistance never pushes. The decay depends on time, not on
+// steps. Rigid constraints have nothing to damp.
+//   - damping: N s/m, >= 0; 0, which every constraint begins with: none
+// The error is ErrInvalidID for a body or constraint that does not exist.
+// Cost: as Solver.AddDistance.
 func (o *Solver) SetConstraintDamping(body BodyID, constraint ConstraintID, damping float32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2122,13 +2101,13 @@ func (o *Solver) SetConstraintDamping(body BodyID, constraint ConstraintID, damp
 	return
 }
 
-// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
-// it again changes it, which inflates a body.
-// @param rest_volume  m^3, > 0; negative: the present volume
-// @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
-//                     which keeps its volume; INFINITY: none, which ends the constraint
-// @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
-//         not all turned the same way, or face inward when the present volume is asked for
+// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+// setting it again changes it, which inflates a body.
+//   - restVolume: m^3, > 0; negative: the present volume
+//   - compliance: m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+//     which keeps its volume; INFINITY: none, which ends the constraint
+// The error is ErrUnsupported if the triangles do not close (each side is that of two triangles), are
+// not all turned the same way, or face inward when the present volume is asked for.
 // Cost: O(triangles) in each substep, twice.
 func (o *Solver) SetVolume(body BodyID, restVolume float32, compliance float32) (err error) {
 	self, err := o.open()
@@ -2141,10 +2120,9 @@ func (o *Solver) SetVolume(body BodyID, restVolume float32, compliance float32) 
 	return
 }
 
-// The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+// The volume held by Solver.SetVolume, m^3, as it is, and the pressure in pascals with which it was
 // held at the end of the last step: above 0 it pushes outward.
-// @param out_volume, out_pressure  may be NULL
-// @return GPHYS_ERROR_UNSUPPORTED if none is held
+// The error is ErrUnsupported if none is held.
 // Cost: O(triangles).
 func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err error) {
 	self, err := o.open()
@@ -2162,8 +2140,8 @@ func (o *Solver) Volume(body BodyID) (volume float32, pressure float32, err erro
 }
 
 // End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
-// Cost: as gphys_solver_add_distance.
+// The error is ErrInvalidID for a body or constraint that does not exist, or no longer.
+// Cost: as Solver.AddDistance.
 func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2175,7 +2153,7 @@ func (o *Solver) RemoveConstraint(body BodyID, constraint ConstraintID) (err err
 	return
 }
 
-// All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+// All constraints of a body, those of its builder included, by id.
 // Cost: O(constraints).
 func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 	self, err := o.open()
@@ -2190,18 +2168,19 @@ func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 	return
 }
 
-// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-// equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-// system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-// particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-// one thread and fall asleep and wake together. A joint goes with either body.
-// @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-//                     as far apart are drawn there within a step, and get the speed of that.
-// @param compliance   metres per newton, >= 0; 0 is rigid
-// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-//         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-// of a rope that is not joined.
+// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
+// are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
+// as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
+// inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
+// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+//   - restLength: metres; 0: at the same place; negative: the present distance. Particles that are not
+//     as far apart are drawn there within a step, and get the speed of that.
+//   - compliance: metres per newton, >= 0; 0 is rigid
+// The error is ErrInvalidArgument for a particle that does not exist or twice the same body (see
+// Solver.AddDistance).
+// The error is ErrCapacity beyond 2^24 - 1 joints.
+// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+// one of a rope that is not joined.
 func (o *Solver) Join(bodyA BodyID, particleA uint32, bodyB BodyID, particleB uint32, restLength float32, compliance float32) (joint JointID, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2217,8 +2196,8 @@ func (o *Solver) Join(bodyA BodyID, particleA uint32, bodyB BodyID, particleB ui
 }
 
 // End a joint. Wakes both bodies.
-// @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
-// Cost: as gphys_solver_join.
+// The error is ErrInvalidID for a joint that does not exist, or no longer.
+// Cost: as Solver.Join.
 func (o *Solver) Unjoin(joint JointID) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2230,8 +2209,8 @@ func (o *Solver) Unjoin(joint JointID) (err error) {
 	return
 }
 
-// Joints of a body, by id. Kept when too many: the lowest.
-// @param body  0: of all bodies
+// Joints of a body, by id.
+//   - body: 0: of all bodies
 // Cost: O(joints of the solver).
 func (o *Solver) Joints(body BodyID) (result []JointInfo, err error) {
 	self, err := o.open()
@@ -2248,10 +2227,10 @@ func (o *Solver) Joints(body BodyID) (result []JointInfo, err error) {
 
 // Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
 // takes more where they would be longer than 25 ms.
-// @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-// @param dt     seconds, 1e-6 .. 0.5
 // Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
 // through particles. May allocate.
+//   - scene: to collide with and to follow attachments; nil: none. Not modified.
+//   - dt: seconds, 1e-6 .. 0.5
 // Cost: O(particles + constraints) a substep, and a scene query for particles near models.
 func (o *Solver) Step(scene *Scene, dt float32) (err error) {
 	self, err := o.open()
@@ -2269,11 +2248,10 @@ func (o *Solver) Step(scene *Scene, dt float32) (err error) {
 	return
 }
 
-// Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-// frame, so the motion does not depend on the frame rate.
-// @param frame_time    seconds, >= 0
-// @param out_steps     steps made; may be NULL
-// @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+// Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
+// so the motion does not depend on the frame rate.
+//   - frameTime: seconds, >= 0
+// Result: steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
 // Cost: that of the steps made.
 func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftover float32, err error) {
 	self, err := o.open()
@@ -2295,13 +2273,13 @@ func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftove
 	return
 }
 
-// The substeps that a body took in the last step; 0 before its first.
-// With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
-// their length follows from what the last step measured, the largest strain of its rigid constraints
-// and the local error of the time scheme, both of which go with its square. It is at
-// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-// target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-// met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+// The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
+// tolerance set, each body takes as many as its own motion needs: their length follows from what the
+// last step measured, the largest strain of its rigid constraints and the local error of the time
+// scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
+// from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
+// where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
+// positions jump, by contacts, the error is that of the jump.
 // Cost: O(1).
 func (o *Solver) Substeps(body BodyID) (substeps uint32, err error) {
 	self, err := o.open()
@@ -2318,7 +2296,7 @@ func (o *Solver) Substeps(body BodyID) (substeps uint32, err error) {
 }
 
 // Counts, strain and energy of a body at present.
-// @param body  0: all bodies together
+//   - body: 0: all bodies together
 // Cost: O(particles + constraints).
 func (o *Solver) Stats(body BodyID) (stats SolverStats, err error) {
 	self, err := o.open()
@@ -2334,7 +2312,7 @@ func (o *Solver) Stats(body BodyID) (stats SolverStats, err error) {
 	return
 }
 
-// Contacts of the last step by body, particle, model. Kept when too many: the first.
+// Contacts of the last step by body, particle, model.
 // Cost: O(contacts).
 func (o *Solver) Contacts() (result []Contact, err error) {
 	self, err := o.open()
@@ -2350,10 +2328,10 @@ func (o *Solver) Contacts() (result []Contact, err error) {
 }
 
 // Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-// which they fell asleep. Kept when too many: the lowest models.
-// Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
-// cloth that touches several models at once gives to the one that it touches most. Models have no mass
-// here; a body of yours much lighter than what hangs from it should be moved in small steps.
+// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
+// weight. A particle of cloth that touches several models at once gives to the one that it touches
+// most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+// in small steps.
 // Cost: O(models touched); no allocation. The same bits for any number of workers.
 func (o *Solver) Impulses() (result []Impulse, err error) {
 	self, err := o.open()
@@ -2368,12 +2346,11 @@ func (o *Solver) Impulses() (result []Impulse, err error) {
 	return
 }
 
-// Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
-// that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
-// @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
-//                   for the same release of the library and machines of the same byte order; it may
-//                   be stored, but not changed.
-// @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+// Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+// impulses, time that Solver.Advance still owes. The scene, workers and allocator are not in it.
+// Result: the snapshot. It is for the same release of the library and machines of the same byte order;
+// it may be stored, but not changed.
+// The error is ErrCapacity beyond 2^32 - 1 words.
 // Cost: O(particles + constraints), some 50 words for each.
 func (o *Solver) Snapshot() (result []uint32, err error) {
 	self, err := o.open()
@@ -2389,11 +2366,12 @@ func (o *Solver) Snapshot() (result []uint32, err error) {
 }
 
 // Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
-// too, is as it was.
-// @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
-//         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
-// Cost: as gphys_solver_get_snapshot; allocates.
+// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
+// is as it was. On an error the solver is as before.
+// The error is ErrInvalidArgument for words that are no snapshot, damaged, of another version or byte
+// order.
+// The error is ErrOutOfMemory if there is no room for it.
+// Cost: as Solver.Snapshot; allocates.
 func (o *Solver) Restore(words []uint32) (err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2411,7 +2389,8 @@ func (o *Solver) Restore(words []uint32) (err error) {
 
 // A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
 // different ones differ with near certainty (not against an adversary). Compare it between machines
-// that simulate the same, to see when they part. Cost: O(particles + constraints).
+// that simulate the same, to see when they part.
+// Cost: O(particles + constraints).
 func (o *Solver) Hash() (hash [2]uint32, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -2434,7 +2413,7 @@ func (o *Scene) handleOrNil() (unsafe.Pointer, error) {
 }
 
 // Whether the shape fulfils the ranges beside its struct.
-// @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+// The error is ErrInvalidArgument and the error's message names the field.
 // Cost: O(1).
 func Validate(shape Shape) (err error) {
 	shapeGiven, err := shapesOf(shape)
@@ -2448,8 +2427,8 @@ func Validate(shape Shape) (err error) {
 }
 
 // The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
-// @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
-//         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+// Result: found is false for a plane, a ray without end (or with one beyond all floats) and a frustum
+// that extends to infinity; for an empty mesh or frustum.
 // Cost: O(1), for a mesh too.
 func Bounds(shape Shape) (bounds AABB, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
@@ -2466,11 +2445,11 @@ func Bounds(shape Shape) (bounds AABB, found bool, err error) {
 	return
 }
 
-// Whether the point is within tolerance metres of the shape (solid or surface).
-// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-// axes are those of its rotation in double precision).
-// @param tolerance  >= 0
-// @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
+// Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
+// answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
+// rotation in double precision).
+//   - tolerance: metres, >= 0
+// Cost: O(1); O(log n) expected for a mesh.
 func Contains(shape Shape, point Vec3, tolerance float32) (contains bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2485,11 +2464,9 @@ func Contains(shape Shape, point Vec3, tolerance float32) (contains bool, err er
 	return
 }
 
-// Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
-// @param points        a stride of 0 asks for one point count times
-// @param tolerance     metres, >= 0, for all points
-// @param out_contains  count elements, each 0 or 1
-// Cost: that of count single calls.
+// Whether each of the points is within tolerance metres of one shape, as Contains.
+//   - tolerance: metres, >= 0, for all points
+// Cost: that of as many single calls.
 func ContainsBatch(shape Shape, points []Vec3, tolerance float32, contains []int32) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2508,11 +2485,11 @@ func ContainsBatch(shape Shape, points []Vec3, tolerance float32, contains []int
 	return
 }
 
-// The point of the shape that is closest to the given point: the point itself inside a solid.
-// Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
-// coordinate difference. If several are equally close, one of them,
-// always the same. For a ray, t is limited by t_max.
-// @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+// The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
+// ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
+// difference. If several are equally close, one of them, always the same. For a ray, t is limited by
+// t_max.
+// Result: found is false only for an empty mesh or an empty frustum.
 // Cost: O(1); O(log n) expected for a mesh.
 func ClosestPoint(shape Shape, point Vec3) (nearest Nearest, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
@@ -2529,11 +2506,9 @@ func ClosestPoint(shape Shape, point Vec3) (nearest Nearest, found bool, err err
 	return
 }
 
-// The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
-// element for which there is none gets distance INFINITY.
-// @param points       a stride of 0 asks for one point count times
-// @param out_nearest  count elements
-// Cost: that of count single calls.
+// The points of one shape that are closest to each of the points, as ClosestPoint. An element for
+// which there is none gets distance INFINITY.
+// Cost: that of as many single calls.
 func ClosestPointBatch(shape Shape, points []Vec3, nearest []Nearest) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2552,9 +2527,9 @@ func ClosestPointBatch(shape Shape, points []Vec3, nearest []Nearest) (err error
 	return
 }
 
-// The closest points of two segments and their distance. Parallel segments have many: the first
-// along a, always the same.
-// @param out_a, out_b, out_distance  each may be NULL; metres
+// The closest points of two segments and their distance. Parallel segments have many: the first along
+// a, always the same.
+// Result: metres.
 // Cost: O(1).
 func SegmentClosestPoints(a Segment, b Segment) (outA Vec3, outB Vec3, distance float32, err error) {
 	r := C.go_gphys_segment_closest_points(*(*C.gphys_segment)(unsafe.Pointer(&a)), *(*C.gphys_segment)(unsafe.Pointer(&b)))
@@ -2567,12 +2542,12 @@ func SegmentClosestPoints(a Segment, b Segment) (outA Vec3, outB Vec3, distance 
 	return
 }
 
-// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
-// triangle, frustum and mesh, in either order.
-// A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
-// Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
-// precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
-// @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
+// frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
+// not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
+// in double precision and may err only where the gap is below 2^-40 of the largest coordinate
+// difference.
+// The error is ErrUnsupported for a ray or segment (see SegmentTest).
 // Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
 func Overlaps(a Shape, b Shape) (overlaps bool, err error) {
 	aGiven, err := shapesOf(a)
@@ -2593,12 +2568,10 @@ func Overlaps(a Shape, b Shape) (overlaps bool, err error) {
 	return
 }
 
-// Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
-// @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
-//                      needs 0
-// @param out_overlaps  count elements, each 0 or 1
-// @return GPHYS_ERROR_UNSUPPORTED for rays and segments
-// Cost: that of count single calls.
+// Whether the shapes of each of the pairs overlap, as Overlaps: pair i is a[i] against b[i].
+//   - a, b: shapes of one type each
+// The error is ErrUnsupported for rays and segments.
+// Cost: that of as many single calls.
 func OverlapsBatch(a Shapes, b Shapes, overlaps []int32) (err error) {
 	aGiven, err := shapesOf(a)
 	if err != nil {
@@ -2623,9 +2596,9 @@ func OverlapsBatch(a Shapes, b Shapes, overlaps []int32) (err error) {
 }
 
 // Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-// @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
-//                             behind, 0 when crossing; may be NULL
-// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Result: metres, of the shape's nearest point to the plane: > 0 in front, < 0 behind, 0 when
+// crossing.
+// The error is ErrUnsupported for other types of shapes.
 // Cost: O(1).
 func ClassifyPlane(shape Shape, plane Plane) (side Side, signedDistance float32, err error) {
 	shapeGiven, err := shapesOf(shape)
@@ -2642,9 +2615,9 @@ func ClassifyPlane(shape Shape, plane Plane) (side Side, signedDistance float32,
 	return
 }
 
-// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
-// that no point is shared, inside that the frustum holds the whole shape.
-// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that no
+// point is shared, inside that the frustum holds the whole shape.
+// The error is ErrUnsupported for other types of shapes.
 // Cost: O(1).
 func ClassifyFrustum(shape Shape, frustum Frustum) (side Side, err error) {
 	shapeGiven, err := shapesOf(shape)
@@ -2660,13 +2633,14 @@ func ClassifyFrustum(shape Shape, frustum Frustum) (side Side, err error) {
 	return
 }
 
-// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
-// Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
-// shared edge or vertex always meets one of the triangles there.
-// Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
-// and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
-// smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
+// and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
+// always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
+// all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
+// distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+// docs/accuracy.md has the bounds of all functions.
+// Result: found is false if nothing is found.
+// The error is ErrUnsupported for a ray or a segment as the shape.
 // Cost: O(1); O(log n) expected for a mesh.
 func Raycast(shape Shape, ray Ray) (hit Hit, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
@@ -2683,12 +2657,10 @@ func Raycast(shape Shape, ray Ray) (hit Hit, found bool, err error) {
 	return
 }
 
-// First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
-// t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
-// @param rays      a stride of 0 casts one ray count times
-// @param out_hits  count elements
-// @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-// Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
+// First hits of the rays with one shape, as Raycast. A ray that hits nothing gets t = INFINITY,
+// triangle = NoTriangle and zeros in its hits element.
+// The error is ErrUnsupported for a ray or a segment as the shape.
+// Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
 func RaycastBatch(shape Shape, rays []Ray, hits []Hit) (err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2707,11 +2679,12 @@ func RaycastBatch(shape Shape, rays []Ray, hits []Hit) (err error) {
 	return
 }
 
-// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
-// A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
-// then is met from no direction, the normal is zero.
-// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-// Cost: as gphys_shape_raycast.
+// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
+// met from no direction, the normal is zero.
+// Result: found is false if nothing is found.
+// The error is ErrUnsupported for a ray or a segment as the shape.
+// Cost: as Raycast.
 func SegmentTest(shape Shape, segment Segment) (hit Hit, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2729,14 +2702,15 @@ func SegmentTest(shape Shape, segment Segment) (hit Hit, found bool, err error) 
 
 // First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
 // triangle, frustum or mesh.
-// @param displacement  metres; may be zero
-// @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
-//                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
-//                 and where the centre itself is in a solid, the normal is opposite to the
-//                 displacement (zero if that is zero).
-// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
 // Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
+//   - displacement: metres; may be zero
+// Result: t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+// the sphere's centre. Already overlapping: t = 0, HitInside, and where the centre itself is in a
+// solid, the normal is opposite to the displacement (zero if that is zero). found is false if nothing
+// is found.
+// The error is ErrUnsupported for a ray or a segment as the shape.
+// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
+// mesh.
 func SweepSphere(shape Shape, sphere Sphere, displacement Vec3) (hit Hit, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
@@ -2754,7 +2728,7 @@ func SweepSphere(shape Shape, sphere Sphere, displacement Vec3) (hit Hit, found 
 
 // The eight corners, each the intersection of three planes: near then far, each in the order
 // left-bottom, right-bottom, right-top, left-top.
-// @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+// Result: found is false if three planes do not meet in a point (infinite far plane).
 // Cost: O(1).
 func FrustumCorners(frustum Frustum) (corners [8]Vec3, found bool, err error) {
 	r := C.go_gphys_frustum_corners(*(*C.gphys_frustum)(unsafe.Pointer(&frustum)))
@@ -2767,9 +2741,9 @@ func FrustumCorners(frustum Frustum) (corners [8]Vec3, found bool, err error) {
 }
 
 // The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-// origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
-// @param reverse_z  0: near has the low depth; 1: near has the high depth
-// @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+// origin (0, 0, 0). A camera knows its frustum better: Camera.Frustum.
+//   - reverseZ: false: near has the low depth; true: near has the high depth
+// The error is ErrSingular if the matrix has no volume.
 // Cost: O(1).
 func FrustumFromMatrix(viewProjection Mat4, depthRange DepthRange, reverseZ bool) (frustum Frustum, err error) {
 	r := C.go_gphys_frustum_from_matrix(*(*C.gphys_mat4)(unsafe.Pointer(&viewProjection)), C.gphys_depth_range(depthRange), boolean(reverseZ))
@@ -2781,11 +2755,10 @@ func FrustumFromMatrix(viewProjection Mat4, depthRange DepthRange, reverseZ bool
 }
 
 // Examine arrays without building anything. Allocates while it runs.
-// @param vertices       vertex_count elements of 3 floats, metres
-// @param vertex_stride  bytes between vertices, at least 12
-// @param indices        index_count numbers, three for each triangle
-// @param out_report     what was found; indices out of range and bad vertices are counted, not refused
-// @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
+//   - vertices: elements of 3 floats, metres
+//   - indices: numbers, three for each triangle
+// Result: what was found; indices out of range and bad vertices are counted, not refused.
+// The error is ErrInvalidArgument for an indexCount that is no multiple of 3.
 // Cost: O(n log n).
 func MeshCheck(vertices []Vec3, indices []uint32) (report MeshReport, err error) {
 	if err = checkLength(len(vertices)); err != nil {

@@ -56,25 +56,25 @@ const (
 type ShapeType int32
 
 const (
-	// gphys_sphere
+	// Sphere
 	ShapeSphere ShapeType = 1
-	// gphys_capsule
+	// Capsule
 	ShapeCapsule ShapeType = 2
-	// gphys_aabb
+	// AABB
 	ShapeAABB ShapeType = 3
-	// gphys_obb
+	// OBB
 	ShapeOBB ShapeType = 4
-	// gphys_plane
+	// Plane
 	ShapePlane ShapeType = 5
-	// gphys_triangle
+	// Triangle
 	ShapeTriangle ShapeType = 6
-	// gphys_frustum
+	// Frustum
 	ShapeFrustum ShapeType = 7
-	// gphys_mesh: the handle itself
+	// Mesh: the handle itself
 	ShapeMesh ShapeType = 8
-	// gphys_ray
+	// Ray
 	ShapeRay ShapeType = 16
-	// gphys_segment
+	// Segment
 	ShapeSegment ShapeType = 17
 )
 
@@ -255,7 +255,7 @@ type Triangle struct {
 }
 
 // The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
-// which look inward, in the order of gphys_frustum_plane. Distances count from origin, so that a
+// which look inward, in the order of frustum_plane. Distances count from origin, so that a
 // frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1.
 type Frustum struct {
 	Origin Vec3
@@ -274,26 +274,26 @@ type Hit struct {
 	Point Vec3
 	// unit, against the motion: dot(normal, direction) <= 0
 	Normal Vec3
-	// index within a mesh, else GPHYS_NO_TRIANGLE
+	// index within a mesh, else NoTriangle
 	Triangle uint32
 	// barycentric weights of b and c of a triangle, else 0
 	U float32
 	// barycentric weights of b and c of a triangle, else 0
 	V float32
-	// GPHYS_HIT_...
+	// hit values
 	Flags uint32
 }
 
 // The closest point of something to a given point.
 type Nearest struct {
-	// as in gphys_hit
+	// as in Hit
 	Model uint32
 	Tag uint32
 	// equal to the query point when that is inside a solid
 	Point Vec3
 	// 0 inside a solid
 	Distance float32
-	// index within a mesh, else GPHYS_NO_TRIANGLE
+	// index within a mesh, else NoTriangle
 	Triangle uint32
 }
 
@@ -302,12 +302,12 @@ type MeshReport struct {
 	TriangleCount uint32
 	// triangles of exactly zero area
 	DegenerateCount uint32
-	// index of the first, or GPHYS_NO_TRIANGLE
+	// index of the first, or NoTriangle
 	FirstDegenerate uint32
-	// triangles with an index >= vertex_count
+	// triangles with an index >= vertexCount
 	OutOfRangeCount uint32
 	FirstOutOfRange uint32
-	// vertices that are not finite or beyond GPHYS_MAX_COORDINATE
+	// vertices that are not finite or beyond MaxCoordinate
 	BadVertexCount uint32
 	// or 0xffffffff
 	FirstBadVertex uint32
@@ -317,7 +317,7 @@ type MeshReport struct {
 
 type MeshDesc struct {
 	structSize uint32
-	// NULL: the C++ runtime's
+	// nil: the C++ runtime's
 	// A gphys_allocator in C memory.
 	Allocator unsafe.Pointer
 }
@@ -351,12 +351,12 @@ type OctreeBox struct {
 
 type SceneDesc struct {
 	structSize uint32
-	// NULL: the C++ runtime's
+	// nil: the C++ runtime's
 	// A gphys_allocator in C memory.
 	Allocator unsafe.Pointer
 	// models to make room for at once; 0
 	ReserveModels uint32
-	// whose threads worker_count counts; NULL: the scene's own
+	// whose threads worker_count counts; nil: the scene's own
 	// A gphys_task_runner in C memory.
 	TaskRunner unsafe.Pointer
 	// threads for one call, its own included, at most 1024; 0 and 1: that alone
@@ -388,7 +388,7 @@ type ModelInfo struct {
 
 type CameraDesc struct {
 	structSize uint32
-	// NULL: the C++ runtime's
+	// nil: the C++ runtime's
 	// A gphys_allocator in C memory.
 	Allocator unsafe.Pointer
 	Handedness Handedness
@@ -418,9 +418,9 @@ type Orbit struct {
 	// perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
 	// it; pitch > 0 looks down
 	Pitch float32
-	// of gphys_camera_orbit_rotate
+	// of Camera.OrbitRotate
 	RadiansPerUnit float32
-	// of gphys_camera_orbit_zoom and _pan
+	// of Camera.OrbitZoom and _pan
 	MetresPerUnit float32
 	// 0 < min <= max; max INFINITY allowed
 	MinDistance float32
@@ -434,29 +434,29 @@ type Orbit struct {
 
 type SolverDesc struct {
 	structSize uint32
-	// NULL: the C++ runtime's
+	// nil: the C++ runtime's
 	// A gphys_allocator in C memory.
 	Allocator unsafe.Pointer
 	// m/s^2; default (0, -9.81, 0)
 	Gravity Vec3
 	// of one step, 1 .. 1000; default 8; with targets: of the first
 	Substeps uint32
-	// seconds simulated by each step of gphys_solver_advance; 1/60
+	// seconds simulated by each step of Solver.Advance; 1/60
 	FixedStep float32
 	// most steps of one advance; time beyond is dropped; 8
 	MaxSteps uint32
-	// whose threads worker_count counts; NULL: the solver's own
+	// whose threads worker_count counts; nil: the solver's own
 	// A gphys_task_runner in C memory.
 	TaskRunner unsafe.Pointer
 	// threads for one step, its own included, at most 1024; 0 and 1: that alone
 	WorkerCount uint32
-	// m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0
+	// m/s, see Solver.Sleeping; 0: bodies never sleep; default 0
 	SleepSpeed float32
 	// of rigid constraints, |length / rest length - 1|; default 0.01
 	SleepStrain float32
 	// seconds; default 0.5
 	SleepTime float32
-	// target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0
+	// target of rigid constraints, see Solver.Substeps; 0: none; default 0
 	MaxStrain float32
 	// target of positions: metres of error that a second of motion adds; 0: none; default 0
 	Tolerance float32
@@ -481,9 +481,9 @@ type BodyDesc struct {
 	Restitution float32
 	// of stretch, metres per newton, >= 0; 0 is inextensible; default 0
 	Compliance float32
-	// of GPHYS_CLOTH_BEND constraints, m/N; default 0.001
+	// of ClothBend constraints, m/N; default 0.001
 	BendCompliance float32
-	// GPHYS_CLOTH_...; default SHEAR | BEND
+	// cloth values; default SHEAR | BEND
 	ClothFlags uint32
 	// mask of the models it collides with; 0: none; default all
 	Layers uint32

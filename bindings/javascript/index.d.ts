@@ -142,7 +142,7 @@ export interface Triangle {
     c: number[];
 }
 /** The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
- * which look inward, in the order of gphys_frustum_plane. Distances count from origin, so that a
+ * which look inward, in the order of frustum_plane. Distances count from origin, so that a
  * frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1. */
 export interface Frustum {
     origin: number[];
@@ -160,25 +160,25 @@ export interface Hit {
     point: number[];
     /** unit, against the motion: dot(normal, direction) <= 0 */
     normal: number[];
-    /** index within a mesh, else GPHYS_NO_TRIANGLE */
+    /** index within a mesh, else NO_TRIANGLE */
     triangle: number;
     /** barycentric weights of b and c of a triangle, else 0 */
     u: number;
     /** barycentric weights of b and c of a triangle, else 0 */
     v: number;
-    /** GPHYS_HIT_... */
+    /** hit values */
     flags: number;
 }
 /** The closest point of something to a given point. */
 export interface Nearest {
-    /** as in gphys_hit */
+    /** as in Hit */
     model: number;
     tag: number;
     /** equal to the query point when that is inside a solid */
     point: number[];
     /** 0 inside a solid */
     distance: number;
-    /** index within a mesh, else GPHYS_NO_TRIANGLE */
+    /** index within a mesh, else NO_TRIANGLE */
     triangle: number;
 }
 /** What is in a triangle array. Frozen. */
@@ -186,12 +186,12 @@ export interface MeshReport {
     triangle_count: number;
     /** triangles of exactly zero area */
     degenerate_count: number;
-    /** index of the first, or GPHYS_NO_TRIANGLE */
+    /** index of the first, or NO_TRIANGLE */
     first_degenerate: number;
     /** triangles with an index >= vertex_count */
     out_of_range_count: number;
     first_out_of_range: number;
-    /** vertices that are not finite or beyond GPHYS_MAX_COORDINATE */
+    /** vertices that are not finite or beyond MAX_COORDINATE */
     bad_vertex_count: number;
     /** or 0xffffffff */
     first_bad_vertex: number;
@@ -278,9 +278,9 @@ export interface Orbit {
      * perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
      * it; pitch > 0 looks down */
     pitch: number;
-    /** of gphys_camera_orbit_rotate */
+    /** of Camera.orbitRotate */
     radians_per_unit: number;
-    /** of gphys_camera_orbit_zoom and _pan */
+    /** of Camera.orbitZoom and _pan */
     metres_per_unit: number;
     /** 0 < min <= max; max INFINITY allowed */
     min_distance: number;
@@ -296,19 +296,19 @@ export interface SolverDesc {
     gravity: number[];
     /** of one step, 1 .. 1000; default 8; with targets: of the first */
     substeps: number;
-    /** seconds simulated by each step of gphys_solver_advance; 1/60 */
+    /** seconds simulated by each step of Solver.advance; 1/60 */
     fixed_step: number;
     /** most steps of one advance; time beyond is dropped; 8 */
     max_steps: number;
     /** threads for one step, its own included, at most 1024; 0 and 1: that alone */
     worker_count: number;
-    /** m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0 */
+    /** m/s, see Solver.getSleeping; 0: bodies never sleep; default 0 */
     sleep_speed: number;
     /** of rigid constraints, |length / rest length - 1|; default 0.01 */
     sleep_strain: number;
     /** seconds; default 0.5 */
     sleep_time: number;
-    /** target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0 */
+    /** target of rigid constraints, see Solver.getSubsteps; 0: none; default 0 */
     max_strain: number;
     /** target of positions: metres of error that a second of motion adds; 0: none; default 0 */
     tolerance: number;
@@ -331,9 +331,9 @@ export interface BodyDesc {
     restitution: number;
     /** of stretch, metres per newton, >= 0; 0 is inextensible; default 0 */
     compliance: number;
-    /** of GPHYS_CLOTH_BEND constraints, m/N; default 0.001 */
+    /** of CLOTH_BEND constraints, m/N; default 0.001 */
     bend_compliance: number;
-    /** GPHYS_CLOTH_...; default SHEAR | BEND */
+    /** cloth values; default SHEAR | BEND */
     cloth_flags: number;
     /** mask of the models it collides with; 0: none; default all */
     layers: number;
@@ -464,796 +464,792 @@ export function segment(a: Given<number[]>, b: Given<number[]>): Shape;
 export function shapes(kind: 'sphere' | 'capsule' | 'aabb' | 'obb' | 'plane' | 'triangle' | 'frustum' | 'ray' | 'segment', data: Float32Array | Records): Shapes;
 /** Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
  * segments or points that they are, and counted in the report. 0 triangles are allowed.
- * @param desc  may be NULL
- * @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
- *         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+ * Throws GamephysError with ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is
+ * no multiple of 3 or a bad vertex; meshCheck tells which.
  * Cost: O(n log n), about 1 us per triangle. */
 export class Mesh {
     constructor(vertices: Elements, indices: Elements, desc?: Partial<MeshDesc> | null);
     /** Frees the object at once. */
     close(): void;
-    /** What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+    /** What the mesh was built from: the report that meshCheck makes of its arrays.
      * Cost: O(1). */
     getReport(): MeshReport;
-    /** Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+    /** Copy the vertices out, in metres and in their original order.
      * Cost: O(vertices). */
     getVertices(): Records<number[]>;
-    /** Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
-     * *out_total counts indices, not triangles.
+    /** Copy the indices out, three for each triangle, in their original order.
      * Cost: O(n). */
     getIndices(): Records<number>;
     /** All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-     * Kept when the array is too small: the first ones.
-     * @return GPHYS_OK (also for 0 hits)
      * Cost: O(log n + k) expected. */
     raycastAll(ray: Given<Ray>): Records<Hit>;
     /** Whether a ray hits anything; cheaper than the closest hit.
-     * @param out_hit  0 or 1
      * Cost: O(log n) expected. */
     raycastAny(ray: Given<Ray>): boolean;
     /** Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-     * ascending. Kept when the array is too small: the lowest.
-     * @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-     * Cost: O(log n + k) expected. */
+     * ascending.
+     * Cost: O(log n + k) expected.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for other types of shapes */
     overlap(shape: AnyShape): Records<number>;
-    /** How the mesh's octree is made up. Cost: O(nodes). */
+    /** How the mesh's octree is made up.
+     * Cost: O(nodes). */
     getOctreeStats(): OctreeStats;
-    /** Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+    /** Boxes of the mesh's octree, each parent before its children.
      * Cost: O(nodes). */
     getOctreeBoxes(): Records<OctreeBox>;
 }
-/** Create a scene without models.
- * With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
- * adding and moving many models, share their work among n threads; the results have the same bits
- * for every n. Without a task_runner n - 1 threads are started here and joined by
- * gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
- * work. They take no signals but faults, and the floating-point settings of the thread that
+/** Create a scene without models. With a worker_count of n, all batch queries of the scene
+ * (Camera.pickBatch too), and adding and moving many models, share their work among n threads; the
+ * results have the same bits for every n. Without a task_runner n - 1 threads are started here and
+ * joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
+ * their own work. They take no signals but faults, and the floating-point settings of the thread that
  * created them. In a child of fork they are gone: calls there run on one thread, as they do on a
  * platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
- * @param desc  NULL: the defaults
- * @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
- *         reserve_models is above 2^24 - 1
+ *   - desc: null: the defaults
+ * Throws GamephysError with ERROR_OUT_OF_MEMORY also if the threads cannot be started.
+ * Throws GamephysError with ERROR_CAPACITY if reserve_models is above 2^24 - 1.
  * Cost: O(reserve_models), and that of starting the threads. */
 export class Scene {
     constructor(desc?: Partial<SceneDesc> | null);
     /** Frees the object at once. */
     close(): void;
-    /** Move the point of the world that all coordinates of the scene count from, those that it is given
-     * and those that it returns. Models stay where they are in the world: the positions of those without
-     * a parent become what they are from there, kept in double precision and rounded to float32 once,
+    /** Move the point of the world that all coordinates of the scene count from, those that it is given and
+     * those that it returns. Models stay where they are in the world: the positions of those without a
+     * parent become what they are from there, kept in double precision and rounded to float32 once,
      * however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
      * and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
-     * @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
-     * @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
-     * Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
-     * on. Queries cost nothing more. */
+     * Cost: that of Scene.setTransforms of all models, and 24 bytes a model from the first call on.
+     * Queries cost nothing more.
+     * @param origin - x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if a model would leave the range of coordinates */
     setOrigin(origin: ArrayLike<number>): void;
-    /** Where in the world the scene's coordinates count from. Cost: O(1). */
+    /** Where in the world the scene's coordinates count from.
+     * Cost: O(1). */
     getOrigin(): number[];
     /** Add a model.
-     * @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
-     * @param shape      in the model's own coordinates
-     * @param transform  local; NULL is the identity
-     * @param desc       NULL: no parent, layer 1, tag 0
-     * @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
-     *         GPHYS_ERROR_CAPACITY
-     * Cost: O(log n) amortised. */
+     * Cost: O(log n) amortised.
+     * @param shape - sphere, capsule, AABB, OBB, plane, triangle or mesh
+     * @param shape - in the model's own coordinates
+     * @param transform - local; null is the identity
+     * @param desc - null: no parent, layer 1, tag 0
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for another type
+     * @throws {GamephysError} ERROR_INVALID_ID: for a stale parent
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 models */
     add(shape: AnyShape, transform?: Given<Transform> | null, desc?: Partial<ModelDesc> | null): number;
-    /** Add count models of one type, all or none, as gphys_scene_add does one.
-     * @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
-     * @param transforms  local; a stride of 0 shares one; NULL is the identity
-     * @param desc        for all; NULL: no parent, layer 1, tag 0
-     * @param out_models  count elements
-     * @return as gphys_scene_add
-     * Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n. */
+    /** Add the models of one type, all or none, as Scene.add does one.
+     * Fails as Scene.add.
+     * Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their number
+     * is of the order of n.
+     * @param shapes - in the models' own coordinates
+     * @param transforms - local; null is the identity
+     * @param desc - for all; null: no parent, layer 1, tag 0 */
     addBatch(shapes: Shapes | AnyShape, transforms?: Elements | null, desc?: Partial<ModelDesc> | null, out?: Elements): Records<number>;
     /** Remove a model. Its children stay where they are in the world and lose their parent.
      * Cost: O(log n) amortised, and O(1) a child. */
     remove(model: number): void;
     /** Remove models, all or none.
-     * @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
-     * Cost: that of count calls of gphys_scene_remove. */
+     * Cost: that of as many calls of Scene.remove.
+     * @param models - the ids; one that stands twice is ERROR_INVALID_ID */
     removeBatch(models: Elements): void;
-    /** Remove a model and all its descendants. Cost: O(log n) amortised for each. */
+    /** Remove a model and all its descendants.
+     * Cost: O(log n) amortised for each. */
     removeSubtree(model: number): void;
-    /** Remove all models. Ids given out before stay invalid. Cost: O(n). */
+    /** Remove all models. Ids given out before stay invalid.
+     * Cost: O(n). */
     clear(): void;
     /** Whether an id names a model of this scene.
-     * @return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
      * Cost: O(1). */
     has(model: number): boolean;
-    /** Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n). */
+    /** Ids of all models, ascending.
+     * Cost: O(n). */
     getModels(): Records<number>;
-    /** Kind, parent, layers, tag and number of children of a model. Cost: O(1). */
+    /** Kind, parent, layers, tag and number of children of a model.
+     * Cost: O(1). */
     getInfo(model: number): ModelInfo;
     /** World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
      * of its sizes wider. That of an empty mesh is its position.
-     * @return GPHYS_UNBOUNDED for a plane
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @returns null for a plane. */
     getBounds(model: number): Aabb | null;
     /** World box of all bounded models. Planes are left out.
-     * @return GPHYS_NO_HIT if there are none
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @returns null if there are none. */
     getSceneBounds(): Aabb | null;
     /** Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
      * affected.
-     * @param layers  any mask; 0: no query sees it
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param layers - any mask; 0: no query sees it */
     setLayers(model: number, layers?: number): void;
     /** Change the number that a model's hits report beside its id. Children are not affected.
-     * @param tag  any number of the caller's
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param tag - any number of the caller's */
     setTag(model: number, tag: number): void;
     /** Hang a model below another one, or below none (0).
-     * @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
-     *                    changed so that the world transform stays (within float32 rounding)
-     * @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
-     * Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves. */
+     * Cost: O(depth of the tree of models), and as Scene.setTransform for what moves.
+     * @param keep_world - false: the local transform is kept, the model jumps; true: the local transform
+     *     is changed so that the world transform stays (within float32 rounding)
+     * @throws {GamephysError} ERROR_CYCLE: if parent is the model or one of its descendants */
     setParent(model: number, parent: number, keep_world: boolean | number): void;
     /** Set a model's local transform. Descendants follow.
-     * @param transform  relative to the parent; scale > 0
-     * @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
-     * Cost: O(log n) for each model that moves. */
+     * Cost: O(log n) for each model that moves.
+     * @param transform - relative to the parent; scale > 0
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if it, or a descendant, would leave the range
+     *     of the world */
     setTransform(model: number, transform: Given<Transform>): void;
     /** Set the local transforms of many models, all or none; a model that stands twice gets the last.
      * Descendants follow.
-     * @param models      count ids
-     * @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
-     * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers. */
+     * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+     * @param models - the ids
+     * @param transforms - as in Scene.setTransform */
     setTransforms(models: Elements, transforms: Elements): void;
-    /** Local transforms of count models, as they were set: relative to the parent.
-     * @param models          count ids; one may stand twice
-     * @param out_transforms  count elements
-     * Cost: O(count). */
+    /** Local transforms of the models, as they were set: relative to the parent.
+     * Cost: O(elements).
+     * @param models - the ids; one may stand twice */
     getTransforms(models: Elements, out?: Elements): Records<Transform>;
-    /** World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+    /** World transforms of the models: those of all ancestors applied, rounded to float32. What queries
      * answer is exact with respect to these.
-     * @param models          count ids; one may stand twice
-     * @param out_transforms  count elements
-     * Cost: O(count). */
+     * Cost: O(elements).
+     * @param models - the ids; one may stand twice */
     getWorldTransforms(models: Elements, out?: Elements): Records<Transform>;
-    /** Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-     * @return GPHYS_OK or GPHYS_NO_HIT
-     * Cost: O(log n) expected; no allocation. */
+    /** Closest model on a ray; the fields are exact as in raycast.
+     * Cost: O(log n) expected; no allocation.
+     * @returns null if nothing is found. */
     raycast(ray: Given<Ray>, layers?: number): Hit | null;
-    /** Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
-     * t = INFINITY.
-     * @param rays      a stride of 0 casts one ray count times
-     * @param out_hits  count elements
-     * Cost: at most that of count single calls; shared among workers. */
+    /** Closest models on the rays, as Scene.raycast; a ray that hits nothing gets model = 0 and t =
+     * INFINITY.
+     * Cost: at most that of as many single calls; shared among workers. */
     raycastBatch(rays: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-     * @param out_hit  0 or 1
      * Cost: O(log n) expected. */
     raycastAny(ray: Given<Ray>, layers?: number): boolean;
-    /** Whether each of count rays meets anything, as gphys_scene_raycast_any.
-     * @param rays      a stride of 0 casts one ray count times
-     * @param out_hits  count elements, each 0 or 1
-     * Cost: at most that of count single calls; shared among workers. */
+    /** Whether each of the rays meets anything, as Scene.raycastAny.
+     * Cost: at most that of as many single calls; shared among workers. */
     raycastAnyBatch(rays: Elements, layers?: number, out?: Elements): Records<number>;
-    /** Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-     * the first. Cost: O(log n + k log k) expected. */
+    /** Every model that a ray meets, each once with its first hit, by t, then id.
+     * Cost: O(log n + k log k) expected. */
     raycastAll(ray: Given<Ray>, layers?: number): Records<Hit>;
-    /** Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
-     * out_hits[out_offsets[i]] up to out_offsets[i + 1].
-     * @param rays         a stride of 0 casts one ray count times
-     * @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
-     *                     room. Where a ray's range crosses capacity, its first hits are written.
-     * What stands in out_hits behind the last hit afterwards is unspecified.
-     * @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
-     * Cost: that of count single calls; shared among workers. */
+    /** Every model that each of the rays meets, as Scene.raycastAll: the hits of ray i stand at
+     * hits[offsets[i]] up to offsets[i + 1].
+     * Cost: that of as many single calls; shared among workers. */
     raycastAllBatch(rays: Elements, layers?: number): { values: Records<Hit>; offsets: Uint32Array };
-    /** Closest model along a segment from a to b, both included; t in 0..1. Fields as in
-     * gphys_shape_segment_test.
-     * @return GPHYS_OK or GPHYS_NO_HIT
-     * Cost: O(log n) expected. */
+    /** Closest model along a segment from a to b, both included; t in 0..1. Fields as in segmentTest.
+     * Cost: O(log n) expected.
+     * @returns null if nothing is found. */
     segmentTest(segment: Given<Segment>, layers?: number): Hit | null;
-    /** Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
-     * model = 0 and t = INFINITY.
-     * @param segments  a stride of 0 tests one segment count times
-     * @param out_hits  count elements
-     * Cost: that of count single calls; shared among workers. */
+    /** Closest models along the segments, as Scene.segmentTest; one that hits nothing gets model = 0 and t
+     * = INFINITY.
+     * Cost: that of as many single calls; shared among workers. */
     segmentTestBatch(segments: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
-     * gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
-     * @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-     * Cost: O(log n + k) expected. */
+     * overlaps, ascending.
+     * Cost: O(log n + k) expected.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for other types of shapes */
     overlap(shape: AnyShape, layers?: number): Records<number>;
-    /** Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
-     * i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
-     * @param shapes       a stride of 0 asks for one shape count times
-     * @param out_offsets  count + 1 numbers, always complete
-     * @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
-     * Cost: at most that of count single calls; shared among workers. */
+    /** Ids of all models that each of the shapes of one type overlaps, as Scene.overlap: those of shape i
+     * stand at models[offsets[i]] up to offsets[i + 1], as in Scene.raycastAllBatch.
+     * Cost: at most that of as many single calls; shared among workers.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: as there */
     overlapBatch(shapes: Shapes | AnyShape, layers?: number): { values: Records<number>; offsets: Uint32Array };
-    /** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-     * own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
-     * per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
-     * too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-     * as scratch memory to order them. Cost: O(log n + k) expected. */
+    /** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
+     * box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
+     * more are listed, which Scene.overlap sorts out by testing the shapes.
+     * Cost: O(log n + k) expected. */
     cull(frustum: Given<Frustum>, layers?: number): Records<number>;
     /** The model nearest to a point, and its closest point.
-     * @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-     * @return GPHYS_OK or GPHYS_NO_HIT
-     * Cost: O(log n) expected. */
+     * Cost: O(log n) expected.
+     * @param max_distance - metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+     * @returns null if nothing is found. */
     nearest(point: Given<number[]>, max_distance: number, layers?: number): Nearest | null;
-    /** The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
-     * distance = INFINITY.
-     * @param points        a stride of 0 asks for one point count times
-     * @param max_distance  metres, >= 0, INFINITY allowed, for all points
-     * @param out_nearest   count elements
-     * Cost: that of count single calls; shared among workers. */
+    /** The models nearest to the points, as Scene.nearest; a point with none gets model = 0 and distance =
+     * INFINITY.
+     * Cost: that of as many single calls; shared among workers.
+     * @param max_distance - metres, >= 0, INFINITY allowed, for all points */
     nearestBatch(points: Elements, max_distance: number, layers?: number, out?: Elements): Records<Nearest>;
-    /** First model that a sphere touches while it moves by displacement; t in 0..1.
-     * Fields as in gphys_shape_sweep_sphere.
-     * @param displacement  metres; may be zero
-     * @return GPHYS_OK or GPHYS_NO_HIT
-     * Cost: O(log n + k) expected, k the models that the swept box touches. */
+    /** First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+     * sweepSphere.
+     * Cost: O(log n + k) expected, k the models that the swept box touches.
+     * @param displacement - metres; may be zero
+     * @returns null if nothing is found. */
     sweepSphere(sphere: Given<Sphere>, displacement: Given<number[]>, layers?: number): Hit | null;
-    /** First models that count spheres touch while each moves by its displacement, as
-     * gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
-     * @param spheres        a stride of 0 takes one sphere throughout
-     * @param displacements  metres; a stride of 0 moves all alike
-     * @param out_hits       count elements
-     * Cost: that of count single calls; shared among workers. */
+    /** First models that the spheres touch while each moves by its displacement, as Scene.sweepSphere; one
+     * that touches nothing gets model = 0 and t = INFINITY.
+     * Cost: that of as many single calls; shared among workers.
+     * @param displacements - metres */
     sweepSphereBatch(spheres: Elements, displacements: Elements, layers?: number, out?: Elements): Records<Hit>;
-    /** How the scene's octree is made up. Cost: O(nodes). */
+    /** How the scene's octree is made up.
+     * Cost: O(nodes). */
     getOctreeStats(): OctreeStats;
-    /** Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+    /** Boxes of the scene's octree, each parent before its children.
      * Cost: O(nodes). */
     getOctreeBoxes(): Records<OctreeBox>;
-    /** Check the scene's own structure: every model once in the tree, every box around its content,
-     * parents and children in agreement, free slots free. For tests.
-     * @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
-     * Cost: O(n). */
+    /** Check the scene's own structure: every model once in the tree, every box around its content, parents
+     * and children in agreement, free slots free. For tests.
+     * Cost: O(n).
+     * @throws {GamephysError} ERROR_INTERNAL: and the error's message says what is wrong */
     validate(): void;
     /** The shape of a model, in its own coordinates; not of a mesh. */
     getShape(model: number): Shape;
 }
-/** Create a camera with the defaults above.
- * @param desc  NULL: the defaults
+/** Create a camera that stands at the origin, with the projection and the viewport of its desc.
+ *   - desc: null: the defaults
  * Cost: O(1). */
 export class Camera {
     constructor(desc?: Partial<CameraDesc> | null);
     /** Frees the object at once. */
     close(): void;
-    /** Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
-     * The camera and the target of its orbit stay where they are in the world. Picking and culling need a
-     * scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
-     * @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-     * Cost: O(1). */
+    /** Move the point of the world that the camera's coordinates count from; see Scene.setOrigin. The
+     * camera and the target of its orbit stay where they are in the world. Picking and culling need a
+     * scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
+     * Cost: O(1).
+     * @param origin - x, y, z in the world, metres, within MAX_COORDINATE */
     setOrigin(origin: ArrayLike<number>): void;
-    /** Where in the world the camera's coordinates count from, metres. Cost: O(1). */
+    /** Where in the world the camera's coordinates count from, metres.
+     * Cost: O(1). */
     getOrigin(): number[];
     /** See with a perspective projection; what is further away is smaller.
-     * @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
-     * @param near_distance  metres, > 0
-     * @param far_distance   metres, > near_distance; INFINITY allowed
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param fov_y - full vertical angle in radians, 1e-6 <= fov_y < pi
+     * @param near_distance - metres, > 0
+     * @param far_distance - metres, > near_distance; INFINITY allowed */
     setPerspective(fov_y: number, near_distance: number, far_distance: number): void;
     /** See with an orthographic projection; the distance changes no size.
-     * @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
-     * @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param height - metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+     * @param near_distance - metres; far at least 1e-6 above near, which may be negative
+     * @param far_distance - metres; far at least 1e-6 above near, which may be negative */
     setOrthographic(height: number, near_distance: number, far_distance: number): void;
     /** See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-     * another library's). It is not changed by gphys_camera_set_viewport.
-     * @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
-     *         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
-     *         the matrix is for another depth range
-     * Cost: O(1). */
+     * another library's). It is not changed by Camera.setViewport.
+     * Cost: O(1).
+     * @throws {GamephysError} ERROR_SINGULAR: if it has no inverse, or is too close to such a matrix to
+     *     tell
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity, as it
+     *     does when the matrix is for another depth range */
     setProjection(projection: Given<number[]>): void;
     /** The viewport was resized. Perspective keeps fov_y, orthographic its height.
-     * @param width, height  pixels, 1e-3 .. 1e6
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param width - pixels, 1e-3 .. 1e6
+     * @param height - pixels, 1e-3 .. 1e6 */
     setViewport(width: number, height: number): void;
     /** Place the camera.
-     * @param position  metres, of its centre
-     * @param rotation  from its own axes to those of the world
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param position - metres, of its centre
+     * @param rotation - from its own axes to those of the world */
     setTransform(position: Given<number[]>, rotation: Given<number[]>): void;
     /** Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
      * kept, then up), so that a matrix which drifted is corrected.
-     * @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
-     *         they mirror or the last row is not 0 0 0 1
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @throws {GamephysError} ERROR_SINGULAR: if the axes do not span space
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if they mirror or the last row is not 0 0 0 1 */
     setWorldMatrix(world: Given<number[]>): void;
     /** Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
      * chosen in its place, always the same for the same input.
-     * @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if eye equals target or up is zero */
     lookAt(eye: Given<number[]>, target: Given<number[]>, up: Given<number[]>): void;
-    /** Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1). */
+    /** Where the camera stands, in metres, and how it is turned, rounded to float32.
+     * Cost: O(1). */
     getTransform(): [number[], number[]];
-    /** The matrix from camera to world. Cost: O(1). */
+    /** The matrix from camera to world.
+     * Cost: O(1). */
     getWorldMatrix(): number[];
     /** The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-     * through them. Cost: O(1). */
+     * through them.
+     * Cost: O(1). */
     getViewMatrix(): number[];
-    /** The matrix from camera to clip space. Cost: O(1). */
+    /** The matrix from camera to clip space.
+     * Cost: O(1). */
     getProjectionMatrix(): number[];
-    /** Projection * view, multiplied in double precision and rounded once. Cost: O(1). */
+    /** Projection * view, multiplied in double precision and rounded once.
+     * Cost: O(1). */
     getViewProjectionMatrix(): number[];
-    /** Start orbiting with these settings; places the camera at once and drops pending input. An angle
-     * or a distance outside its limits is brought inside. Cost: O(1). */
+    /** Start orbiting with these settings; places the camera at once and drops pending input. An angle or a
+     * distance outside its limits is brought inside.
+     * Cost: O(1). */
     setOrbit(orbit: Given<Orbit>): void;
     /** The present settings, angles and distance of the orbit.
-     * @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     getOrbit(): Orbit;
     /** Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
-     * @param units_x, units_y  finite, any size
-     * @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param units_x - finite, any size
+     * @param units_y - finite, any size
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitRotate(units_x: number, units_y: number): void;
     /** Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
-     * @param units  finite, any size
-     * @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param units - finite, any size
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitZoom(units: number): void;
     /** Add input to the orbit: move the target to the camera's right and up, as the last update left them,
      * by units times metres_per_unit.
-     * @param units_right, units_up  finite, any size
-     * @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @param units_right - finite, any size
+     * @param units_up - finite, any size
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitPan(units_right: number, units_up: number): void;
-    /** Apply the input since the last update, within the limits, and place the camera. Angles are
-     * wrapped to -pi .. pi in constant time.
-     * @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-     * Cost: O(1). */
+    /** Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
+     * to -pi .. pi in constant time.
+     * Cost: O(1).
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitUpdate(): void;
-    /** The seen volume, with origin at the camera's position and planes from its parameters: each
-     * number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    /** The seen volume, with origin at the camera's position and planes from its parameters: each number
+     * within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
      * Cost: O(1). */
     getFrustum(): Frustum;
-    /** World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
-     * @return GPHYS_UNBOUNDED with an infinite far plane
-     * Cost: O(1). */
+    /** World positions of the corners of the seen volume, in the order of frustumCorners.
+     * Cost: O(1).
+     * @returns null with an infinite far plane. */
     getCorners(): number[][] | null;
-    /** World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
-     * z is the depth in the camera's range.
-     * @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
-     *         image lies beyond the range of coordinates
-     * Cost: O(1). */
+    /** World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+     * viewport; z is the depth in the camera's range.
+     * Cost: O(1).
+     * @returns null if the point is not in front of the camera's centre (no image), or its image lies
+     *     beyond the range of coordinates. */
     project(point: Given<number[]>): number[] | null;
-    /** Pixels of count world points, as gphys_camera_project; a point without an image gets
-     * x = y = z = INFINITY.
-     * @param points      metres; a stride of 0 projects one point count times
-     * @param out_pixels  count elements
-     * Cost: O(count). */
+    /** Pixels of count world points, as Camera.project; a point without an image gets x = y = z = INFINITY.
+     * Cost: O(elements).
+     * @param points - metres */
     projectBatch(points: Elements, out?: Elements): Records<number[]>;
-    /** Pixel and depth to world point: the inverse of gphys_camera_project.
-     * @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
-     *         beyond the range of coordinates
-     * Cost: O(1). */
+    /** Pixel and depth to world point: the inverse of Camera.project.
+     * Cost: O(1).
+     * @returns null for the depth of an infinite far plane, and for points beyond that or beyond the range
+     *     of coordinates. */
     unproject(pixel: Given<number[]>): number[] | null;
-    /** World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
-     * x = y = z = INFINITY.
-     * @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
-     * @param out_points  count elements
-     * Cost: O(count). */
+    /** World points of the pixels with depth, as Camera.unproject; one at infinity gets x = y = z =
+     * INFINITY.
+     * Cost: O(elements).
+     * @param pixels - x, y in pixels, z the depth */
     unprojectBatch(pixels: Elements, out?: Elements): Records<number[]>;
-    /** The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
-     * on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
-     * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-     * near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-     * For perspective the stretch before the near plane is part of the ray.
-     * @param pixel_x, pixel_y  pixels; may lie outside the viewport
-     * @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
-     * Cost: O(1). */
+    /** The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
+     * the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
+     * image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
+     * half an ulp of a direction can be; Camera.pick is not so limited. For perspective the stretch before
+     * the near plane is part of the ray.
+     * Cost: O(1).
+     * @param pixel_x - pixels; may lie outside the viewport
+     * @param pixel_y - pixels; may lie outside the viewport
+     * @returns null if the line of sight does not meet the near plane (user projections). */
     pickRay(pixel_x: number, pixel_y: number): Ray | null;
-    /** Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
-     * @param x, y, width, height  pixels; width * height rays, fewer than 2^32
-     * @param out_rays             width * height elements
-     * @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
-     * Cost: O(width * height). */
+    /** Rays for a rectangle of pixel centres, as Camera.pickRay, row by row.
+     * Cost: O(width * height).
+     * @param x - pixels; width * height rays, fewer than 2^32
+     * @param y - pixels; width * height rays, fewer than 2^32
+     * @param width - pixels; width * height rays, fewer than 2^32
+     * @param height - pixels; width * height rays, fewer than 2^32 */
     pickRays(x: number, y: number, width: number, height: number, out?: Elements): Records<Ray>;
-    /** The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
-     * float32; t is in metres.
-     * @param pixel_x, pixel_y  pixels; may lie outside the viewport
-     * @return GPHYS_OK or GPHYS_NO_HIT
-     * Cost: O(log n) expected. */
+    /** The model under a pixel: the first hit of Camera.pickRay, before that is rounded to float32; t is in
+     * metres.
+     * Cost: O(log n) expected.
+     * @param pixel_x - pixels; may lie outside the viewport
+     * @param pixel_y - pixels; may lie outside the viewport
+     * @returns null if nothing is found. */
     pick(scene: Scene, pixel_x: number, pixel_y: number, layers?: number): Hit | null;
-    /** The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
-     * t = INFINITY.
-     * @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
-     * @param out_hits  count elements
-     * Cost: at most that of count single calls; shared among the scene's workers. */
+    /** The models under the pixels, as Camera.pick; a pixel without one gets model = 0 and t = INFINITY.
+     * Cost: at most that of as many single calls; shared among the scene's workers.
+     * @param pixels - x, y pairs of floats */
     pickBatch(scene: Scene, pixels: Elements, layers?: number, out?: Elements): Records<Hit>;
     /** Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-     * rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
-     * @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
-     * @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
-     * Cost: O(log n + k) expected. */
+     * rectangle, between near and far plane; exact shapes, ascending.
+     * Cost: O(log n + k) expected.
+     * @param x0 - pixels, opposite corners in any order; may lie outside the viewport
+     * @param y0 - pixels, opposite corners in any order; may lie outside the viewport
+     * @param x1 - pixels, opposite corners in any order; may lie outside the viewport
+     * @param y1 - pixels, opposite corners in any order; may lie outside the viewport
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if the rectangle has no area */
     pickRectangle(scene: Scene, x0: number, y0: number, x1: number, y1: number, layers?: number): Records<number>;
-    /** Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+    /** Ids of the models to draw: Scene.cull with the camera's frustum.
      * Cost: O(log n + k) expected. */
     cull(scene: Scene, layers?: number): Records<number>;
 }
-/** Create a solver without bodies.
- * With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
- * every n. Threads are started, joined and lost as those of gphys_scene_create.
- * @param desc  NULL: the defaults
- * @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+/** Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
+ * results have the same bits for every n. Threads are started, joined and lost as those of Scene.
+ *   - desc: null: the defaults
+ * Throws GamephysError with ERROR_OUT_OF_MEMORY also if the threads cannot be started.
  * Cost: O(1), and that of starting the threads. */
 export class Solver {
     constructor(desc?: Partial<SolverDesc> | null);
     /** Frees the object at once. */
     close(): void;
-    /** Move the point of the world that the coordinates of all particles count from; see
-     * gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
-     * step and an attachment need a scene of the same origin, else they return
-     * GPHYS_ERROR_INVALID_ARGUMENT.
-     * @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-     * @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
-     * Cost: O(particles). */
+    /** Move the point of the world that the coordinates of all particles count from; see Scene.setOrigin.
+     * Particles stay where they are in the world and keep moving as they do. A step and an attachment need
+     * a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
+     * Cost: O(particles).
+     * @param origin - x, y, z in the world, metres, within MAX_COORDINATE
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if a particle would leave the range of
+     *     coordinates */
     setOrigin(origin: ArrayLike<number>): void;
-    /** Where in the world the particles' coordinates count from, metres. Cost: O(1). */
+    /** Where in the world the particles' coordinates count from, metres.
+     * Cost: O(1). */
     getOrigin(): number[];
     /** Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
-     * @param gravity  m/s^2; may be zero
-     * Cost: O(bodies). */
+     * Cost: O(bodies).
+     * @param gravity - m/s^2; may be zero */
     setGravity(gravity: Given<number[]>): void;
-    /** Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
-     * error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
-     * by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
-     * al. 1985): twice the time, a seventh of the error.
-     * @param substeps  1 .. 1000
-     * Cost: O(1). */
+    /** Change the number of substeps of a step. More substeps: smaller errors, proportionally more time.
+     * The error of motion goes with the square of their length. Ropes that move calmly - in a substep no
+     * link turns by half a radian, or would swing by one if its ends were pushed - make each in two stages
+     * (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
+     * Cost: O(1).
+     * @param substeps - 1 .. 1000 */
     setSubsteps(substeps: number): void;
     /** Add a body of particles without constraints.
-     * @param desc       NULL: the defaults
-     * @param positions  metres; count elements, count >= 1
-     * @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-     * Cost: O(count). */
+     * Cost: O(elements).
+     * @param desc - null: the defaults
+     * @param positions - metres
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
     addParticles(positions: Elements, desc?: Partial<BodyDesc> | null): number;
     /** Add a rope through the given points, one particle at each.
-     * @param desc         NULL: the defaults
-     * @param positions    metres; count elements, count >= 2
-     * @param link_length  rest length of each link in metres; 0: as placed
-     * @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-     * Cost: O(count). */
+     * Cost: O(elements).
+     * @param desc - null: the defaults
+     * @param positions - metres
+     * @param link_length - rest length of each link in metres; 0: as placed
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
     addRope(positions: Elements, link_length: number, desc?: Partial<BodyDesc> | null): number;
     /** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
      * corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-     * @param desc           NULL: the defaults
-     * @param corner         metres
-     * @param edge_u, edge_v metres, from the corner along a row and along a column
-     * @param columns, rows  >= 2
-     * @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-     * Cost: O(columns * rows). */
+     * Cost: O(columns * rows).
+     * @param desc - null: the defaults
+     * @param corner - metres
+     * @param edge_u - metres, from the corner along a row and along a column
+     * @param edge_v - metres, from the corner along a row and along a column
+     * @param columns - >= 2
+     * @param rows - >= 2
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
     addCloth(corner: Given<number[]>, edge_u: Given<number[]>, edge_v: Given<number[]>, columns: number, rows: number, desc?: Partial<BodyDesc> | null): number;
-    /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-     * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-     * @param desc       NULL: the defaults
-     * @param transform  places the mesh; NULL is the identity
-     * @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-     * Cost: O(n log n). */
+    /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
+     * CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+     * Cost: O(n log n).
+     * @param desc - null: the defaults
+     * @param transform - places the mesh; null is the identity
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
     addClothMesh(mesh: Mesh, transform?: Given<Transform> | null, desc?: Partial<BodyDesc> | null): number;
-    /** Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
-     * last step are no longer listed.
+    /** Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
+     * the last step are no longer listed.
      * Cost: O(particles + constraints of the body), and O(joints of the solver). */
     removeBody(body: number): void;
-    /** Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies). */
+    /** Ids of all bodies, ascending.
+     * Cost: O(bodies). */
     getBodies(): Records<number>;
-    /** Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
-     * A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
-     * sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
-     * keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
-     * wakes in the step before which a model came, went or moved as near as it could come in a step at
-     * 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-     * its state, of gravity or of the origin. Cost: O(bodies). */
+    /** Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+     * sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
+     * than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
+     * more than a look for models nearby. It wakes in the step before which a model came, went or moved as
+     * near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
+     * exchanged; and at once by any change of its state, of gravity or of the origin.
+     * Cost: O(bodies). */
     getSleeping(): Records<number>;
     /** Wake a body; its time of rest begins again.
-     * @param body  0: all
-     * Cost: O(1) a body. */
+     * Cost: O(1) a body.
+     * @param body - 0: all */
     wake(body: number): void;
-    /** What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
-     * it allocates. */
+    /** What a body is made of and how it is solved.
+     * Cost: O(1); after a change of constraints O(particles), and it allocates. */
     getBodyInfo(body: number): BodyInfo;
-    /** Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
-     * *out_total counts numbers, not triangles; it is 0 for other bodies.
+    /** Particle numbers of a cloth's triangles, three each, for drawing.
      * Cost: O(triangles). */
     getTriangles(body: number): Records<number>;
     /** Where the particles are, metres.
-     * @param first, count   the particles first .. first + count - 1; a range beyond the body is
-     *                       GPHYS_ERROR_INVALID_ARGUMENT
-     * @param out_positions  count elements
-     * Cost: O(count). */
+     * Cost: O(count).
+     * @param first - the particles first .. first + count - 1; a range beyond the body is
+     *     ERROR_INVALID_ARGUMENT
+     * @param count - the particles first .. first + count - 1; a range beyond the body is
+     *     ERROR_INVALID_ARGUMENT */
     getPositions(body: number, first: number, count: number, out?: Elements): Records<number[]>;
-    /** Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
-     * @param first, count  as in gphys_solver_get_positions
-     * @param positions     metres; a stride of 0 moves all to one place
-     * Cost: O(count). */
+    /** Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+     * body.
+     * Cost: O(elements).
+     * @param first - as in Solver.getPositions
+     * @param positions - metres */
     setPositions(body: number, first: number, positions: Elements): void;
     /** How fast the particles are, m/s.
-     * @param first, count    as in gphys_solver_get_positions
-     * @param out_velocities  count elements; 0 of what is pinned
-     * Cost: O(count). */
+     * Cost: O(count).
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions
+     * @returns 0 of what is pinned. */
     getVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
     /** Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
-     * @param first, count  as in gphys_solver_get_positions
-     * @param velocities    m/s; a stride of 0 gives all the same
-     * Cost: O(count). */
+     * Cost: O(elements).
+     * @param first - as in Solver.getPositions
+     * @param velocities - m/s */
     setVelocities(body: number, first: number, velocities: Elements): void;
     /** Masses of particles, kg. That of a pinned particle is what it has when it is released.
-     * @param first, count  as in gphys_solver_get_positions
-     * @param out_masses    count elements
-     * Cost: O(count). */
+     * Cost: O(count).
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions */
     getMasses(body: number, first: number, count: number, out?: Elements): Records<number>;
     /** Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
      * Wakes the body.
-     * @param first, count  as in gphys_solver_get_positions
-     * @param masses        kg, > 0; a stride of 0 gives all the same
-     * Cost: O(count). */
+     * Cost: O(elements).
+     * @param first - as in Solver.getPositions
+     * @param masses - kg, > 0 */
     setMasses(body: number, first: number, masses: Elements): void;
     /** Change the collision radii of particles. Wakes the body.
-     * @param first, count  as in gphys_solver_get_positions
-     * @param radii         metres, >= 0; a stride of 0 gives all the same
-     * Cost: O(count). */
+     * Cost: O(elements).
+     * @param first - as in Solver.getPositions
+     * @param radii - metres, >= 0 */
     setRadii(body: number, first: number, radii: Elements): void;
     /** Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
-     * @param first, count  as in gphys_solver_get_positions
-     * @param forces        newtons; a stride of 0 gives all the same
-     * Cost: O(count). */
+     * Cost: O(elements).
+     * @param first - as in Solver.getPositions
+     * @param forces - newtons */
     setForces(body: number, first: number, forces: Elements): void;
     /** Pin or release particles. A pinned particle stays where it is put and moves only by
-     * gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
-     * @param first, count  as in gphys_solver_get_positions
-     * @param pinned        1: pin; 0: release
-     * Cost: O(count). */
+     * Solver.setPositions; its speed is 0. Both pinning and releasing end an attachment.
+     * Cost: O(count).
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions
+     * @param pinned - true: pin; false: release */
     setPinned(body: number, first: number, count: number, pinned: boolean | number): void;
-    /** Fix a particle to a model: it follows the model's transform in each step, and is released when
-     * the model is gone. Steps must then be given this scene.
-     * @param scene        of the same origin as the solver; not modified
-     * @param local_point  metres, in the model's coordinates; NULL: where the particle is now
-     * @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
-     * Cost: O(1). */
+    /** Fix a particle to a model: it follows the model's transform in each step, and is released when the
+     * model is gone. Steps must then be given this scene.
+     * Cost: O(1).
+     * @param scene - of the same origin as the solver; not modified
+     * @param local_point - metres, in the model's coordinates; null: where the particle is now
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist */
     attach(scene: Scene, body: number, particle: number, model: number, local_point?: Given<number[]> | null): void;
     /** Release an attached particle.
-     * @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
-     * Cost: O(1). */
+     * Cost: O(1).
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if it is not attached, or does not exist */
     detach(body: number, particle: number): void;
     /** Hold two different particles of a body at a distance.
-     * @param rest_length  metres, >= 0; negative: the present distance
-     * @param compliance   metres per newton, >= 0; 0 is rigid
-     * @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
-     *         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
-     * Cost: O(1); the next step plans the body again, O(constraints). */
+     * Cost: O(1); the next step plans the body again, O(constraints).
+     * @param rest_length - metres, >= 0; negative: the present distance
+     * @param compliance - metres per newton, >= 0; 0 is rigid
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same
+     *     one
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 constraints of a body */
     addDistance(body: number, particle_a: number, particle_b: number, rest_length: number, compliance: number): number;
     /** Keep two different particles of a body from being further apart than a length, like a string between
      * them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
      * rigid, the speed at which the particles part is lost and no other.
-     * @param max_length  metres, >= 0; negative: the present distance
-     * @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
-     * @return as gphys_solver_add_distance
+     * Fails as Solver.addDistance.
      * It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-     * strained only when it is too long. Cost: as gphys_solver_add_distance. */
+     * strained only when it is too long.
+     * Cost: as Solver.addDistance.
+     * @param max_length - metres, >= 0; negative: the present distance
+     * @param compliance - metres per newton, >= 0, of what it yields beyond that; 0 is rigid */
     addMaxDistance(body: number, particle_a: number, particle_b: number, max_length: number, compliance: number): number;
-    /** Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-     * its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-     * on steps. Rigid constraints have nothing to damp.
-     * @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-     * @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
-     * Cost: as gphys_solver_add_distance. */
+    /** Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+     * beside its tension; one of Solver.addMaxDistance never pushes. The decay depends on time, not on
+     * steps. Rigid constraints have nothing to damp.
+     * Cost: as Solver.addDistance.
+     * @param damping - N s/m, >= 0; 0, which every constraint begins with: none
+     * @throws {GamephysError} ERROR_INVALID_ID: for a body or constraint that does not exist */
     setConstraintDamping(body: number, constraint: number, damping: number): void;
-    /** Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
-     * it again changes it, which inflates a body.
-     * @param rest_volume  m^3, > 0; negative: the present volume
-     * @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
-     *                     which keeps its volume; INFINITY: none, which ends the constraint
-     * @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
-     *         not all turned the same way, or face inward when the present volume is asked for
-     * Cost: O(triangles) in each substep, twice. */
+    /** Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+     * setting it again changes it, which inflates a body.
+     * Cost: O(triangles) in each substep, twice.
+     * @param rest_volume - m^3, > 0; negative: the present volume
+     * @param compliance - m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as
+     *     water, which keeps its volume; INFINITY: none, which ends the constraint
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the triangles do not close (each side is that of two
+     *     triangles), are not all turned the same way, or face inward when the present volume is asked for */
     setVolume(body: number, rest_volume: number, compliance: number): void;
-    /** The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    /** The volume held by Solver.setVolume, m^3, as it is, and the pressure in pascals with which it was
      * held at the end of the last step: above 0 it pushes outward.
-     * @param out_volume, out_pressure  may be NULL
-     * @return GPHYS_ERROR_UNSUPPORTED if none is held
-     * Cost: O(triangles). */
+     * Cost: O(triangles).
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if none is held */
     getVolume(body: number): [number, number];
     /** End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-     * @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
-     * Cost: as gphys_solver_add_distance. */
+     * Cost: as Solver.addDistance.
+     * @throws {GamephysError} ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer */
     removeConstraint(body: number, constraint: number): void;
-    /** All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    /** All constraints of a body, those of its builder included, by id.
      * Cost: O(constraints). */
     getConstraints(body: number): Records<ConstraintInfo>;
-    /** Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-     * equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-     * system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-     * particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-     * one thread and fall asleep and wake together. A joint goes with either body.
-     * @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-     *                     as far apart are drawn there within a step, and get the speed of that.
-     * @param compliance   metres per newton, >= 0; 0 is rigid
-     * @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-     *         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-     * of a rope that is not joined. */
+    /** Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
+     * are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
+     * as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
+     * inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
+     * bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+     * one of a rope that is not joined.
+     * @param rest_length - metres; 0: at the same place; negative: the present distance. Particles that
+     *     are not as far apart are drawn there within a step, and get the speed of that.
+     * @param compliance - metres per newton, >= 0; 0 is rigid
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same
+     *     body (see Solver.addDistance)
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 joints */
     join(body_a: number, particle_a: number, body_b: number, particle_b: number, rest_length: number, compliance: number): number;
     /** End a joint. Wakes both bodies.
-     * @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
-     * Cost: as gphys_solver_join. */
+     * Cost: as Solver.join.
+     * @throws {GamephysError} ERROR_INVALID_ID: for a joint that does not exist, or no longer */
     unjoin(joint: number): void;
-    /** Joints of a body, by id. Kept when too many: the lowest.
-     * @param body  0: of all bodies
-     * Cost: O(joints of the solver). */
+    /** Joints of a body, by id.
+     * Cost: O(joints of the solver).
+     * @param body - 0: of all bodies */
     getJoints(body: number): Records<JointInfo>;
     /** Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
      * takes more where they would be longer than 25 ms.
-     * @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-     * @param dt     seconds, 1e-6 .. 0.5
      * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
      * through particles. May allocate.
-     * Cost: O(particles + constraints) a substep, and a scene query for particles near models. */
+     * Cost: O(particles + constraints) a substep, and a scene query for particles near models.
+     * @param scene - to collide with and to follow attachments; null: none. Not modified.
+     * @param dt - seconds, 1e-6 .. 0.5 */
     step(scene: Scene | null, dt: number): void;
-    /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-     * frame, so the motion does not depend on the frame rate.
-     * @param frame_time    seconds, >= 0
-     * @param out_steps     steps made; may be NULL
-     * @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
-     * Cost: that of the steps made. */
+    /** Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
+     * so the motion does not depend on the frame rate.
+     * Cost: that of the steps made.
+     * @param frame_time - seconds, >= 0
+     * @returns steps made. 0 <= fraction of a step still owed < 1, to blend drawings. */
     advance(scene: Scene | null, frame_time: number): [number, number];
-    /** The substeps that a body took in the last step; 0 before its first.
-     * With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
-     * their length follows from what the last step measured, the largest strain of its rigid constraints
-     * and the local error of the time scheme, both of which go with its square. It is at
-     * most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-     * target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-     * met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    /** The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
+     * tolerance set, each body takes as many as its own motion needs: their length follows from what the
+     * last step measured, the largest strain of its rigid constraints and the local error of the time
+     * scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
+     * from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
+     * where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
+     * positions jump, by contacts, the error is that of the jump.
      * Cost: O(1). */
     getSubsteps(body: number): number;
     /** Counts, strain and energy of a body at present.
-     * @param body  0: all bodies together
-     * Cost: O(particles + constraints). */
+     * Cost: O(particles + constraints).
+     * @param body - 0: all bodies together */
     getStats(body: number): SolverStats;
-    /** Contacts of the last step by body, particle, model. Kept when too many: the first.
+    /** Contacts of the last step by body, particle, model.
      * Cost: O(contacts). */
     getContacts(): Records<Contact>;
     /** Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-     * which they fell asleep. Kept when too many: the lowest models.
-     * Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
-     * cloth that touches several models at once gives to the one that it touches most. Models have no mass
-     * here; a body of yours much lighter than what hangs from it should be moved in small steps.
+     * which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
+     * weight. A particle of cloth that touches several models at once gives to the one that it touches
+     * most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+     * in small steps.
      * Cost: O(models touched); no allocation. The same bits for any number of workers. */
     getImpulses(): Records<Impulse>;
-    /** Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
-     * that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
-     * @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
-     *                   for the same release of the library and machines of the same byte order; it may
-     *                   be stored, but not changed.
-     * @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
-     * Cost: O(particles + constraints), some 50 words for each. */
+    /** Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+     * impulses, time that Solver.advance still owes. The scene, workers and allocator are not in it.
+     * Cost: O(particles + constraints), some 50 words for each.
+     * @returns the snapshot. It is for the same release of the library and machines of the same byte
+     *     order; it may be stored, but not changed.
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^32 - 1 words */
     getSnapshot(): Records<number>;
     /** Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-     * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
-     * too, is as it was.
-     * @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
-     *         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
-     * Cost: as gphys_solver_get_snapshot; allocates. */
+     * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
+     * is as it was. On an error the solver is as before.
+     * Cost: as Solver.getSnapshot; allocates.
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for words that are no snapshot, damaged, of another
+     *     version or byte order
+     * @throws {GamephysError} ERROR_OUT_OF_MEMORY: if there is no room for it */
     restore(words: Elements): void;
     /** A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
      * different ones differ with near certainty (not against an adversary). Compare it between machines
-     * that simulate the same, to see when they part. Cost: O(particles + constraints). */
+     * that simulate the same, to see when they part.
+     * Cost: O(particles + constraints). */
     getHash(): number[];
 }
 /** Whether the shape fulfils the ranges beside its struct.
- * @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
- * Cost: O(1). */
+ * Cost: O(1).
+ * @throws {GamephysError} ERROR_INVALID_ARGUMENT: and the error's message names the field */
 export function validate(shape: AnyShape): void;
 /** The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
- * @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
- *         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
- * Cost: O(1), for a mesh too. */
+ * Cost: O(1), for a mesh too.
+ * @returns null for a plane, a ray without end (or with one beyond all floats) and a frustum that
+ *     extends to infinity; for an empty mesh or frustum. */
 export function bounds(shape: AnyShape): Aabb | null;
-/** Whether the point is within tolerance metres of the shape (solid or surface).
- * With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
- * axes are those of its rotation in double precision).
- * @param tolerance  >= 0
- * @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh. */
+/** Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
+ * answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
+ * rotation in double precision).
+ * Cost: O(1); O(log n) expected for a mesh.
+ * @param tolerance - metres, >= 0 */
 export function contains(shape: AnyShape, point: Given<number[]>, tolerance: number): boolean;
-/** Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
- * @param points        a stride of 0 asks for one point count times
- * @param tolerance     metres, >= 0, for all points
- * @param out_contains  count elements, each 0 or 1
- * Cost: that of count single calls. */
+/** Whether each of the points is within tolerance metres of one shape, as contains.
+ * Cost: that of as many single calls.
+ * @param tolerance - metres, >= 0, for all points */
 export function containsBatch(shape: AnyShape, points: Elements, tolerance: number, out?: Elements): Records<number>;
-/** The point of the shape that is closest to the given point: the point itself inside a solid.
- * Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
- * coordinate difference. If several are equally close, one of them,
- * always the same. For a ray, t is limited by t_max.
- * @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
- * Cost: O(1); O(log n) expected for a mesh. */
+/** The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
+ * ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
+ * difference. If several are equally close, one of them, always the same. For a ray, t is limited by
+ * t_max.
+ * Cost: O(1); O(log n) expected for a mesh.
+ * @returns null only for an empty mesh or an empty frustum. */
 export function closestPoint(shape: AnyShape, point: Given<number[]>): Nearest | null;
-/** The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
- * element for which there is none gets distance INFINITY.
- * @param points       a stride of 0 asks for one point count times
- * @param out_nearest  count elements
- * Cost: that of count single calls. */
+/** The points of one shape that are closest to each of the points, as closestPoint. An element for
+ * which there is none gets distance INFINITY.
+ * Cost: that of as many single calls. */
 export function closestPointBatch(shape: AnyShape, points: Elements, out?: Elements): Records<Nearest>;
-/** The closest points of two segments and their distance. Parallel segments have many: the first
- * along a, always the same.
- * @param out_a, out_b, out_distance  each may be NULL; metres
- * Cost: O(1). */
+/** The closest points of two segments and their distance. Parallel segments have many: the first along
+ * a, always the same.
+ * Cost: O(1).
+ * @returns metres. */
 export function segmentClosestPoints(a: Given<Segment>, b: Given<Segment>): [number[], number[], number];
-/** Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
- * triangle, frustum and mesh, in either order.
- * A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
- * Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
- * precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
- * @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
- * Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh. */
+/** Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
+ * frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
+ * not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
+ * in double precision and may err only where the gap is below 2^-40 of the largest coordinate
+ * difference.
+ * Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or segment (see segmentTest) */
 export function overlaps(a: AnyShape, b: AnyShape): boolean;
-/** Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
- * @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
- *                      needs 0
- * @param out_overlaps  count elements, each 0 or 1
- * @return GPHYS_ERROR_UNSUPPORTED for rays and segments
- * Cost: that of count single calls. */
+/** Whether the shapes of each of the pairs overlap, as overlaps: pair i is a[i] against b[i].
+ * Cost: that of as many single calls.
+ * @param a - shapes of one type each
+ * @param b - shapes of one type each
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for rays and segments */
 export function overlapsBatch(a: Shapes | AnyShape, b: Shapes | AnyShape, out?: Elements): Records<number>;
 /** Classify a sphere, capsule, AABB, OBB or triangle against a plane.
- * @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
- *                             behind, 0 when crossing; may be NULL
- * @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
- * Cost: O(1). */
+ * Cost: O(1).
+ * @returns metres, of the shape's nearest point to the plane: > 0 in front, < 0 behind, 0 when
+ *     crossing.
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for other types of shapes */
 export function classifyPlane(shape: AnyShape, plane: Given<Plane>): [number, number];
-/** Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
- * that no point is shared, inside that the frustum holds the whole shape.
- * @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
- * Cost: O(1). */
+/** Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that no
+ * point is shared, inside that the frustum holds the whole shape.
+ * Cost: O(1).
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for other types of shapes */
 export function classifyFrustum(shape: AnyShape, frustum: Given<Frustum>): number;
-/** First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
- * Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
- * shared edge or vertex always meets one of the triangles there.
- * Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
- * and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
- * smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
- * @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
- * Cost: O(1); O(log n) expected for a mesh. */
+/** First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
+ * and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
+ * always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
+ * all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
+ * distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+ * docs/accuracy.md has the bounds of all functions.
+ * Cost: O(1); O(log n) expected for a mesh.
+ * @returns null if nothing is found.
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function raycast(shape: AnyShape, ray: Given<Ray>): Hit | null;
-/** First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
- * t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
- * @param rays      a stride of 0 casts one ray count times
- * @param out_hits  count elements
- * @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
- * Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way. */
+/** First hits of the rays with one shape, as raycast. A ray that hits nothing gets t = INFINITY,
+ * triangle = NO_TRIANGLE and zeros in its hits element.
+ * Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function raycastBatch(shape: AnyShape, rays: Elements, out?: Elements): Records<Hit>;
-/** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
- * A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
- * then is met from no direction, the normal is zero.
- * @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
- * Cost: as gphys_shape_raycast. */
+/** First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+ * segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
+ * met from no direction, the normal is zero.
+ * Cost: as raycast.
+ * @returns null if nothing is found.
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function segmentTest(shape: AnyShape, segment: Given<Segment>): Hit | null;
 /** First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
  * triangle, frustum or mesh.
- * @param displacement  metres; may be zero
- * @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
- *                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
- *                 and where the centre itself is in a solid, the normal is opposite to the
- *                 displacement (zero if that is zero).
- * @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
  * Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
- * Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh. */
+ * Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
+ * mesh.
+ * @param displacement - metres; may be zero
+ * @returns t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+ *     the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself is in a
+ *     solid, the normal is opposite to the displacement (zero if that is zero). null if nothing is
+ *     found.
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement: Given<number[]>): Hit | null;
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  * left-bottom, right-bottom, right-top, left-top.
- * @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
- * Cost: O(1). */
+ * Cost: O(1).
+ * @returns null if three planes do not meet in a point (infinite far plane). */
 export function frustumCorners(frustum: Given<Frustum>): number[][] | null;
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
- * origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
- * @param reverse_z  0: near has the low depth; 1: near has the high depth
- * @return GPHYS_ERROR_SINGULAR if the matrix has no volume
- * Cost: O(1). */
+ * origin (0, 0, 0). A camera knows its frustum better: Camera.getFrustum.
+ * Cost: O(1).
+ * @param reverse_z - false: near has the low depth; true: near has the high depth
+ * @throws {GamephysError} ERROR_SINGULAR: if the matrix has no volume */
 export function frustumFromMatrix(view_projection: Given<number[]>, depth_range: number, reverse_z: boolean | number): Frustum;
 /** Examine arrays without building anything. Allocates while it runs.
- * @param vertices       vertex_count elements of 3 floats, metres
- * @param vertex_stride  bytes between vertices, at least 12
- * @param indices        index_count numbers, three for each triangle
- * @param out_report     what was found; indices out of range and bad vertices are counted, not refused
- * @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
- * Cost: O(n log n). */
+ * Cost: O(n log n).
+ * @param vertices - elements of 3 floats, metres
+ * @param indices - numbers, three for each triangle
+ * @returns what was found; indices out of range and bad vertices are counted, not refused.
+ * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for an index_count that is no multiple of 3 */
 export function meshCheck(vertices: Elements, indices: Elements): MeshReport;
 export const OK: 0;
 export const NO_HIT: 1;

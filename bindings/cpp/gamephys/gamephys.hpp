@@ -131,9 +131,8 @@ class Mesh : public Object<gphys_mesh, gphys_mesh_destroy> {
 public:
     // Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
     // segments or points that they are, and counted in the report. 0 triangles are allowed.
-    // @param desc  may be NULL
-    // @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
-    //         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
+    // multiple of 3 or a bad vertex; gamephys::mesh_check tells which.
     // Cost: O(n log n), about 1 us per triangle.
     explicit Mesh(Span<const float> vertices, Span<const uint32_t> indices, const MeshDesc* desc = nullptr) {
         gphys_mesh* made = nullptr;
@@ -141,7 +140,7 @@ public:
         own(made);
     }
 
-    // What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+    // What the mesh was built from: the report that gamephys::mesh_check makes of its arrays.
     // Cost: O(1).
     MeshReport get_report() const {
         MeshReport out_report{};
@@ -149,29 +148,25 @@ public:
         return out_report;
     }
 
-    // Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+    // Copy the vertices out, in metres and in their original order.
     // Cost: O(vertices).
     std::vector<Vec3> get_vertices() const {
         return list<Vec3>([&](Vec3* out_vertices, uint32_t capacity, uint32_t* total) { return gphys_mesh_get_vertices(handle(), out_vertices, capacity, total); });
     }
 
-    // Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
-    // *out_total counts indices, not triangles.
+    // Copy the indices out, three for each triangle, in their original order.
     // Cost: O(n).
     std::vector<uint32_t> get_indices() const {
         return list<uint32_t>([&](uint32_t* out_indices, uint32_t capacity, uint32_t* total) { return gphys_mesh_get_indices(handle(), out_indices, capacity, total); });
     }
 
     // All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-    // Kept when the array is too small: the first ones.
-    // @return GPHYS_OK (also for 0 hits)
     // Cost: O(log n + k) expected.
     std::vector<Hit> raycast_all(const Ray& ray) const {
         return list<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* total) { return gphys_mesh_raycast_all(handle(), &ray, out_hits, capacity, total); });
     }
 
     // Whether a ray hits anything; cheaper than the closest hit.
-    // @param out_hit  0 or 1
     // Cost: O(log n) expected.
     bool raycast_any(const Ray& ray) const {
         int32_t out_hit{};
@@ -180,21 +175,22 @@ public:
     }
 
     // Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-    // ascending. Kept when the array is too small: the lowest.
-    // @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    // ascending.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for other types of shapes.
     // Cost: O(log n + k) expected.
     std::vector<uint32_t> overlap(ShapeRef shape) const {
         return list<uint32_t>([&](uint32_t* out_triangles, uint32_t capacity, uint32_t* total) { return gphys_mesh_overlap(handle(), shape.type, shape.pointer, out_triangles, capacity, total); });
     }
 
-    // How the mesh's octree is made up. Cost: O(nodes).
+    // How the mesh's octree is made up.
+    // Cost: O(nodes).
     OctreeStats get_octree_stats() const {
         OctreeStats out_stats{};
         check(gphys_mesh_get_octree_stats(handle(), &out_stats));
         return out_stats;
     }
 
-    // Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+    // Boxes of the mesh's octree, each parent before its children.
     // Cost: O(nodes).
     std::vector<OctreeBox> get_octree_boxes() const {
         return list<OctreeBox>([&](OctreeBox* out_boxes, uint32_t capacity, uint32_t* total) { return gphys_mesh_get_octree_boxes(handle(), out_boxes, capacity, total); });
@@ -206,17 +202,16 @@ inline ShapeRef::ShapeRef(const Mesh& mesh) : type(GPHYS_SHAPE_MESH), pointer(me
 
 class Scene : public Object<gphys_scene, gphys_scene_destroy> {
 public:
-    // Create a scene without models.
-    // With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
-    // adding and moving many models, share their work among n threads; the results have the same bits
-    // for every n. Without a task_runner n - 1 threads are started here and joined by
-    // gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
-    // work. They take no signals but faults, and the floating-point settings of the thread that
+    // Create a scene without models. With a worker_count of n, all batch queries of the scene
+    // (Camera::pick_batch too), and adding and moving many models, share their work among n threads; the
+    // results have the same bits for every n. Without a task_runner n - 1 threads are started here and
+    // joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
+    // their own work. They take no signals but faults, and the floating-point settings of the thread that
     // created them. In a child of fork they are gone: calls there run on one thread, as they do on a
     // platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-    // @param desc  NULL: the defaults
-    // @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
-    //         reserve_models is above 2^24 - 1
+    //   - desc: nullptr: the defaults
+    // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started.
+    // Throws Error with GPHYS_ERROR_CAPACITY if reserve_models is above 2^24 - 1.
     // Cost: O(reserve_models), and that of starting the threads.
     explicit Scene(const SceneDesc* desc = nullptr) {
         gphys_scene* made = nullptr;
@@ -224,20 +219,21 @@ public:
         own(made);
     }
 
-    // Move the point of the world that all coordinates of the scene count from, those that it is given
-    // and those that it returns. Models stay where they are in the world: the positions of those without
-    // a parent become what they are from there, kept in double precision and rounded to float32 once,
+    // Move the point of the world that all coordinates of the scene count from, those that it is given and
+    // those that it returns. Models stay where they are in the world: the positions of those without a
+    // parent become what they are from there, kept in double precision and rounded to float32 once,
     // however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     // and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
-    // @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
-    // @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
-    // Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
-    // on. Queries cost nothing more.
+    //   - origin: x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates.
+    // Cost: that of Scene::set_transforms of all models, and 24 bytes a model from the first call on.
+    // Queries cost nothing more.
     void set_origin(const std::array<double, 3>& origin) {
         check(gphys_scene_set_origin(handle(), origin.data()));
     }
 
-    // Where in the world the scene's coordinates count from. Cost: O(1).
+    // Where in the world the scene's coordinates count from.
+    // Cost: O(1).
     std::array<double, 3> get_origin() const {
         std::array<double, 3> out_origin{};
         check(gphys_scene_get_origin(handle(), out_origin.data()));
@@ -245,12 +241,13 @@ public:
     }
 
     // Add a model.
-    // @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
-    // @param shape      in the model's own coordinates
-    // @param transform  local; NULL is the identity
-    // @param desc       NULL: no parent, layer 1, tag 0
-    // @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
-    //         GPHYS_ERROR_CAPACITY
+    //   - shape: sphere, capsule, AABB, OBB, plane, triangle or mesh
+    //   - shape: in the model's own coordinates
+    //   - transform: local; nullptr is the identity
+    //   - desc: nullptr: no parent, layer 1, tag 0
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for another type.
+    // Throws Error with GPHYS_ERROR_INVALID_ID for a stale parent.
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 models.
     // Cost: O(log n) amortised.
     gphys_model_id add(ShapeRef shape, const Transform* transform = nullptr, const ModelDesc* desc = nullptr) {
         gphys_model_id out_model{};
@@ -258,13 +255,13 @@ public:
         return out_model;
     }
 
-    // Add count models of one type, all or none, as gphys_scene_add does one.
-    // @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
-    // @param transforms  local; a stride of 0 shares one; NULL is the identity
-    // @param desc        for all; NULL: no parent, layer 1, tag 0
-    // @param out_models  count elements
-    // @return as gphys_scene_add
-    // Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
+    // Add the models of one type, all or none, as Scene::add does one.
+    // Fails as Scene::add.
+    //   - shapes: in the models' own coordinates
+    //   - transforms: local; nullptr is the identity
+    //   - desc: for all; nullptr: no parent, layer 1, tag 0
+    // Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their number
+    // is of the order of n.
     void add_batch(ShapeSpan shapes, Span<const Transform> transforms, const ModelDesc* desc, Span<gphys_model_id> out_models) {
         const uint32_t count = common_size({shapes.sizes(), transforms.sizes()});
         require_size(out_models.size, count);
@@ -278,37 +275,40 @@ public:
     }
 
     // Remove models, all or none.
-    // @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
-    // Cost: that of count calls of gphys_scene_remove.
+    //   - models: the ids; one that stands twice is GPHYS_ERROR_INVALID_ID
+    // Cost: that of as many calls of Scene::remove.
     void remove_batch(Span<const gphys_model_id> models) {
         const uint32_t count = common_size({models.sizes()});
         check(gphys_scene_remove_batch(handle(), models.data, count));
     }
 
-    // Remove a model and all its descendants. Cost: O(log n) amortised for each.
+    // Remove a model and all its descendants.
+    // Cost: O(log n) amortised for each.
     void remove_subtree(gphys_model_id model) {
         check(gphys_scene_remove_subtree(handle(), model));
     }
 
-    // Remove all models. Ids given out before stay invalid. Cost: O(n).
+    // Remove all models. Ids given out before stay invalid.
+    // Cost: O(n).
     void clear() {
         check(gphys_scene_clear(handle()));
     }
 
     // Whether an id names a model of this scene.
-    // @return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
     // Cost: O(1).
     bool has(gphys_model_id model) const {
         const gphys_status status = gphys_scene_has(handle(), model);
         return status != GPHYS_ERROR_INVALID_ID && found(status);
     }
 
-    // Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
+    // Ids of all models, ascending.
+    // Cost: O(n).
     std::vector<gphys_model_id> get_models() const {
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_get_models(handle(), out_models, capacity, total); });
     }
 
-    // Kind, parent, layers, tag and number of children of a model. Cost: O(1).
+    // Kind, parent, layers, tag and number of children of a model.
+    // Cost: O(1).
     ModelInfo get_info(gphys_model_id model) const {
         ModelInfo out_info{};
         check(gphys_scene_get_info(handle(), model, &out_info));
@@ -317,7 +317,7 @@ public:
 
     // World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
     // of its sizes wider. That of an empty mesh is its position.
-    // @return GPHYS_UNBOUNDED for a plane
+    // Result: std::nullopt for a plane.
     // Cost: O(1).
     std::optional<Aabb> get_bounds(gphys_model_id model) const {
         Aabb out_bounds{};
@@ -326,7 +326,7 @@ public:
     }
 
     // World box of all bounded models. Planes are left out.
-    // @return GPHYS_NO_HIT if there are none
+    // Result: std::nullopt if there are none.
     // Cost: O(1).
     std::optional<Aabb> get_scene_bounds() const {
         Aabb out_bounds{};
@@ -336,31 +336,32 @@ public:
 
     // Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
     // affected.
-    // @param layers  any mask; 0: no query sees it
+    //   - layers: any mask; 0: no query sees it
     // Cost: O(1).
     void set_layers(gphys_model_id model, uint32_t layers = GPHYS_ALL_LAYERS) {
         check(gphys_scene_set_layers(handle(), model, layers));
     }
 
     // Change the number that a model's hits report beside its id. Children are not affected.
-    // @param tag  any number of the caller's
+    //   - tag: any number of the caller's
     // Cost: O(1).
     void set_tag(gphys_model_id model, uint32_t tag) {
         check(gphys_scene_set_tag(handle(), model, tag));
     }
 
     // Hang a model below another one, or below none (0).
-    // @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
-    //                    changed so that the world transform stays (within float32 rounding)
-    // @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
-    // Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
+    //   - keep_world: 0: the local transform is kept, the model jumps; 1: the local transform is changed
+    //     so that the world transform stays (within float32 rounding)
+    // Throws Error with GPHYS_ERROR_CYCLE if parent is the model or one of its descendants.
+    // Cost: O(depth of the tree of models), and as Scene::set_transform for what moves.
     void set_parent(gphys_model_id model, gphys_model_id parent, int32_t keep_world) {
         check(gphys_scene_set_parent(handle(), model, parent, keep_world));
     }
 
     // Set a model's local transform. Descendants follow.
-    // @param transform  relative to the parent; scale > 0
-    // @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
+    //   - transform: relative to the parent; scale > 0
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of
+    // the world.
     // Cost: O(log n) for each model that moves.
     void set_transform(gphys_model_id model, const Transform& transform) {
         check(gphys_scene_set_transform(handle(), model, &transform));
@@ -368,37 +369,35 @@ public:
 
     // Set the local transforms of many models, all or none; a model that stands twice gets the last.
     // Descendants follow.
-    // @param models      count ids
-    // @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
+    //   - models: the ids
+    //   - transforms: as in Scene::set_transform
     // Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
     void set_transforms(Span<const gphys_model_id> models, Span<const Transform> transforms) {
         const uint32_t count = common_size({models.sizes(), transforms.sizes()});
         check(gphys_scene_set_transforms(handle(), models.data, transforms.data, transforms.stride, count));
     }
 
-    // Local transforms of count models, as they were set: relative to the parent.
-    // @param models          count ids; one may stand twice
-    // @param out_transforms  count elements
-    // Cost: O(count).
+    // Local transforms of the models, as they were set: relative to the parent.
+    //   - models: the ids; one may stand twice
+    // Cost: O(elements).
     void get_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
         const uint32_t count = common_size({models.sizes()});
         require_size(out_transforms.size, count);
         check(gphys_scene_get_transforms(handle(), models.data, count, out_transforms.data, out_transforms.stride));
     }
 
-    // World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+    // World transforms of the models: those of all ancestors applied, rounded to float32. What queries
     // answer is exact with respect to these.
-    // @param models          count ids; one may stand twice
-    // @param out_transforms  count elements
-    // Cost: O(count).
+    //   - models: the ids; one may stand twice
+    // Cost: O(elements).
     void get_world_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
         const uint32_t count = common_size({models.sizes()});
         require_size(out_transforms.size, count);
         check(gphys_scene_get_world_transforms(handle(), models.data, count, out_transforms.data, out_transforms.stride));
     }
 
-    // Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-    // @return GPHYS_OK or GPHYS_NO_HIT
+    // Closest model on a ray; the fields are exact as in gamephys::raycast.
+    // Result: std::nullopt if nothing is found.
     // Cost: O(log n) expected; no allocation.
     std::optional<Hit> raycast(const Ray& ray, uint32_t layers = GPHYS_ALL_LAYERS) const {
         Hit out_hit{};
@@ -406,11 +405,9 @@ public:
         return out_hit;
     }
 
-    // Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
-    // t = INFINITY.
-    // @param rays      a stride of 0 casts one ray count times
-    // @param out_hits  count elements
-    // Cost: at most that of count single calls; shared among workers.
+    // Closest models on the rays, as Scene::raycast; a ray that hits nothing gets model = 0 and t =
+    // INFINITY.
+    // Cost: at most that of as many single calls; shared among workers.
     void raycast_batch(Span<const Ray> rays, uint32_t layers, Span<Hit> out_hits) const {
         const uint32_t count = common_size({rays.sizes()});
         require_size(out_hits.size, count);
@@ -418,7 +415,6 @@ public:
     }
 
     // Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-    // @param out_hit  0 or 1
     // Cost: O(log n) expected.
     bool raycast_any(const Ray& ray, uint32_t layers = GPHYS_ALL_LAYERS) const {
         int32_t out_hit{};
@@ -426,38 +422,31 @@ public:
         return out_hit != 0;
     }
 
-    // Whether each of count rays meets anything, as gphys_scene_raycast_any.
-    // @param rays      a stride of 0 casts one ray count times
-    // @param out_hits  count elements, each 0 or 1
-    // Cost: at most that of count single calls; shared among workers.
+    // Whether each of the rays meets anything, as Scene::raycast_any.
+    // Cost: at most that of as many single calls; shared among workers.
     void raycast_any_batch(Span<const Ray> rays, uint32_t layers, Span<int32_t> out_hits) const {
         const uint32_t count = common_size({rays.sizes()});
         require_size(out_hits.size, count);
         check(gphys_scene_raycast_any_batch(handle(), rays.data, rays.stride, count, layers, out_hits.data, out_hits.stride));
     }
 
-    // Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-    // the first. Cost: O(log n + k log k) expected.
+    // Every model that a ray meets, each once with its first hit, by t, then id.
+    // Cost: O(log n + k log k) expected.
     std::vector<Hit> raycast_all(const Ray& ray, uint32_t layers = GPHYS_ALL_LAYERS) const {
         return list<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* total) { return gphys_scene_raycast_all(handle(), &ray, layers, out_hits, capacity, total); });
     }
 
-    // Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
-    // out_hits[out_offsets[i]] up to out_offsets[i + 1].
-    // @param rays         a stride of 0 casts one ray count times
-    // @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
-    //                     room. Where a ray's range crosses capacity, its first hits are written.
-    // What stands in out_hits behind the last hit afterwards is unspecified.
-    // @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
-    // Cost: that of count single calls; shared among workers.
+    // Every model that each of the rays meets, as Scene::raycast_all: the hits of ray i stand at
+    // hits[offsets[i]] up to offsets[i + 1].
+    // Cost: that of as many single calls; shared among workers.
     Ragged<Hit> raycast_all_batch(Span<const Ray> rays, uint32_t layers = GPHYS_ALL_LAYERS) const {
         const uint32_t count = common_size({rays.sizes()});
         return ragged<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* offsets) { return gphys_scene_raycast_all_batch(handle(), rays.data, rays.stride, count, layers, out_hits, capacity, offsets); }, count);
     }
 
     // Closest model along a segment from a to b, both included; t in 0..1. Fields as in
-    // gphys_shape_segment_test.
-    // @return GPHYS_OK or GPHYS_NO_HIT
+    // gamephys::segment_test.
+    // Result: std::nullopt if nothing is found.
     // Cost: O(log n) expected.
     std::optional<Hit> segment_test(const Segment& segment, uint32_t layers = GPHYS_ALL_LAYERS) const {
         Hit out_hit{};
@@ -465,11 +454,9 @@ public:
         return out_hit;
     }
 
-    // Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
-    // model = 0 and t = INFINITY.
-    // @param segments  a stride of 0 tests one segment count times
-    // @param out_hits  count elements
-    // Cost: that of count single calls; shared among workers.
+    // Closest models along the segments, as Scene::segment_test; one that hits nothing gets model = 0 and
+    // t = INFINITY.
+    // Cost: that of as many single calls; shared among workers.
     void segment_test_batch(Span<const Segment> segments, uint32_t layers, Span<Hit> out_hits) const {
         const uint32_t count = common_size({segments.sizes()});
         require_size(out_hits.size, count);
@@ -477,36 +464,33 @@ public:
     }
 
     // Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
-    // gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
-    // @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    // gamephys::overlaps, ascending.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for other types of shapes.
     // Cost: O(log n + k) expected.
     std::vector<gphys_model_id> overlap(ShapeRef shape, uint32_t layers = GPHYS_ALL_LAYERS) const {
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_overlap(handle(), shape.type, shape.pointer, layers, out_models, capacity, total); });
     }
 
-    // Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
-    // i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
-    // @param shapes       a stride of 0 asks for one shape count times
-    // @param out_offsets  count + 1 numbers, always complete
-    // @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
-    // Cost: at most that of count single calls; shared among workers.
+    // Ids of all models that each of the shapes of one type overlaps, as Scene::overlap: those of shape i
+    // stand at models[offsets[i]] up to offsets[i + 1], as in Scene::raycast_all_batch.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED as there.
+    // Cost: at most that of as many single calls; shared among workers.
     Ragged<gphys_model_id> overlap_batch(ShapeSpan shapes, uint32_t layers = GPHYS_ALL_LAYERS) const {
         const uint32_t count = common_size({shapes.sizes()});
         return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_overlap_batch(handle(), shapes.type, shapes.data, shapes.stride, count, layers, out_models, capacity, offsets); }, count);
     }
 
-    // Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-    // own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
-    // per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
-    // too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-    // as scratch memory to order them. Cost: O(log n + k) expected.
+    // Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
+    // box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
+    // more are listed, which Scene::overlap sorts out by testing the shapes.
+    // Cost: O(log n + k) expected.
     std::vector<gphys_model_id> cull(const Frustum& frustum, uint32_t layers = GPHYS_ALL_LAYERS) const {
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_cull(handle(), &frustum, layers, out_models, capacity, total); });
     }
 
     // The model nearest to a point, and its closest point.
-    // @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-    // @return GPHYS_OK or GPHYS_NO_HIT
+    //   - max_distance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+    // Result: std::nullopt if nothing is found.
     // Cost: O(log n) expected.
     std::optional<Nearest> nearest(const Vec3& point, float max_distance, uint32_t layers = GPHYS_ALL_LAYERS) const {
         Nearest out_nearest{};
@@ -514,22 +498,20 @@ public:
         return out_nearest;
     }
 
-    // The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
-    // distance = INFINITY.
-    // @param points        a stride of 0 asks for one point count times
-    // @param max_distance  metres, >= 0, INFINITY allowed, for all points
-    // @param out_nearest   count elements
-    // Cost: that of count single calls; shared among workers.
+    // The models nearest to the points, as Scene::nearest; a point with none gets model = 0 and distance =
+    // INFINITY.
+    //   - max_distance: metres, >= 0, INFINITY allowed, for all points
+    // Cost: that of as many single calls; shared among workers.
     void nearest_batch(Span<const Vec3> points, float max_distance, uint32_t layers, Span<Nearest> out_nearest) const {
         const uint32_t count = common_size({points.sizes()});
         require_size(out_nearest.size, count);
         check(gphys_scene_nearest_batch(handle(), points.data, points.stride, count, max_distance, layers, out_nearest.data, out_nearest.stride));
     }
 
-    // First model that a sphere touches while it moves by displacement; t in 0..1.
-    // Fields as in gphys_shape_sweep_sphere.
-    // @param displacement  metres; may be zero
-    // @return GPHYS_OK or GPHYS_NO_HIT
+    // First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+    // gamephys::sweep_sphere.
+    //   - displacement: metres; may be zero
+    // Result: std::nullopt if nothing is found.
     // Cost: O(log n + k) expected, k the models that the swept box touches.
     std::optional<Hit> sweep_sphere(const Sphere& sphere, const Vec3& displacement, uint32_t layers = GPHYS_ALL_LAYERS) const {
         Hit out_hit{};
@@ -537,34 +519,33 @@ public:
         return out_hit;
     }
 
-    // First models that count spheres touch while each moves by its displacement, as
-    // gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
-    // @param spheres        a stride of 0 takes one sphere throughout
-    // @param displacements  metres; a stride of 0 moves all alike
-    // @param out_hits       count elements
-    // Cost: that of count single calls; shared among workers.
+    // First models that the spheres touch while each moves by its displacement, as Scene::sweep_sphere;
+    // one that touches nothing gets model = 0 and t = INFINITY.
+    //   - displacements: metres
+    // Cost: that of as many single calls; shared among workers.
     void sweep_sphere_batch(Span<const Sphere> spheres, Span<const Vec3> displacements, uint32_t layers, Span<Hit> out_hits) const {
         const uint32_t count = common_size({spheres.sizes(), displacements.sizes()});
         require_size(out_hits.size, count);
         check(gphys_scene_sweep_sphere_batch(handle(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, layers, out_hits.data, out_hits.stride));
     }
 
-    // How the scene's octree is made up. Cost: O(nodes).
+    // How the scene's octree is made up.
+    // Cost: O(nodes).
     OctreeStats get_octree_stats() const {
         OctreeStats out_stats{};
         check(gphys_scene_get_octree_stats(handle(), &out_stats));
         return out_stats;
     }
 
-    // Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+    // Boxes of the scene's octree, each parent before its children.
     // Cost: O(nodes).
     std::vector<OctreeBox> get_octree_boxes() const {
         return list<OctreeBox>([&](OctreeBox* out_boxes, uint32_t capacity, uint32_t* total) { return gphys_scene_get_octree_boxes(handle(), out_boxes, capacity, total); });
     }
 
-    // Check the scene's own structure: every model once in the tree, every box around its content,
-    // parents and children in agreement, free slots free. For tests.
-    // @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+    // Check the scene's own structure: every model once in the tree, every box around its content, parents
+    // and children in agreement, free slots free. For tests.
+    // Throws Error with GPHYS_ERROR_INTERNAL and the exception's message says what is wrong.
     // Cost: O(n).
     void validate() const {
         check(gphys_scene_validate(handle()));
@@ -584,8 +565,8 @@ public:
 
 class Camera : public Object<gphys_camera, gphys_camera_destroy> {
 public:
-    // Create a camera with the defaults above.
-    // @param desc  NULL: the defaults
+    // Create a camera that stands at the origin, with the projection and the viewport of its desc.
+    //   - desc: nullptr: the defaults
     // Cost: O(1).
     explicit Camera(const CameraDesc* desc = nullptr) {
         gphys_camera* made = nullptr;
@@ -593,16 +574,17 @@ public:
         own(made);
     }
 
-    // Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
-    // The camera and the target of its orbit stay where they are in the world. Picking and culling need a
-    // scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
-    // @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+    // Move the point of the world that the camera's coordinates count from; see Scene::set_origin. The
+    // camera and the target of its orbit stay where they are in the world. Picking and culling need a
+    // scene of the same origin, else they fail with GPHYS_ERROR_INVALID_ARGUMENT.
+    //   - origin: x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
     // Cost: O(1).
     void set_origin(const std::array<double, 3>& origin) {
         check(gphys_camera_set_origin(handle(), origin.data()));
     }
 
-    // Where in the world the camera's coordinates count from, metres. Cost: O(1).
+    // Where in the world the camera's coordinates count from, metres.
+    // Cost: O(1).
     std::array<double, 3> get_origin() const {
         std::array<double, 3> out_origin{};
         check(gphys_camera_get_origin(handle(), out_origin.data()));
@@ -610,42 +592,43 @@ public:
     }
 
     // See with a perspective projection; what is further away is smaller.
-    // @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
-    // @param near_distance  metres, > 0
-    // @param far_distance   metres, > near_distance; INFINITY allowed
+    //   - fov_y: full vertical angle in radians, 1e-6 <= fov_y < pi
+    //   - near_distance: metres, > 0
+    //   - far_distance: metres, > near_distance; INFINITY allowed
     // Cost: O(1).
     void set_perspective(float fov_y, float near_distance, float far_distance) {
         check(gphys_camera_set_perspective(handle(), fov_y, near_distance, far_distance));
     }
 
     // See with an orthographic projection; the distance changes no size.
-    // @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
-    // @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
+    //   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    //   - near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative
     // Cost: O(1).
     void set_orthographic(float height, float near_distance, float far_distance) {
         check(gphys_camera_set_orthographic(handle(), height, near_distance, far_distance));
     }
 
     // See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-    // another library's). It is not changed by gphys_camera_set_viewport.
-    // @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
-    //         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
-    //         the matrix is for another depth range
+    // another library's). It is not changed by Camera::set_viewport.
+    // Throws Error with GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to
+    // tell.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it
+    // does when the matrix is for another depth range.
     // Cost: O(1).
     void set_projection(const Mat4& projection) {
         check(gphys_camera_set_projection(handle(), &projection));
     }
 
     // The viewport was resized. Perspective keeps fov_y, orthographic its height.
-    // @param width, height  pixels, 1e-3 .. 1e6
+    //   - width, height: pixels, 1e-3 .. 1e6
     // Cost: O(1).
     void set_viewport(float width, float height) {
         check(gphys_camera_set_viewport(handle(), width, height));
     }
 
     // Place the camera.
-    // @param position  metres, of its centre
-    // @param rotation  from its own axes to those of the world
+    //   - position: metres, of its centre
+    //   - rotation: from its own axes to those of the world
     // Cost: O(1).
     void set_transform(const Vec3& position, const Quat& rotation) {
         check(gphys_camera_set_transform(handle(), &position, &rotation));
@@ -653,8 +636,8 @@ public:
 
     // Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
     // kept, then up), so that a matrix which drifted is corrected.
-    // @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
-    //         they mirror or the last row is not 0 0 0 1
+    // Throws Error with GPHYS_ERROR_SINGULAR if the axes do not span space.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if they mirror or the last row is not 0 0 0 1.
     // Cost: O(1).
     void set_world_matrix(const Mat4& world) {
         check(gphys_camera_set_world_matrix(handle(), &world));
@@ -662,13 +645,14 @@ public:
 
     // Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
     // chosen in its place, always the same for the same input.
-    // @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero.
     // Cost: O(1).
     void look_at(const Vec3& eye, const Vec3& target, const Vec3& up) {
         check(gphys_camera_look_at(handle(), &eye, &target, &up));
     }
 
-    // Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
+    // Where the camera stands, in metres, and how it is turned, rounded to float32.
+    // Cost: O(1).
     std::tuple<Vec3, Quat> get_transform() const {
         Vec3 out_position{};
         Quat out_rotation{};
@@ -676,7 +660,8 @@ public:
         return std::make_tuple(out_position, out_rotation);
     }
 
-    // The matrix from camera to world. Cost: O(1).
+    // The matrix from camera to world.
+    // Cost: O(1).
     Mat4 get_world_matrix() const {
         Mat4 out_world{};
         check(gphys_camera_get_world_matrix(handle(), &out_world));
@@ -684,35 +669,39 @@ public:
     }
 
     // The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-    // through them. Cost: O(1).
+    // through them.
+    // Cost: O(1).
     Mat4 get_view_matrix() const {
         Mat4 out_view{};
         check(gphys_camera_get_view_matrix(handle(), &out_view));
         return out_view;
     }
 
-    // The matrix from camera to clip space. Cost: O(1).
+    // The matrix from camera to clip space.
+    // Cost: O(1).
     Mat4 get_projection_matrix() const {
         Mat4 out_projection{};
         check(gphys_camera_get_projection_matrix(handle(), &out_projection));
         return out_projection;
     }
 
-    // Projection * view, multiplied in double precision and rounded once. Cost: O(1).
+    // Projection * view, multiplied in double precision and rounded once.
+    // Cost: O(1).
     Mat4 get_view_projection_matrix() const {
         Mat4 out_view_projection{};
         check(gphys_camera_get_view_projection_matrix(handle(), &out_view_projection));
         return out_view_projection;
     }
 
-    // Start orbiting with these settings; places the camera at once and drops pending input. An angle
-    // or a distance outside its limits is brought inside. Cost: O(1).
+    // Start orbiting with these settings; places the camera at once and drops pending input. An angle or a
+    // distance outside its limits is brought inside.
+    // Cost: O(1).
     void set_orbit(const Orbit& orbit) {
         check(gphys_camera_set_orbit(handle(), &orbit));
     }
 
     // The present settings, angles and distance of the orbit.
-    // @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
     Orbit get_orbit() const {
         Orbit out_orbit{};
@@ -721,16 +710,16 @@ public:
     }
 
     // Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
-    // @param units_x, units_y  finite, any size
-    // @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    //   - units_x, units_y: finite, any size
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
     void orbit_rotate(float units_x, float units_y) {
         check(gphys_camera_orbit_rotate(handle(), units_x, units_y));
     }
 
     // Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
-    // @param units  finite, any size
-    // @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    //   - units: finite, any size
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
     void orbit_zoom(float units) {
         check(gphys_camera_orbit_zoom(handle(), units));
@@ -738,23 +727,23 @@ public:
 
     // Add input to the orbit: move the target to the camera's right and up, as the last update left them,
     // by units times metres_per_unit.
-    // @param units_right, units_up  finite, any size
-    // @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    //   - units_right, units_up: finite, any size
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
     void orbit_pan(float units_right, float units_up) {
         check(gphys_camera_orbit_pan(handle(), units_right, units_up));
     }
 
-    // Apply the input since the last update, within the limits, and place the camera. Angles are
-    // wrapped to -pi .. pi in constant time.
-    // @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    // Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
+    // to -pi .. pi in constant time.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
     void orbit_update() {
         check(gphys_camera_orbit_update(handle()));
     }
 
-    // The seen volume, with origin at the camera's position and planes from its parameters: each
-    // number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    // The seen volume, with origin at the camera's position and planes from its parameters: each number
+    // within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
     // Cost: O(1).
     Frustum get_frustum() const {
         Frustum out_frustum{};
@@ -762,8 +751,8 @@ public:
         return out_frustum;
     }
 
-    // World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
-    // @return GPHYS_UNBOUNDED with an infinite far plane
+    // World positions of the corners of the seen volume, in the order of gamephys::frustum_corners.
+    // Result: std::nullopt with an infinite far plane.
     // Cost: O(1).
     std::optional<std::array<Vec3, 8>> get_corners() const {
         std::array<Vec3, 8> out_corners{};
@@ -771,10 +760,10 @@ public:
         return out_corners;
     }
 
-    // World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
-    // z is the depth in the camera's range.
-    // @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
-    //         image lies beyond the range of coordinates
+    // World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+    // viewport; z is the depth in the camera's range.
+    // Result: std::nullopt if the point is not in front of the camera's centre (no image), or its image
+    // lies beyond the range of coordinates.
     // Cost: O(1).
     std::optional<Vec3> project(const Vec3& point) const {
         Vec3 out_pixel{};
@@ -782,20 +771,19 @@ public:
         return out_pixel;
     }
 
-    // Pixels of count world points, as gphys_camera_project; a point without an image gets
-    // x = y = z = INFINITY.
-    // @param points      metres; a stride of 0 projects one point count times
-    // @param out_pixels  count elements
-    // Cost: O(count).
+    // Pixels of count world points, as Camera::project; a point without an image gets x = y = z =
+    // INFINITY.
+    //   - points: metres
+    // Cost: O(elements).
     void project_batch(Span<const Vec3> points, Span<Vec3> out_pixels) const {
         const uint32_t count = common_size({points.sizes()});
         require_size(out_pixels.size, count);
         check(gphys_camera_project_batch(handle(), points.data, points.stride, count, out_pixels.data, out_pixels.stride));
     }
 
-    // Pixel and depth to world point: the inverse of gphys_camera_project.
-    // @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
-    //         beyond the range of coordinates
+    // Pixel and depth to world point: the inverse of Camera::project.
+    // Result: std::nullopt for the depth of an infinite far plane, and for points beyond that or beyond
+    // the range of coordinates.
     // Cost: O(1).
     std::optional<Vec3> unproject(const Vec3& pixel) const {
         Vec3 out_point{};
@@ -803,24 +791,23 @@ public:
         return out_point;
     }
 
-    // World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
-    // x = y = z = INFINITY.
-    // @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
-    // @param out_points  count elements
-    // Cost: O(count).
+    // World points of the pixels with depth, as Camera::unproject; one at infinity gets x = y = z =
+    // INFINITY.
+    //   - pixels: x, y in pixels, z the depth
+    // Cost: O(elements).
     void unproject_batch(Span<const Vec3> pixels, Span<Vec3> out_points) const {
         const uint32_t count = common_size({pixels.sizes()});
         require_size(out_points.size, count);
         check(gphys_camera_unproject_batch(handle(), pixels.data, pixels.stride, count, out_points.data, out_points.stride));
     }
 
-    // The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
-    // on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
-    // Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-    // near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-    // For perspective the stretch before the near plane is part of the ray.
-    // @param pixel_x, pixel_y  pixels; may lie outside the viewport
-    // @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+    // The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
+    // the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
+    // image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
+    // half an ulp of a direction can be; Camera::pick is not so limited. For perspective the stretch
+    // before the near plane is part of the ray.
+    //   - pixel_x, pixel_y: pixels; may lie outside the viewport
+    // Result: std::nullopt if the line of sight does not meet the near plane (user projections).
     // Cost: O(1).
     std::optional<Ray> pick_ray(float pixel_x, float pixel_y) const {
         Ray out_ray{};
@@ -828,20 +815,18 @@ public:
         return out_ray;
     }
 
-    // Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
-    // @param x, y, width, height  pixels; width * height rays, fewer than 2^32
-    // @param out_rays             width * height elements
-    // @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+    // Rays for a rectangle of pixel centres, as Camera::pick_ray, row by row.
+    //   - x, y, width, height: pixels; width * height rays, fewer than 2^32
     // Cost: O(width * height).
     void pick_rays(uint32_t x, uint32_t y, uint32_t width, uint32_t height, Span<Ray> out_rays) const {
         require_size(out_rays.size, width * height);
         check(gphys_camera_pick_rays(handle(), x, y, width, height, out_rays.data, out_rays.stride));
     }
 
-    // The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
-    // float32; t is in metres.
-    // @param pixel_x, pixel_y  pixels; may lie outside the viewport
-    // @return GPHYS_OK or GPHYS_NO_HIT
+    // The model under a pixel: the first hit of Camera::pick_ray, before that is rounded to float32; t is
+    // in metres.
+    //   - pixel_x, pixel_y: pixels; may lie outside the viewport
+    // Result: std::nullopt if nothing is found.
     // Cost: O(log n) expected.
     std::optional<Hit> pick(const Scene& scene, float pixel_x, float pixel_y, uint32_t layers = GPHYS_ALL_LAYERS) const {
         Hit out_hit{};
@@ -849,11 +834,9 @@ public:
         return out_hit;
     }
 
-    // The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
-    // t = INFINITY.
-    // @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
-    // @param out_hits  count elements
-    // Cost: at most that of count single calls; shared among the scene's workers.
+    // The models under the pixels, as Camera::pick; a pixel without one gets model = 0 and t = INFINITY.
+    //   - pixels: x, y pairs of floats
+    // Cost: at most that of as many single calls; shared among the scene's workers.
     void pick_batch(const Scene& scene, Span<const float> pixels, uint32_t layers, Span<Hit> out_hits) const {
         const uint32_t count = common_size({pixels.sizes()});
         require_size(out_hits.size, count);
@@ -861,15 +844,15 @@ public:
     }
 
     // Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    // rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
-    // @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
-    // @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+    // rectangle, between near and far plane; exact shapes, ascending.
+    //   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area.
     // Cost: O(log n + k) expected.
     std::vector<gphys_model_id> pick_rectangle(const Scene& scene, float x0, float y0, float x1, float y1, uint32_t layers = GPHYS_ALL_LAYERS) const {
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_camera_pick_rectangle(handle(), scene.handle(), x0, y0, x1, y1, layers, out_models, capacity, total); });
     }
 
-    // Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+    // Ids of the models to draw: Scene::cull with the camera's frustum.
     // Cost: O(log n + k) expected.
     std::vector<gphys_model_id> cull(const Scene& scene, uint32_t layers = GPHYS_ALL_LAYERS) const {
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_camera_cull(handle(), scene.handle(), layers, out_models, capacity, total); });
@@ -879,11 +862,10 @@ public:
 
 class Solver : public Object<gphys_solver, gphys_solver_destroy> {
 public:
-    // Create a solver without bodies.
-    // With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
-    // every n. Threads are started, joined and lost as those of gphys_scene_create.
-    // @param desc  NULL: the defaults
-    // @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+    // Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
+    // results have the same bits for every n. Threads are started, joined and lost as those of Scene.
+    //   - desc: nullptr: the defaults
+    // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started.
     // Cost: O(1), and that of starting the threads.
     explicit Solver(const SolverDesc* desc = nullptr) {
         gphys_solver* made = nullptr;
@@ -891,18 +873,19 @@ public:
         own(made);
     }
 
-    // Move the point of the world that the coordinates of all particles count from; see
-    // gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
-    // step and an attachment need a scene of the same origin, else they return
-    // GPHYS_ERROR_INVALID_ARGUMENT.
-    // @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-    // @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+    // Move the point of the world that the coordinates of all particles count from; see Scene::set_origin.
+    // Particles stay where they are in the world and keep moving as they do. A step and an attachment need
+    // a scene of the same origin, else they fail with GPHYS_ERROR_INVALID_ARGUMENT.
+    //   - origin: x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of
+    // coordinates.
     // Cost: O(particles).
     void set_origin(const std::array<double, 3>& origin) {
         check(gphys_solver_set_origin(handle(), origin.data()));
     }
 
-    // Where in the world the particles' coordinates count from, metres. Cost: O(1).
+    // Where in the world the particles' coordinates count from, metres.
+    // Cost: O(1).
     std::array<double, 3> get_origin() const {
         std::array<double, 3> out_origin{};
         check(gphys_solver_get_origin(handle(), out_origin.data()));
@@ -910,27 +893,27 @@ public:
     }
 
     // Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
-    // @param gravity  m/s^2; may be zero
+    //   - gravity: m/s^2; may be zero
     // Cost: O(bodies).
     void set_gravity(const Vec3& gravity) {
         check(gphys_solver_set_gravity(handle(), &gravity));
     }
 
-    // Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
-    // error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
-    // by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
-    // al. 1985): twice the time, a seventh of the error.
-    // @param substeps  1 .. 1000
+    // Change the number of substeps of a step. More substeps: smaller errors, proportionally more time.
+    // The error of motion goes with the square of their length. Ropes that move calmly - in a substep no
+    // link turns by half a radian, or would swing by one if its ends were pushed - make each in two stages
+    // (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
+    //   - substeps: 1 .. 1000
     // Cost: O(1).
     void set_substeps(uint32_t substeps) {
         check(gphys_solver_set_substeps(handle(), substeps));
     }
 
     // Add a body of particles without constraints.
-    // @param desc       NULL: the defaults
-    // @param positions  metres; count elements, count >= 1
-    // @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    // Cost: O(count).
+    //   - desc: nullptr: the defaults
+    //   - positions: metres
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
+    // Cost: O(elements).
     gphys_body_id add_particles(Span<const Vec3> positions, const BodyDesc* desc = nullptr) {
         const uint32_t count = common_size({positions.sizes()});
         gphys_body_id out_body{};
@@ -939,11 +922,11 @@ public:
     }
 
     // Add a rope through the given points, one particle at each.
-    // @param desc         NULL: the defaults
-    // @param positions    metres; count elements, count >= 2
-    // @param link_length  rest length of each link in metres; 0: as placed
-    // @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    // Cost: O(count).
+    //   - desc: nullptr: the defaults
+    //   - positions: metres
+    //   - link_length: rest length of each link in metres; 0: as placed
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
+    // Cost: O(elements).
     gphys_body_id add_rope(Span<const Vec3> positions, float link_length, const BodyDesc* desc = nullptr) {
         const uint32_t count = common_size({positions.sizes()});
         gphys_body_id out_body{};
@@ -953,11 +936,11 @@ public:
 
     // Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
     // corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-    // @param desc           NULL: the defaults
-    // @param corner         metres
-    // @param edge_u, edge_v metres, from the corner along a row and along a column
-    // @param columns, rows  >= 2
-    // @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    //   - desc: nullptr: the defaults
+    //   - corner: metres
+    //   - edge_u, edge_v: metres, from the corner along a row and along a column
+    //   - columns, rows: >= 2
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
     // Cost: O(columns * rows).
     gphys_body_id add_cloth(const Vec3& corner, const Vec3& edge_u, const Vec3& edge_v, uint32_t columns, uint32_t rows, const BodyDesc* desc = nullptr) {
         gphys_body_id out_body{};
@@ -965,11 +948,11 @@ public:
         return out_body;
     }
 
-    // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    // with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    // @param desc       NULL: the defaults
-    // @param transform  places the mesh; NULL is the identity
-    // @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    // Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
+    // GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+    //   - desc: nullptr: the defaults
+    //   - transform: places the mesh; nullptr is the identity
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
     // Cost: O(n log n).
     gphys_body_id add_cloth_mesh(const Mesh& mesh, const Transform* transform = nullptr, const BodyDesc* desc = nullptr) {
         gphys_body_id out_body{};
@@ -977,73 +960,73 @@ public:
         return out_body;
     }
 
-    // Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
-    // last step are no longer listed.
+    // Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
+    // the last step are no longer listed.
     // Cost: O(particles + constraints of the body), and O(joints of the solver).
     void remove_body(gphys_body_id body) {
         check(gphys_solver_remove_body(handle(), body));
     }
 
-    // Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
+    // Ids of all bodies, ascending.
+    // Cost: O(bodies).
     std::vector<gphys_body_id> get_bodies() const {
         return list<gphys_body_id>([&](gphys_body_id* out_bodies, uint32_t capacity, uint32_t* total) { return gphys_solver_get_bodies(handle(), out_bodies, capacity, total); });
     }
 
-    // Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
-    // A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
-    // sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
-    // keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
-    // wakes in the step before which a model came, went or moved as near as it could come in a step at
-    // 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-    // its state, of gravity or of the origin. Cost: O(bodies).
+    // Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+    // sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
+    // than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
+    // more than a look for models nearby. It wakes in the step before which a model came, went or moved as
+    // near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
+    // exchanged; and at once by any change of its state, of gravity or of the origin.
+    // Cost: O(bodies).
     std::vector<gphys_body_id> get_sleeping() const {
         return list<gphys_body_id>([&](gphys_body_id* out_bodies, uint32_t capacity, uint32_t* total) { return gphys_solver_get_sleeping(handle(), out_bodies, capacity, total); });
     }
 
     // Wake a body; its time of rest begins again.
-    // @param body  0: all
+    //   - body: 0: all
     // Cost: O(1) a body.
     void wake(gphys_body_id body) {
         check(gphys_solver_wake(handle(), body));
     }
 
-    // What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
-    // it allocates.
+    // What a body is made of and how it is solved.
+    // Cost: O(1); after a change of constraints O(particles), and it allocates.
     BodyInfo get_body_info(gphys_body_id body) const {
         BodyInfo out_info{};
         check(gphys_solver_get_body_info(handle(), body, &out_info));
         return out_info;
     }
 
-    // Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
-    // *out_total counts numbers, not triangles; it is 0 for other bodies.
+    // Particle numbers of a cloth's triangles, three each, for drawing.
     // Cost: O(triangles).
     std::vector<uint32_t> get_triangles(gphys_body_id body) const {
         return list<uint32_t>([&](uint32_t* out_indices, uint32_t capacity, uint32_t* total) { return gphys_solver_get_triangles(handle(), body, out_indices, capacity, total); });
     }
 
     // Where the particles are, metres.
-    // @param first, count   the particles first .. first + count - 1; a range beyond the body is
-    //                       GPHYS_ERROR_INVALID_ARGUMENT
-    // @param out_positions  count elements
+    //   - first, count: the particles first .. first + count - 1; a range beyond the body is
+    //     GPHYS_ERROR_INVALID_ARGUMENT
     // Cost: O(count).
     void get_positions(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_positions) const {
         require_size(out_positions.size, count);
         check(gphys_solver_get_positions(handle(), body, first, count, out_positions.data, out_positions.stride));
     }
 
-    // Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
-    // @param first, count  as in gphys_solver_get_positions
-    // @param positions     metres; a stride of 0 moves all to one place
-    // Cost: O(count).
+    // Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+    // body.
+    //   - first: as in Solver::get_positions
+    //   - positions: metres
+    // Cost: O(elements).
     void set_positions(gphys_body_id body, uint32_t first, Span<const Vec3> positions) {
         const uint32_t count = common_size({positions.sizes()});
         check(gphys_solver_set_positions(handle(), body, first, count, positions.data, positions.stride));
     }
 
     // How fast the particles are, m/s.
-    // @param first, count    as in gphys_solver_get_positions
-    // @param out_velocities  count elements; 0 of what is pinned
+    //   - first, count: as in Solver::get_positions
+    // Result: 0 of what is pinned.
     // Cost: O(count).
     void get_velocities(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_velocities) const {
         require_size(out_velocities.size, count);
@@ -1051,17 +1034,16 @@ public:
     }
 
     // Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
-    // @param first, count  as in gphys_solver_get_positions
-    // @param velocities    m/s; a stride of 0 gives all the same
-    // Cost: O(count).
+    //   - first: as in Solver::get_positions
+    //   - velocities: m/s
+    // Cost: O(elements).
     void set_velocities(gphys_body_id body, uint32_t first, Span<const Vec3> velocities) {
         const uint32_t count = common_size({velocities.sizes()});
         check(gphys_solver_set_velocities(handle(), body, first, count, velocities.data, velocities.stride));
     }
 
     // Masses of particles, kg. That of a pinned particle is what it has when it is released.
-    // @param first, count  as in gphys_solver_get_positions
-    // @param out_masses    count elements
+    //   - first, count: as in Solver::get_positions
     // Cost: O(count).
     void get_masses(gphys_body_id body, uint32_t first, uint32_t count, Span<float> out_masses) const {
         require_size(out_masses.size, count);
@@ -1070,63 +1052,64 @@ public:
 
     // Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
     // Wakes the body.
-    // @param first, count  as in gphys_solver_get_positions
-    // @param masses        kg, > 0; a stride of 0 gives all the same
-    // Cost: O(count).
+    //   - first: as in Solver::get_positions
+    //   - masses: kg, > 0
+    // Cost: O(elements).
     void set_masses(gphys_body_id body, uint32_t first, Span<const float> masses) {
         const uint32_t count = common_size({masses.sizes()});
         check(gphys_solver_set_masses(handle(), body, first, count, masses.data, masses.stride));
     }
 
     // Change the collision radii of particles. Wakes the body.
-    // @param first, count  as in gphys_solver_get_positions
-    // @param radii         metres, >= 0; a stride of 0 gives all the same
-    // Cost: O(count).
+    //   - first: as in Solver::get_positions
+    //   - radii: metres, >= 0
+    // Cost: O(elements).
     void set_radii(gphys_body_id body, uint32_t first, Span<const float> radii) {
         const uint32_t count = common_size({radii.sizes()});
         check(gphys_solver_set_radii(handle(), body, first, count, radii.data, radii.stride));
     }
 
     // Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
-    // @param first, count  as in gphys_solver_get_positions
-    // @param forces        newtons; a stride of 0 gives all the same
-    // Cost: O(count).
+    //   - first: as in Solver::get_positions
+    //   - forces: newtons
+    // Cost: O(elements).
     void set_forces(gphys_body_id body, uint32_t first, Span<const Vec3> forces) {
         const uint32_t count = common_size({forces.sizes()});
         check(gphys_solver_set_forces(handle(), body, first, count, forces.data, forces.stride));
     }
 
     // Pin or release particles. A pinned particle stays where it is put and moves only by
-    // gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
-    // @param first, count  as in gphys_solver_get_positions
-    // @param pinned        1: pin; 0: release
+    // Solver::set_positions; its speed is 0. Both pinning and releasing end an attachment.
+    //   - first, count: as in Solver::get_positions
+    //   - pinned: 1: pin; 0: release
     // Cost: O(count).
     void set_pinned(gphys_body_id body, uint32_t first, uint32_t count, int32_t pinned) {
         check(gphys_solver_set_pinned(handle(), body, first, count, pinned));
     }
 
-    // Fix a particle to a model: it follows the model's transform in each step, and is released when
-    // the model is gone. Steps must then be given this scene.
-    // @param scene        of the same origin as the solver; not modified
-    // @param local_point  metres, in the model's coordinates; NULL: where the particle is now
-    // @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+    // Fix a particle to a model: it follows the model's transform in each step, and is released when the
+    // model is gone. Steps must then be given this scene.
+    //   - scene: of the same origin as the solver; not modified
+    //   - local_point: metres, in the model's coordinates; nullptr: where the particle is now
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist.
     // Cost: O(1).
     void attach(const Scene& scene, gphys_body_id body, uint32_t particle, gphys_model_id model, const Vec3* local_point = nullptr) {
         check(gphys_solver_attach(handle(), scene.handle(), body, particle, model, local_point));
     }
 
     // Release an attached particle.
-    // @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist.
     // Cost: O(1).
     void detach(gphys_body_id body, uint32_t particle) {
         check(gphys_solver_detach(handle(), body, particle));
     }
 
     // Hold two different particles of a body at a distance.
-    // @param rest_length  metres, >= 0; negative: the present distance
-    // @param compliance   metres per newton, >= 0; 0 is rigid
-    // @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
-    //         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
+    //   - rest_length: metres, >= 0; negative: the present distance
+    //   - compliance: metres per newton, >= 0; 0 is rigid
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same
+    // one.
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body.
     // Cost: O(1); the next step plans the body again, O(constraints).
     gphys_constraint_id add_distance(gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float rest_length, float compliance) {
         gphys_constraint_id out_constraint{};
@@ -1137,43 +1120,43 @@ public:
     // Keep two different particles of a body from being further apart than a length, like a string between
     // them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
     // rigid, the speed at which the particles part is lost and no other.
-    // @param max_length  metres, >= 0; negative: the present distance
-    // @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
-    // @return as gphys_solver_add_distance
+    // Fails as Solver::add_distance.
     // It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-    // strained only when it is too long. Cost: as gphys_solver_add_distance.
+    // strained only when it is too long.
+    //   - max_length: metres, >= 0; negative: the present distance
+    //   - compliance: metres per newton, >= 0, of what it yields beyond that; 0 is rigid
+    // Cost: as Solver::add_distance.
     gphys_constraint_id add_max_distance(gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float max_length, float compliance) {
         gphys_constraint_id out_constraint{};
         check(gphys_solver_add_max_distance(handle(), body, particle_a, particle_b, max_length, compliance, &out_constraint));
         return out_constraint;
     }
 
-    // Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-    // its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-    // on steps. Rigid constraints have nothing to damp.
-    // @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-    // @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
-    // Cost: as gphys_solver_add_distance.
+    // Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+    // beside its tension; one of Solver::add_max_distance never pushes. The decay depends on time, not on
+    // steps. Rigid constraints have nothing to damp.
+    //   - damping: N s/m, >= 0; 0, which every constraint begins with: none
+    // Throws Error with GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist.
+    // Cost: as Solver::add_distance.
     void set_constraint_damping(gphys_body_id body, gphys_constraint_id constraint, float damping) {
         check(gphys_solver_set_constraint_damping(handle(), body, constraint, damping));
     }
 
-    // Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
-    // it again changes it, which inflates a body.
-    // @param rest_volume  m^3, > 0; negative: the present volume
-    // @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
-    //                     which keeps its volume; INFINITY: none, which ends the constraint
-    // @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
-    //         not all turned the same way, or face inward when the present volume is asked for
+    // Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+    // setting it again changes it, which inflates a body.
+    //   - rest_volume: m^3, > 0; negative: the present volume
+    //   - compliance: m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+    //     which keeps its volume; INFINITY: none, which ends the constraint
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two
+    // triangles), are not all turned the same way, or face inward when the present volume is asked for.
     // Cost: O(triangles) in each substep, twice.
     void set_volume(gphys_body_id body, float rest_volume, float compliance) {
         check(gphys_solver_set_volume(handle(), body, rest_volume, compliance));
     }
 
-    // The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    // The volume held by Solver::set_volume, m^3, as it is, and the pressure in pascals with which it was
     // held at the end of the last step: above 0 it pushes outward.
-    // @param out_volume, out_pressure  may be NULL
-    // @return GPHYS_ERROR_UNSUPPORTED if none is held
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if none is held.
     // Cost: O(triangles).
     std::tuple<float, float> get_volume(gphys_body_id body) const {
         float out_volume{};
@@ -1183,30 +1166,31 @@ public:
     }
 
     // End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-    // @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
-    // Cost: as gphys_solver_add_distance.
+    // Throws Error with GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer.
+    // Cost: as Solver::add_distance.
     void remove_constraint(gphys_body_id body, gphys_constraint_id constraint) {
         check(gphys_solver_remove_constraint(handle(), body, constraint));
     }
 
-    // All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    // All constraints of a body, those of its builder included, by id.
     // Cost: O(constraints).
     std::vector<ConstraintInfo> get_constraints(gphys_body_id body) const {
         return list<ConstraintInfo>([&](ConstraintInfo* out_constraints, uint32_t capacity, uint32_t* total) { return gphys_solver_get_constraints(handle(), body, out_constraints, capacity, total); });
     }
 
-    // Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-    // equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-    // system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-    // particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-    // one thread and fall asleep and wake together. A joint goes with either body.
-    // @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-    //                     as far apart are drawn there within a step, and get the speed of that.
-    // @param compliance   metres per newton, >= 0; 0 is rigid
-    // @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-    //         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-    // Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-    // of a rope that is not joined.
+    // Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
+    // are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
+    // as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
+    // inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
+    // bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+    //   - rest_length: metres; 0: at the same place; negative: the present distance. Particles that are
+    //     not as far apart are drawn there within a step, and get the speed of that.
+    //   - compliance: metres per newton, >= 0; 0 is rigid
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same
+    // body (see Solver::add_distance).
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints.
+    // Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+    // one of a rope that is not joined.
     gphys_joint_id join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance) {
         gphys_joint_id out_joint{};
         check(gphys_solver_join(handle(), body_a, particle_a, body_b, particle_b, rest_length, compliance, &out_joint));
@@ -1214,14 +1198,14 @@ public:
     }
 
     // End a joint. Wakes both bodies.
-    // @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
-    // Cost: as gphys_solver_join.
+    // Throws Error with GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer.
+    // Cost: as Solver::join.
     void unjoin(gphys_joint_id joint) {
         check(gphys_solver_unjoin(handle(), joint));
     }
 
-    // Joints of a body, by id. Kept when too many: the lowest.
-    // @param body  0: of all bodies
+    // Joints of a body, by id.
+    //   - body: 0: of all bodies
     // Cost: O(joints of the solver).
     std::vector<JointInfo> get_joints(gphys_body_id body) const {
         return list<JointInfo>([&](JointInfo* out_joints, uint32_t capacity, uint32_t* total) { return gphys_solver_get_joints(handle(), body, out_joints, capacity, total); });
@@ -1229,20 +1213,19 @@ public:
 
     // Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     // takes more where they would be longer than 25 ms.
-    // @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-    // @param dt     seconds, 1e-6 .. 0.5
     // Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
     // through particles. May allocate.
+    //   - scene: to collide with and to follow attachments; nullptr: none. Not modified.
+    //   - dt: seconds, 1e-6 .. 0.5
     // Cost: O(particles + constraints) a substep, and a scene query for particles near models.
     void step(const Scene* scene, float dt) {
         check(gphys_solver_step(handle(), scene ? scene->handle() : nullptr, dt));
     }
 
-    // Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-    // frame, so the motion does not depend on the frame rate.
-    // @param frame_time    seconds, >= 0
-    // @param out_steps     steps made; may be NULL
-    // @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    // Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
+    // so the motion does not depend on the frame rate.
+    //   - frame_time: seconds, >= 0
+    // Result: steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
     // Cost: that of the steps made.
     std::tuple<uint32_t, float> advance(const Scene* scene, float frame_time) {
         uint32_t out_steps{};
@@ -1251,13 +1234,13 @@ public:
         return std::make_tuple(out_steps, out_leftover);
     }
 
-    // The substeps that a body took in the last step; 0 before its first.
-    // With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
-    // their length follows from what the last step measured, the largest strain of its rigid constraints
-    // and the local error of the time scheme, both of which go with its square. It is at
-    // most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-    // target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-    // met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    // The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
+    // tolerance set, each body takes as many as its own motion needs: their length follows from what the
+    // last step measured, the largest strain of its rigid constraints and the local error of the time
+    // scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
+    // from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
+    // where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
+    // positions jump, by contacts, the error is that of the jump.
     // Cost: O(1).
     uint32_t get_substeps(gphys_body_id body) const {
         uint32_t out_substeps{};
@@ -1266,7 +1249,7 @@ public:
     }
 
     // Counts, strain and energy of a body at present.
-    // @param body  0: all bodies together
+    //   - body: 0: all bodies together
     // Cost: O(particles + constraints).
     SolverStats get_stats(gphys_body_id body) const {
         SolverStats out_stats{};
@@ -1274,39 +1257,39 @@ public:
         return out_stats;
     }
 
-    // Contacts of the last step by body, particle, model. Kept when too many: the first.
+    // Contacts of the last step by body, particle, model.
     // Cost: O(contacts).
     std::vector<Contact> get_contacts() const {
         return list<Contact>([&](Contact* out_contacts, uint32_t capacity, uint32_t* total) { return gphys_solver_get_contacts(handle(), out_contacts, capacity, total); });
     }
 
     // Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-    // which they fell asleep. Kept when too many: the lowest models.
-    // Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
-    // cloth that touches several models at once gives to the one that it touches most. Models have no mass
-    // here; a body of yours much lighter than what hangs from it should be moved in small steps.
+    // which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
+    // weight. A particle of cloth that touches several models at once gives to the one that it touches
+    // most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+    // in small steps.
     // Cost: O(models touched); no allocation. The same bits for any number of workers.
     std::vector<Impulse> get_impulses() const {
         return list<Impulse>([&](Impulse* out_impulses, uint32_t capacity, uint32_t* total) { return gphys_solver_get_impulses(handle(), out_impulses, capacity, total); });
     }
 
-    // Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
-    // that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
-    // @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
-    //                   for the same release of the library and machines of the same byte order; it may
-    //                   be stored, but not changed.
-    // @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+    // Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+    // impulses, time that Solver::advance still owes. The scene, workers and allocator are not in it.
+    // Result: the snapshot. It is for the same release of the library and machines of the same byte order;
+    // it may be stored, but not changed.
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words.
     // Cost: O(particles + constraints), some 50 words for each.
     std::vector<uint32_t> get_snapshot() const {
         return list<uint32_t>([&](uint32_t* out_words, uint32_t capacity, uint32_t* total) { return gphys_solver_get_snapshot(handle(), out_words, capacity, total); });
     }
 
     // Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-    // time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
-    // too, is as it was.
-    // @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
-    //         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
-    // Cost: as gphys_solver_get_snapshot; allocates.
+    // time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
+    // is as it was. On an error the solver is as before.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another
+    // version or byte order.
+    // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it.
+    // Cost: as Solver::get_snapshot; allocates.
     void restore(Span<const uint32_t> words) {
         const uint32_t count = common_size({words.sizes()});
         check(gphys_solver_restore(handle(), words.data, count));
@@ -1314,7 +1297,8 @@ public:
 
     // A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
     // different ones differ with near certainty (not against an adversary). Compare it between machines
-    // that simulate the same, to see when they part. Cost: O(particles + constraints).
+    // that simulate the same, to see when they part.
+    // Cost: O(particles + constraints).
     std::array<uint32_t, 2> get_hash() const {
         std::array<uint32_t, 2> out_hash{};
         check(gphys_solver_get_hash(handle(), out_hash.data()));
@@ -1324,15 +1308,15 @@ public:
 };
 
 // Whether the shape fulfils the ranges beside its struct.
-// @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
+// Throws Error with GPHYS_ERROR_INVALID_ARGUMENT and the exception's message names the field.
 // Cost: O(1).
 inline void validate(ShapeRef shape) {
     check(gphys_shape_validate(shape.type, shape.pointer));
 }
 
 // The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
-// @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
-//         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
+// Result: std::nullopt for a plane, a ray without end (or with one beyond all floats) and a frustum
+// that extends to infinity; for an empty mesh or frustum.
 // Cost: O(1), for a mesh too.
 inline std::optional<Aabb> bounds(ShapeRef shape) {
     Aabb out_bounds{};
@@ -1340,33 +1324,31 @@ inline std::optional<Aabb> bounds(ShapeRef shape) {
     return out_bounds;
 }
 
-// Whether the point is within tolerance metres of the shape (solid or surface).
-// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-// axes are those of its rotation in double precision).
-// @param tolerance  >= 0
-// @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
+// Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
+// answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
+// rotation in double precision).
+//   - tolerance: metres, >= 0
+// Cost: O(1); O(log n) expected for a mesh.
 inline bool contains(ShapeRef shape, const Vec3& point, float tolerance) {
     int32_t out_contains{};
     check(gphys_shape_contains(shape.type, shape.pointer, &point, tolerance, &out_contains));
     return out_contains != 0;
 }
 
-// Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
-// @param points        a stride of 0 asks for one point count times
-// @param tolerance     metres, >= 0, for all points
-// @param out_contains  count elements, each 0 or 1
-// Cost: that of count single calls.
+// Whether each of the points is within tolerance metres of one shape, as gamephys::contains.
+//   - tolerance: metres, >= 0, for all points
+// Cost: that of as many single calls.
 inline void contains_batch(ShapeRef shape, Span<const Vec3> points, float tolerance, Span<int32_t> out_contains) {
     const uint32_t count = common_size({points.sizes()});
     require_size(out_contains.size, count);
     check(gphys_shape_contains_batch(shape.type, shape.pointer, points.data, points.stride, count, tolerance, out_contains.data, out_contains.stride));
 }
 
-// The point of the shape that is closest to the given point: the point itself inside a solid.
-// Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
-// coordinate difference. If several are equally close, one of them,
-// always the same. For a ray, t is limited by t_max.
-// @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+// The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
+// ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
+// difference. If several are equally close, one of them, always the same. For a ray, t is limited by
+// t_max.
+// Result: std::nullopt only for an empty mesh or an empty frustum.
 // Cost: O(1); O(log n) expected for a mesh.
 inline std::optional<Nearest> closest_point(ShapeRef shape, const Vec3& point) {
     Nearest out_nearest{};
@@ -1374,20 +1356,18 @@ inline std::optional<Nearest> closest_point(ShapeRef shape, const Vec3& point) {
     return out_nearest;
 }
 
-// The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
+// The points of one shape that are closest to each of the points, as gamephys::closest_point. An
 // element for which there is none gets distance INFINITY.
-// @param points       a stride of 0 asks for one point count times
-// @param out_nearest  count elements
-// Cost: that of count single calls.
+// Cost: that of as many single calls.
 inline void closest_point_batch(ShapeRef shape, Span<const Vec3> points, Span<Nearest> out_nearest) {
     const uint32_t count = common_size({points.sizes()});
     require_size(out_nearest.size, count);
     check(gphys_shape_closest_point_batch(shape.type, shape.pointer, points.data, points.stride, count, out_nearest.data, out_nearest.stride));
 }
 
-// The closest points of two segments and their distance. Parallel segments have many: the first
-// along a, always the same.
-// @param out_a, out_b, out_distance  each may be NULL; metres
+// The closest points of two segments and their distance. Parallel segments have many: the first along
+// a, always the same.
+// Result: metres.
 // Cost: O(1).
 inline std::tuple<Vec3, Vec3, float> segment_closest_points(const Segment& a, const Segment& b) {
     Vec3 out_a{};
@@ -1397,12 +1377,12 @@ inline std::tuple<Vec3, Vec3, float> segment_closest_points(const Segment& a, co
     return std::make_tuple(out_a, out_b, out_distance);
 }
 
-// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
-// triangle, frustum and mesh, in either order.
-// A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
-// Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
-// precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
-// @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
+// frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
+// not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
+// in double precision and may err only where the gap is below 2^-40 of the largest coordinate
+// difference.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gamephys::segment_test).
 // Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
 inline bool overlaps(ShapeRef a, ShapeRef b) {
     int32_t out_overlaps{};
@@ -1410,12 +1390,10 @@ inline bool overlaps(ShapeRef a, ShapeRef b) {
     return out_overlaps != 0;
 }
 
-// Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
-// @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
-//                      needs 0
-// @param out_overlaps  count elements, each 0 or 1
-// @return GPHYS_ERROR_UNSUPPORTED for rays and segments
-// Cost: that of count single calls.
+// Whether the shapes of each of the pairs overlap, as gamephys::overlaps: pair i is a[i] against b[i].
+//   - a, b: shapes of one type each
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for rays and segments.
+// Cost: that of as many single calls.
 inline void overlaps_batch(ShapeSpan a, ShapeSpan b, Span<int32_t> out_overlaps) {
     const uint32_t count = common_size({a.sizes(), b.sizes()});
     require_size(out_overlaps.size, count);
@@ -1423,9 +1401,9 @@ inline void overlaps_batch(ShapeSpan a, ShapeSpan b, Span<int32_t> out_overlaps)
 }
 
 // Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-// @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
-//                             behind, 0 when crossing; may be NULL
-// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Result: metres, of the shape's nearest point to the plane: > 0 in front, < 0 behind, 0 when
+// crossing.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for other types of shapes.
 // Cost: O(1).
 inline std::tuple<gphys_side, float> classify_plane(ShapeRef shape, const Plane& plane) {
     gphys_side out_side{};
@@ -1434,9 +1412,9 @@ inline std::tuple<gphys_side, float> classify_plane(ShapeRef shape, const Plane&
     return std::make_tuple(out_side, out_signed_distance);
 }
 
-// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
-// that no point is shared, inside that the frustum holds the whole shape.
-// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that no
+// point is shared, inside that the frustum holds the whole shape.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for other types of shapes.
 // Cost: O(1).
 inline gphys_side classify_frustum(ShapeRef shape, const Frustum& frustum) {
     gphys_side out_side{};
@@ -1444,13 +1422,14 @@ inline gphys_side classify_frustum(ShapeRef shape, const Frustum& frustum) {
     return out_side;
 }
 
-// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
-// Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
-// shared edge or vertex always meets one of the triangles there.
-// Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
-// and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
-// smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
+// and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
+// always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
+// all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
+// distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+// docs/accuracy.md has the bounds of all functions.
+// Result: std::nullopt if nothing is found.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape.
 // Cost: O(1); O(log n) expected for a mesh.
 inline std::optional<Hit> raycast(ShapeRef shape, const Ray& ray) {
     Hit out_hit{};
@@ -1458,23 +1437,22 @@ inline std::optional<Hit> raycast(ShapeRef shape, const Ray& ray) {
     return out_hit;
 }
 
-// First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
-// t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
-// @param rays      a stride of 0 casts one ray count times
-// @param out_hits  count elements
-// @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-// Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
+// First hits of the rays with one shape, as gamephys::raycast. A ray that hits nothing gets t =
+// INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its hits element.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape.
+// Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
 inline void raycast_batch(ShapeRef shape, Span<const Ray> rays, Span<Hit> out_hits) {
     const uint32_t count = common_size({rays.sizes()});
     require_size(out_hits.size, count);
     check(gphys_shape_raycast_batch(shape.type, shape.pointer, rays.data, rays.stride, count, out_hits.data, out_hits.stride));
 }
 
-// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
-// A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
-// then is met from no direction, the normal is zero.
-// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-// Cost: as gphys_shape_raycast.
+// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
+// met from no direction, the normal is zero.
+// Result: std::nullopt if nothing is found.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape.
+// Cost: as gamephys::raycast.
 inline std::optional<Hit> segment_test(ShapeRef shape, const Segment& segment) {
     Hit out_hit{};
     if (!found(gphys_shape_segment_test(shape.type, shape.pointer, &segment, &out_hit))) return std::nullopt;
@@ -1483,14 +1461,15 @@ inline std::optional<Hit> segment_test(ShapeRef shape, const Segment& segment) {
 
 // First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
 // triangle, frustum or mesh.
-// @param displacement  metres; may be zero
-// @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
-//                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
-//                 and where the centre itself is in a solid, the normal is opposite to the
-//                 displacement (zero if that is zero).
-// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
 // Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
+//   - displacement: metres; may be zero
+// Result: t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+// the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE, and where the centre itself is in
+// a solid, the normal is opposite to the displacement (zero if that is zero). std::nullopt if nothing
+// is found.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape.
+// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
+// mesh.
 inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, const Vec3& displacement) {
     Hit out_hit{};
     if (!found(gphys_shape_sweep_sphere(shape.type, shape.pointer, &sphere, &displacement, &out_hit))) return std::nullopt;
@@ -1499,7 +1478,7 @@ inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, con
 
 // The eight corners, each the intersection of three planes: near then far, each in the order
 // left-bottom, right-bottom, right-top, left-top.
-// @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+// Result: std::nullopt if three planes do not meet in a point (infinite far plane).
 // Cost: O(1).
 inline std::optional<std::array<Vec3, 8>> frustum_corners(const Frustum& frustum) {
     std::array<Vec3, 8> out_corners{};
@@ -1508,9 +1487,9 @@ inline std::optional<std::array<Vec3, 8>> frustum_corners(const Frustum& frustum
 }
 
 // The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-// origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
-// @param reverse_z  0: near has the low depth; 1: near has the high depth
-// @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+// origin (0, 0, 0). A camera knows its frustum better: Camera::get_frustum.
+//   - reverse_z: 0: near has the low depth; 1: near has the high depth
+// Throws Error with GPHYS_ERROR_SINGULAR if the matrix has no volume.
 // Cost: O(1).
 inline Frustum frustum_from_matrix(const Mat4& view_projection, gphys_depth_range depth_range, int32_t reverse_z) {
     Frustum out_frustum{};
@@ -1519,11 +1498,10 @@ inline Frustum frustum_from_matrix(const Mat4& view_projection, gphys_depth_rang
 }
 
 // Examine arrays without building anything. Allocates while it runs.
-// @param vertices       vertex_count elements of 3 floats, metres
-// @param vertex_stride  bytes between vertices, at least 12
-// @param indices        index_count numbers, three for each triangle
-// @param out_report     what was found; indices out of range and bad vertices are counted, not refused
-// @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
+//   - vertices: elements of 3 floats, metres
+//   - indices: numbers, three for each triangle
+// Result: what was found; indices out of range and bad vertices are counted, not refused.
+// Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3.
 // Cost: O(n log n).
 inline MeshReport mesh_check(Span<const float> vertices, Span<const uint32_t> indices) {
     MeshReport out_report{};

@@ -9,14 +9,11 @@ namespace Gamephys {
 public sealed partial class Mesh : IDisposable {
     internal readonly MeshHandle Handle;
 
-    /// <summary>
-    /// Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
+    /// <summary>Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
     /// segments or points that they are, and counted in the report. 0 triangles are allowed.
-    /// @param desc  may be NULL
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
-    ///         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
-    /// Cost: O(n log n), about 1 us per triangle.
-    /// </summary>
+    /// Cost: O(n log n), about 1 us per triangle.</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for an index out of range, an
+    /// indexCount that is no multiple of 3 or a bad vertex; Geometry.MeshCheck tells which</exception>
     public unsafe Mesh(ReadOnlySpan<Vec3> vertices, ReadOnlySpan<uint> indices, MeshDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         IntPtr made;
@@ -29,20 +26,16 @@ public sealed partial class Mesh : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
-    /// <summary>
-    /// What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>What the mesh was built from: the report that Geometry.MeshCheck makes of its arrays.
+    /// Cost: O(1).</summary>
     public unsafe MeshReport GetReport() {
         var report = default(MeshReport);
         Check(Low.gphys_mesh_get_report(Handle, &report));
         return report;
     }
 
-    /// <summary>
-    /// Copy the vertices out, in metres and in their original order. Kept when too many: the first.
-    /// Cost: O(vertices).
-    /// </summary>
+    /// <summary>Copy the vertices out, in metres and in their original order.
+    /// Cost: O(vertices).</summary>
     public unsafe Vec3[] GetVertices() {
         var result = new Vec3[Guess];
         for (;;) {
@@ -59,11 +52,8 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
-    /// *out_total counts indices, not triangles.
-    /// Cost: O(n).
-    /// </summary>
+    /// <summary>Copy the indices out, three for each triangle, in their original order.
+    /// Cost: O(n).</summary>
     public unsafe uint[] GetIndices() {
         var result = new uint[Guess];
         for (;;) {
@@ -80,12 +70,8 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>
-    /// All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-    /// Kept when the array is too small: the first ones.
-    /// @return GPHYS_OK (also for 0 hits)
-    /// Cost: O(log n + k) expected.
-    /// </summary>
+    /// <summary>All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
+    /// Cost: O(log n + k) expected.</summary>
     public unsafe Hit[] RaycastAll(Ray ray) {
         var result = new Hit[Guess];
         for (;;) {
@@ -102,23 +88,18 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Whether a ray hits anything; cheaper than the closest hit.
-    /// @param out_hit  0 or 1
-    /// Cost: O(log n) expected.
-    /// </summary>
+    /// <summary>Whether a ray hits anything; cheaper than the closest hit.
+    /// Cost: O(log n) expected.</summary>
     public unsafe bool RaycastAny(Ray ray) {
         var hit = default(int);
         Check(Low.gphys_mesh_raycast_any(Handle, &ray, &hit));
         return hit != 0;
     }
 
-    /// <summary>
-    /// Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-    /// ascending. Kept when the array is too small: the lowest.
-    /// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-    /// Cost: O(log n + k) expected.
-    /// </summary>
+    /// <summary>Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
+    /// ascending.
+    /// Cost: O(log n + k) expected.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types of shapes</exception>
     public unsafe uint[] Overlap(Shape shape) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var result = new uint[Guess];
@@ -137,17 +118,16 @@ public sealed partial class Mesh : IDisposable {
         }
     }
 
-    /// <summary>How the mesh's octree is made up. Cost: O(nodes).</summary>
+    /// <summary>How the mesh's octree is made up.
+    /// Cost: O(nodes).</summary>
     public unsafe OctreeStats GetOctreeStats() {
         var stats = default(OctreeStats);
         Check(Low.gphys_mesh_get_octree_stats(Handle, &stats));
         return stats;
     }
 
-    /// <summary>
-    /// Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
-    /// Cost: O(nodes).
-    /// </summary>
+    /// <summary>Boxes of the mesh's octree, each parent before its children.
+    /// Cost: O(nodes).</summary>
     public unsafe OctreeBox[] GetOctreeBoxes() {
         var result = new OctreeBox[Guess];
         for (;;) {
@@ -170,20 +150,19 @@ public sealed partial class Mesh : IDisposable {
 public sealed partial class Scene : IDisposable {
     internal readonly SceneHandle Handle;
 
-    /// <summary>
-    /// Create a scene without models.
-    /// With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
-    /// adding and moving many models, share their work among n threads; the results have the same bits
-    /// for every n. Without a task_runner n - 1 threads are started here and joined by
-    /// gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
-    /// work. They take no signals but faults, and the floating-point settings of the thread that
+    /// <summary>Create a scene without models. With a worker_count of n, all batch queries of the scene
+    /// (Camera.PickBatch too), and adding and moving many models, share their work among n threads; the
+    /// results have the same bits for every n. Without a task_runner n - 1 threads are started here and
+    /// joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
+    /// their own work. They take no signals but faults, and the floating-point settings of the thread that
     /// created them. In a child of fork they are gone: calls there run on one thread, as they do on a
     /// platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-    /// @param desc  NULL: the defaults
-    /// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
-    ///         reserve_models is above 2^24 - 1
-    /// Cost: O(reserve_models), and that of starting the threads.
-    /// </summary>
+    /// Cost: O(reserve_models), and that of starting the threads.</summary>
+    /// <param name="desc">null: the defaults</param>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: also if the threads cannot be
+    /// started</exception>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: if reserve_models is above 2^24 -
+    /// 1</exception>
     public unsafe Scene(SceneDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         IntPtr made;
@@ -194,24 +173,24 @@ public sealed partial class Scene : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
-    /// <summary>
-    /// Move the point of the world that all coordinates of the scene count from, those that it is given
-    /// and those that it returns. Models stay where they are in the world: the positions of those without
-    /// a parent become what they are from there, kept in double precision and rounded to float32 once,
+    /// <summary>Move the point of the world that all coordinates of the scene count from, those that it is given and
+    /// those that it returns. Models stay where they are in the world: the positions of those without a
+    /// parent become what they are from there, kept in double precision and rounded to float32 once,
     /// however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     /// and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
-    /// @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
-    /// Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
-    /// on. Queries cost nothing more.
-    /// </summary>
+    /// Cost: that of Scene.SetTransforms of all models, and 24 bytes a model from the first call on.
+    /// Queries cost nothing more.</summary>
+    /// <param name="origin">x, y, z in the world, within MaxCoordinate; before the first call 0 0 0</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if a model would leave the
+    /// range of coordinates</exception>
     public unsafe void SetOrigin(ReadOnlySpan<double> origin) {
         RequireLength(origin.Length, 3);
         fixed (double* origin_ = &MemoryMarshal.GetReference(origin))
         Check(Low.gphys_scene_set_origin(Handle, origin_));
     }
 
-    /// <summary>Where in the world the scene's coordinates count from. Cost: O(1).</summary>
+    /// <summary>Where in the world the scene's coordinates count from.
+    /// Cost: O(1).</summary>
     public unsafe double[] GetOrigin() {
         var origin = new double[3];
         fixed (double* origin_ = origin)
@@ -219,16 +198,15 @@ public sealed partial class Scene : IDisposable {
         return origin;
     }
 
-    /// <summary>
-    /// Add a model.
-    /// @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
-    /// @param shape      in the model's own coordinates
-    /// @param transform  local; NULL is the identity
-    /// @param desc       NULL: no parent, layer 1, tag 0
-    /// @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
-    ///         GPHYS_ERROR_CAPACITY
-    /// Cost: O(log n) amortised.
-    /// </summary>
+    /// <summary>Add a model.
+    /// Cost: O(log n) amortised.</summary>
+    /// <param name="shape">sphere, capsule, AABB, OBB, plane, triangle or mesh</param>
+    /// <param name="shape">in the model's own coordinates</param>
+    /// <param name="transform">local; null is the identity</param>
+    /// <param name="desc">null: no parent, layer 1, tag 0</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for another type</exception>
+    /// <exception cref="GamephysException">Status.ErrorInvalidId: for a stale parent</exception>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 models</exception>
     public unsafe uint Add(Shape shape, Transform? transform = null, ModelDesc? desc = null) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var transform_ = transform.GetValueOrDefault();
@@ -240,15 +218,13 @@ public sealed partial class Scene : IDisposable {
         return model;
     }
 
-    /// <summary>
-    /// Add count models of one type, all or none, as gphys_scene_add does one.
-    /// @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
-    /// @param transforms  local; a stride of 0 shares one; NULL is the identity
-    /// @param desc        for all; NULL: no parent, layer 1, tag 0
-    /// @param out_models  count elements
-    /// @return as gphys_scene_add
-    /// Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
-    /// </summary>
+    /// <summary>Add the models of one type, all or none, as Scene.Add does one.
+    /// Fails as Scene.Add.
+    /// Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their number
+    /// is of the order of n.</summary>
+    /// <param name="shapes">in the models' own coordinates</param>
+    /// <param name="transforms">local; null is the identity</param>
+    /// <param name="desc">for all; null: no parent, layer 1, tag 0</param>
     public unsafe void AddBatch(Shapes shapes, Span<uint> models, ReadOnlySpan<Transform> transforms = default(ReadOnlySpan<Transform>), ModelDesc? desc = null) {
         var shapesOne = shapes.One;
         var desc_ = desc.GetValueOrDefault();
@@ -263,36 +239,35 @@ public sealed partial class Scene : IDisposable {
         Check(status);
     }
 
-    /// <summary>
-    /// Remove a model. Its children stay where they are in the world and lose their parent.
-    /// Cost: O(log n) amortised, and O(1) a child.
-    /// </summary>
+    /// <summary>Remove a model. Its children stay where they are in the world and lose their parent.
+    /// Cost: O(log n) amortised, and O(1) a child.</summary>
     public unsafe void Remove(uint model) {
         Check(Low.gphys_scene_remove(Handle, model));
     }
 
-    /// <summary>
-    /// Remove models, all or none.
-    /// @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
-    /// Cost: that of count calls of gphys_scene_remove.
-    /// </summary>
+    /// <summary>Remove models, all or none.
+    /// Cost: that of as many calls of Scene.Remove.</summary>
+    /// <param name="models">the ids; one that stands twice is Status.ErrorInvalidId</param>
     public unsafe void RemoveBatch(ReadOnlySpan<uint> models) {
         var count = CommonLength(models.Length, 1);
         fixed (uint* models_ = &MemoryMarshal.GetReference(models))
         Check(Low.gphys_scene_remove_batch(Handle, models_, count));
     }
 
-    /// <summary>Remove a model and all its descendants. Cost: O(log n) amortised for each.</summary>
+    /// <summary>Remove a model and all its descendants.
+    /// Cost: O(log n) amortised for each.</summary>
     public unsafe void RemoveSubtree(uint model) {
         Check(Low.gphys_scene_remove_subtree(Handle, model));
     }
 
-    /// <summary>Remove all models. Ids given out before stay invalid. Cost: O(n).</summary>
+    /// <summary>Remove all models. Ids given out before stay invalid.
+    /// Cost: O(n).</summary>
     public unsafe void Clear() {
         Check(Low.gphys_scene_clear(Handle));
     }
 
-    /// <summary>Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).</summary>
+    /// <summary>Ids of all models, ascending.
+    /// Cost: O(n).</summary>
     public unsafe uint[] GetModels() {
         var result = new uint[Guess];
         for (;;) {
@@ -309,83 +284,72 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>Kind, parent, layers, tag and number of children of a model. Cost: O(1).</summary>
+    /// <summary>Kind, parent, layers, tag and number of children of a model.
+    /// Cost: O(1).</summary>
     public unsafe ModelInfo GetInfo(uint model) {
         var info = default(ModelInfo);
         Check(Low.gphys_scene_get_info(Handle, model, &info));
         return info;
     }
 
-    /// <summary>
-    /// World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
+    /// <summary>World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
     /// of its sizes wider. That of an empty mesh is its position.
-    /// @return GPHYS_UNBOUNDED for a plane
-    /// Cost: O(1).
-    /// </summary>
+    /// Cost: O(1).</summary>
+    /// <returns>null for a plane.</returns>
     public unsafe Aabb? GetBounds(uint model) {
         var bounds = default(Aabb);
         var status = Low.gphys_scene_get_bounds(Handle, model, &bounds);
         return Found(status) ? bounds : (Aabb?)null;
     }
 
-    /// <summary>
-    /// World box of all bounded models. Planes are left out.
-    /// @return GPHYS_NO_HIT if there are none
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>World box of all bounded models. Planes are left out.
+    /// Cost: O(1).</summary>
+    /// <returns>null if there are none.</returns>
     public unsafe Aabb? GetSceneBounds() {
         var bounds = default(Aabb);
         var status = Low.gphys_scene_get_scene_bounds(Handle, &bounds);
         return Found(status) ? bounds : (Aabb?)null;
     }
 
-    /// <summary>
-    /// Change which queries see a model: those with a mask m of which layers &amp; m is not 0. Children are not
+    /// <summary>Change which queries see a model: those with a mask m of which layers &amp; m is not 0. Children are not
     /// affected.
-    /// @param layers  any mask; 0: no query sees it
-    /// Cost: O(1).
-    /// </summary>
+    /// Cost: O(1).</summary>
+    /// <param name="layers">any mask; 0: no query sees it</param>
     public unsafe void SetLayers(uint model, uint layers = Constants.AllLayers) {
         Check(Low.gphys_scene_set_layers(Handle, model, layers));
     }
 
-    /// <summary>
-    /// Change the number that a model's hits report beside its id. Children are not affected.
-    /// @param tag  any number of the caller's
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Change the number that a model's hits report beside its id. Children are not affected.
+    /// Cost: O(1).</summary>
+    /// <param name="tag">any number of the caller's</param>
     public unsafe void SetTag(uint model, uint tag) {
         Check(Low.gphys_scene_set_tag(Handle, model, tag));
     }
 
-    /// <summary>
-    /// Hang a model below another one, or below none (0).
-    /// @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
-    ///                    changed so that the world transform stays (within float32 rounding)
-    /// @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
-    /// Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
-    /// </summary>
+    /// <summary>Hang a model below another one, or below none (0).
+    /// Cost: O(depth of the tree of models), and as Scene.SetTransform for what moves.</summary>
+    /// <param name="keepWorld">false: the local transform is kept, the model jumps; true: the local
+    /// transform is changed so that the world transform stays (within float32 rounding)</param>
+    /// <exception cref="GamephysException">Status.ErrorCycle: if parent is the model or one of its
+    /// descendants</exception>
     public unsafe void SetParent(uint model, uint parent, bool keepWorld) {
         Check(Low.gphys_scene_set_parent(Handle, model, parent, keepWorld ? 1 : 0));
     }
 
-    /// <summary>
-    /// Set a model's local transform. Descendants follow.
-    /// @param transform  relative to the parent; scale &gt; 0
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
-    /// Cost: O(log n) for each model that moves.
-    /// </summary>
+    /// <summary>Set a model's local transform. Descendants follow.
+    /// Cost: O(log n) for each model that moves.</summary>
+    /// <param name="transform">relative to the parent; scale &gt; 0</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if it, or a descendant, would
+    /// leave the range of the world</exception>
     public unsafe void SetTransform(uint model, Transform transform) {
         Check(Low.gphys_scene_set_transform(Handle, model, &transform));
     }
 
-    /// <summary>
-    /// Set the local transforms of many models, all or none; a model that stands twice gets the last.
+    /// <summary>Set the local transforms of many models, all or none; a model that stands twice gets the last.
     /// Descendants follow.
-    /// @param models      count ids
-    /// @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
-    /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
-    /// </summary>
+    /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.</summary>
+    /// <param name="models">the ids</param>
+    /// <param name="transforms">as in Scene.SetTransform</param>
     public unsafe void SetTransforms(ReadOnlySpan<uint> models, ReadOnlySpan<Transform> transforms) {
         var count = CommonLength(models.Length, transforms.Length);
         fixed (uint* models_ = &MemoryMarshal.GetReference(models))
@@ -393,12 +357,9 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_set_transforms(Handle, models_, transforms_, StrideOf(transforms), count));
     }
 
-    /// <summary>
-    /// Local transforms of count models, as they were set: relative to the parent.
-    /// @param models          count ids; one may stand twice
-    /// @param out_transforms  count elements
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Local transforms of the models, as they were set: relative to the parent.
+    /// Cost: O(elements).</summary>
+    /// <param name="models">the ids; one may stand twice</param>
     public unsafe void GetTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
         var count = CommonLength(models.Length, 1);
         RequireLength(transforms.Length, count);
@@ -407,13 +368,10 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_get_transforms(Handle, models_, count, transforms_, (uint)sizeof(Transform)));
     }
 
-    /// <summary>
-    /// World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+    /// <summary>World transforms of the models: those of all ancestors applied, rounded to float32. What queries
     /// answer is exact with respect to these.
-    /// @param models          count ids; one may stand twice
-    /// @param out_transforms  count elements
-    /// Cost: O(count).
-    /// </summary>
+    /// Cost: O(elements).</summary>
+    /// <param name="models">the ids; one may stand twice</param>
     public unsafe void GetWorldTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
         var count = CommonLength(models.Length, 1);
         RequireLength(transforms.Length, count);
@@ -422,24 +380,18 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_get_world_transforms(Handle, models_, count, transforms_, (uint)sizeof(Transform)));
     }
 
-    /// <summary>
-    /// Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-    /// @return GPHYS_OK or GPHYS_NO_HIT
-    /// Cost: O(log n) expected; no allocation.
-    /// </summary>
+    /// <summary>Closest model on a ray; the fields are exact as in Geometry.Raycast.
+    /// Cost: O(log n) expected; no allocation.</summary>
+    /// <returns>null if nothing is found.</returns>
     public unsafe Hit? Raycast(Ray ray, uint layers = Constants.AllLayers) {
         var hit = default(Hit);
         var status = Low.gphys_scene_raycast(Handle, &ray, layers, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
-    /// t = INFINITY.
-    /// @param rays      a stride of 0 casts one ray count times
-    /// @param out_hits  count elements
-    /// Cost: at most that of count single calls; shared among workers.
-    /// </summary>
+    /// <summary>Closest models on the rays, as Scene.Raycast; a ray that hits nothing gets model = 0 and t =
+    /// INFINITY.
+    /// Cost: at most that of as many single calls; shared among workers.</summary>
     public unsafe void RaycastBatch(ReadOnlySpan<Ray> rays, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
         RequireLength(hits.Length, count);
@@ -448,23 +400,16 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_raycast_batch(Handle, rays_, StrideOf(rays), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>
-    /// Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-    /// @param out_hit  0 or 1
-    /// Cost: O(log n) expected.
-    /// </summary>
+    /// <summary>Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
+    /// Cost: O(log n) expected.</summary>
     public unsafe bool RaycastAny(Ray ray, uint layers = Constants.AllLayers) {
         var hit = default(int);
         Check(Low.gphys_scene_raycast_any(Handle, &ray, layers, &hit));
         return hit != 0;
     }
 
-    /// <summary>
-    /// Whether each of count rays meets anything, as gphys_scene_raycast_any.
-    /// @param rays      a stride of 0 casts one ray count times
-    /// @param out_hits  count elements, each 0 or 1
-    /// Cost: at most that of count single calls; shared among workers.
-    /// </summary>
+    /// <summary>Whether each of the rays meets anything, as Scene.RaycastAny.
+    /// Cost: at most that of as many single calls; shared among workers.</summary>
     public unsafe void RaycastAnyBatch(ReadOnlySpan<Ray> rays, Span<int> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
         RequireLength(hits.Length, count);
@@ -473,10 +418,8 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_raycast_any_batch(Handle, rays_, StrideOf(rays), count, layers, hits_, (uint)sizeof(int)));
     }
 
-    /// <summary>
-    /// Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-    /// the first. Cost: O(log n + k log k) expected.
-    /// </summary>
+    /// <summary>Every model that a ray meets, each once with its first hit, by t, then id.
+    /// Cost: O(log n + k log k) expected.</summary>
     public unsafe Hit[] RaycastAll(Ray ray, uint layers = Constants.AllLayers) {
         var result = new Hit[Guess];
         for (;;) {
@@ -493,16 +436,9 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
-    /// out_hits[out_offsets[i]] up to out_offsets[i + 1].
-    /// @param rays         a stride of 0 casts one ray count times
-    /// @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
-    ///                     room. Where a ray's range crosses capacity, its first hits are written.
-    /// What stands in out_hits behind the last hit afterwards is unspecified.
-    /// @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity
-    /// Cost: that of count single calls; shared among workers.
-    /// </summary>
+    /// <summary>Every model that each of the rays meets, as Scene.RaycastAll: the hits of ray i stand at
+    /// hits[offsets[i]] up to offsets[i + 1].
+    /// Cost: that of as many single calls; shared among workers.</summary>
     public unsafe Ragged<Hit> RaycastAllBatch(ReadOnlySpan<Ray> rays, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
         var result = new Hit[Guess + count];
@@ -523,25 +459,19 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Closest model along a segment from a to b, both included; t in 0..1. Fields as in
-    /// gphys_shape_segment_test.
-    /// @return GPHYS_OK or GPHYS_NO_HIT
-    /// Cost: O(log n) expected.
-    /// </summary>
+    /// <summary>Closest model along a segment from a to b, both included; t in 0..1. Fields as in
+    /// Geometry.SegmentTest.
+    /// Cost: O(log n) expected.</summary>
+    /// <returns>null if nothing is found.</returns>
     public unsafe Hit? SegmentTest(Segment segment, uint layers = Constants.AllLayers) {
         var hit = default(Hit);
         var status = Low.gphys_scene_segment_test(Handle, &segment, layers, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
-    /// model = 0 and t = INFINITY.
-    /// @param segments  a stride of 0 tests one segment count times
-    /// @param out_hits  count elements
-    /// Cost: that of count single calls; shared among workers.
-    /// </summary>
+    /// <summary>Closest models along the segments, as Scene.SegmentTest; one that hits nothing gets model = 0 and t
+    /// = INFINITY.
+    /// Cost: that of as many single calls; shared among workers.</summary>
     public unsafe void SegmentTestBatch(ReadOnlySpan<Segment> segments, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, segments.Length);
         RequireLength(hits.Length, count);
@@ -550,12 +480,10 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_segment_test_batch(Handle, segments_, StrideOf(segments), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>
-    /// Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
-    /// gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
-    /// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-    /// Cost: O(log n + k) expected.
-    /// </summary>
+    /// <summary>Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
+    /// Geometry.Overlaps, ascending.
+    /// Cost: O(log n + k) expected.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types of shapes</exception>
     public unsafe uint[] Overlap(Shape shape, uint layers = Constants.AllLayers) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var result = new uint[Guess];
@@ -574,14 +502,10 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
-    /// i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
-    /// @param shapes       a stride of 0 asks for one shape count times
-    /// @param out_offsets  count + 1 numbers, always complete
-    /// @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity; GPHYS_ERROR_UNSUPPORTED as there
-    /// Cost: at most that of count single calls; shared among workers.
-    /// </summary>
+    /// <summary>Ids of all models that each of the shapes of one type overlaps, as Scene.Overlap: those of shape i
+    /// stand at models[offsets[i]] up to offsets[i + 1], as in Scene.RaycastAllBatch.
+    /// Cost: at most that of as many single calls; shared among workers.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: as there</exception>
     public unsafe Ragged<uint> OverlapBatch(Shapes shapes, uint layers = Constants.AllLayers) {
         var shapesOne = shapes.One;
         var count = CommonLength(-1, shapes.Count);
@@ -604,13 +528,10 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-    /// own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
-    /// per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
-    /// too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-    /// as scratch memory to order them. Cost: O(log n + k) expected.
-    /// </summary>
+    /// <summary>Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
+    /// box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
+    /// more are listed, which Scene.Overlap sorts out by testing the shapes.
+    /// Cost: O(log n + k) expected.</summary>
     public unsafe uint[] Cull(Frustum frustum, uint layers = Constants.AllLayers) {
         var result = new uint[Guess];
         for (;;) {
@@ -627,26 +548,21 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>
-    /// The model nearest to a point, and its closest point.
-    /// @param max_distance  &gt;= 0, INFINITY allowed; a model at exactly this distance counts
-    /// @return GPHYS_OK or GPHYS_NO_HIT
-    /// Cost: O(log n) expected.
-    /// </summary>
+    /// <summary>The model nearest to a point, and its closest point.
+    /// Cost: O(log n) expected.</summary>
+    /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed; a model at exactly this distance
+    /// counts</param>
+    /// <returns>null if nothing is found.</returns>
     public unsafe Nearest? Nearest(Vec3 point, float maxDistance = float.PositiveInfinity, uint layers = Constants.AllLayers) {
         var nearest = default(Nearest);
         var status = Low.gphys_scene_nearest(Handle, &point, maxDistance, layers, &nearest);
         return Found(status) ? nearest : (Nearest?)null;
     }
 
-    /// <summary>
-    /// The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
-    /// distance = INFINITY.
-    /// @param points        a stride of 0 asks for one point count times
-    /// @param max_distance  metres, &gt;= 0, INFINITY allowed, for all points
-    /// @param out_nearest   count elements
-    /// Cost: that of count single calls; shared among workers.
-    /// </summary>
+    /// <summary>The models nearest to the points, as Scene.Nearest; a point with none gets model = 0 and distance =
+    /// INFINITY.
+    /// Cost: that of as many single calls; shared among workers.</summary>
+    /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed, for all points</param>
     public unsafe void NearestBatch(ReadOnlySpan<Vec3> points, Span<Nearest> nearest, float maxDistance = float.PositiveInfinity, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, points.Length);
         RequireLength(nearest.Length, count);
@@ -655,27 +571,21 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_nearest_batch(Handle, points_, StrideOf(points), count, maxDistance, layers, nearest_, (uint)sizeof(Nearest)));
     }
 
-    /// <summary>
-    /// First model that a sphere touches while it moves by displacement; t in 0..1.
-    /// Fields as in gphys_shape_sweep_sphere.
-    /// @param displacement  metres; may be zero
-    /// @return GPHYS_OK or GPHYS_NO_HIT
-    /// Cost: O(log n + k) expected, k the models that the swept box touches.
-    /// </summary>
+    /// <summary>First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+    /// Geometry.SweepSphere.
+    /// Cost: O(log n + k) expected, k the models that the swept box touches.</summary>
+    /// <param name="displacement">metres; may be zero</param>
+    /// <returns>null if nothing is found.</returns>
     public unsafe Hit? SweepSphere(Sphere sphere, Vec3 displacement, uint layers = Constants.AllLayers) {
         var hit = default(Hit);
         var status = Low.gphys_scene_sweep_sphere(Handle, &sphere, &displacement, layers, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// First models that count spheres touch while each moves by its displacement, as
-    /// gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
-    /// @param spheres        a stride of 0 takes one sphere throughout
-    /// @param displacements  metres; a stride of 0 moves all alike
-    /// @param out_hits       count elements
-    /// Cost: that of count single calls; shared among workers.
-    /// </summary>
+    /// <summary>First models that the spheres touch while each moves by its displacement, as Scene.SweepSphere; one
+    /// that touches nothing gets model = 0 and t = INFINITY.
+    /// Cost: that of as many single calls; shared among workers.</summary>
+    /// <param name="displacements">metres</param>
     public unsafe void SweepSphereBatch(ReadOnlySpan<Sphere> spheres, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, spheres.Length, displacements.Length);
         RequireLength(hits.Length, count);
@@ -685,17 +595,16 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_sweep_sphere_batch(Handle, spheres_, StrideOf(spheres), displacements_, StrideOf(displacements), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>How the scene's octree is made up. Cost: O(nodes).</summary>
+    /// <summary>How the scene's octree is made up.
+    /// Cost: O(nodes).</summary>
     public unsafe OctreeStats GetOctreeStats() {
         var stats = default(OctreeStats);
         Check(Low.gphys_scene_get_octree_stats(Handle, &stats));
         return stats;
     }
 
-    /// <summary>
-    /// Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
-    /// Cost: O(nodes).
-    /// </summary>
+    /// <summary>Boxes of the scene's octree, each parent before its children.
+    /// Cost: O(nodes).</summary>
     public unsafe OctreeBox[] GetOctreeBoxes() {
         var result = new OctreeBox[Guess];
         for (;;) {
@@ -712,12 +621,11 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Check the scene's own structure: every model once in the tree, every box around its content,
-    /// parents and children in agreement, free slots free. For tests.
-    /// @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
-    /// Cost: O(n).
-    /// </summary>
+    /// <summary>Check the scene's own structure: every model once in the tree, every box around its content, parents
+    /// and children in agreement, free slots free. For tests.
+    /// Cost: O(n).</summary>
+    /// <exception cref="GamephysException">Status.ErrorInternal: and the exception's message says what is
+    /// wrong</exception>
     public unsafe void Validate() {
         Check(Low.gphys_scene_validate(Handle));
     }
@@ -728,11 +636,9 @@ public sealed partial class Scene : IDisposable {
 public sealed partial class Camera : IDisposable {
     internal readonly CameraHandle Handle;
 
-    /// <summary>
-    /// Create a camera with the defaults above.
-    /// @param desc  NULL: the defaults
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Create a camera that stands at the origin, with the projection and the viewport of its desc.
+    /// Cost: O(1).</summary>
+    /// <param name="desc">null: the defaults</param>
     public unsafe Camera(CameraDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         IntPtr made;
@@ -743,20 +649,19 @@ public sealed partial class Camera : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
-    /// <summary>
-    /// Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
-    /// The camera and the target of its orbit stay where they are in the world. Picking and culling need a
-    /// scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
-    /// @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Move the point of the world that the camera's coordinates count from; see Scene.SetOrigin. The
+    /// camera and the target of its orbit stay where they are in the world. Picking and culling need a
+    /// scene of the same origin, else they fail with Status.ErrorInvalidArgument.
+    /// Cost: O(1).</summary>
+    /// <param name="origin">x, y, z in the world, metres, within MaxCoordinate</param>
     public unsafe void SetOrigin(ReadOnlySpan<double> origin) {
         RequireLength(origin.Length, 3);
         fixed (double* origin_ = &MemoryMarshal.GetReference(origin))
         Check(Low.gphys_camera_set_origin(Handle, origin_));
     }
 
-    /// <summary>Where in the world the camera's coordinates count from, metres. Cost: O(1).</summary>
+    /// <summary>Where in the world the camera's coordinates count from, metres.
+    /// Cost: O(1).</summary>
     public unsafe double[] GetOrigin() {
         var origin = new double[3];
         fixed (double* origin_ = origin)
@@ -764,80 +669,73 @@ public sealed partial class Camera : IDisposable {
         return origin;
     }
 
-    /// <summary>
-    /// See with a perspective projection; what is further away is smaller.
-    /// @param fov_y  full vertical angle in radians, 1e-6 &lt;= fov_y &lt; pi
-    /// @param near_distance  metres, &gt; 0
-    /// @param far_distance   metres, &gt; near_distance; INFINITY allowed
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>See with a perspective projection; what is further away is smaller.
+    /// Cost: O(1).</summary>
+    /// <param name="fovY">full vertical angle in radians, 1e-6 &lt;= fovY &lt; pi</param>
+    /// <param name="nearDistance">metres, &gt; 0</param>
+    /// <param name="farDistance">metres, &gt; nearDistance; INFINITY allowed</param>
     public unsafe void SetPerspective(float fovY, float nearDistance, float farDistance) {
         Check(Low.gphys_camera_set_perspective(Handle, fovY, nearDistance, farDistance));
     }
 
-    /// <summary>
-    /// See with an orthographic projection; the distance changes no size.
-    /// @param height  metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
-    /// @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>See with an orthographic projection; the distance changes no size.
+    /// Cost: O(1).</summary>
+    /// <param name="height">metres seen from top to bottom, &gt;= 1e-6; the width follows from the
+    /// viewport</param>
+    /// <param name="nearDistance">metres; far at least 1e-6 above near, which may be negative</param>
+    /// <param name="farDistance">metres; far at least 1e-6 above near, which may be negative</param>
     public unsafe void SetOrthographic(float height, float nearDistance, float farDistance) {
         Check(Low.gphys_camera_set_orthographic(Handle, height, nearDistance, farDistance));
     }
 
-    /// <summary>
-    /// See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-    /// another library's). It is not changed by gphys_camera_set_viewport.
-    /// @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
-    ///         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
-    ///         the matrix is for another depth range
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
+    /// another library's). It is not changed by Camera.SetViewport.
+    /// Cost: O(1).</summary>
+    /// <exception cref="GamephysException">Status.ErrorSingular: if it has no inverse, or is too close to
+    /// such a matrix to tell</exception>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if a plane other than far lies at
+    /// infinity, as it does when the matrix is for another depth range</exception>
     public unsafe void SetProjection(Mat4 projection) {
         Check(Low.gphys_camera_set_projection(Handle, &projection));
     }
 
-    /// <summary>
-    /// The viewport was resized. Perspective keeps fov_y, orthographic its height.
-    /// @param width, height  pixels, 1e-3 .. 1e6
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>The viewport was resized. Perspective keeps fovY, orthographic its height.
+    /// Cost: O(1).</summary>
+    /// <param name="width">pixels, 1e-3 .. 1e6</param>
+    /// <param name="height">pixels, 1e-3 .. 1e6</param>
     public unsafe void SetViewport(float width, float height) {
         Check(Low.gphys_camera_set_viewport(Handle, width, height));
     }
 
-    /// <summary>
-    /// Place the camera.
-    /// @param position  metres, of its centre
-    /// @param rotation  from its own axes to those of the world
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Place the camera.
+    /// Cost: O(1).</summary>
+    /// <param name="position">metres, of its centre</param>
+    /// <param name="rotation">from its own axes to those of the world</param>
     public unsafe void SetTransform(Vec3 position, Quat rotation) {
         Check(Low.gphys_camera_set_transform(Handle, &position, &rotation));
     }
 
-    /// <summary>
-    /// Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
+    /// <summary>Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
     /// kept, then up), so that a matrix which drifted is corrected.
-    /// @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
-    ///         they mirror or the last row is not 0 0 0 1
-    /// Cost: O(1).
-    /// </summary>
+    /// Cost: O(1).</summary>
+    /// <exception cref="GamephysException">Status.ErrorSingular: if the axes do not span space</exception>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if they mirror or the last row is
+    /// not 0 0 0 1</exception>
     public unsafe void SetWorldMatrix(Mat4 world) {
         Check(Low.gphys_camera_set_world_matrix(Handle, &world));
     }
 
-    /// <summary>
-    /// Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
+    /// <summary>Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
     /// chosen in its place, always the same for the same input.
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
-    /// Cost: O(1).
-    /// </summary>
+    /// Cost: O(1).</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if eye equals target or up is
+    /// zero</exception>
     public unsafe void LookAt(Vec3 eye, Vec3 target, Vec3 up) {
         Check(Low.gphys_camera_look_at(Handle, &eye, &target, &up));
     }
 
-    /// <summary>Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).</summary>
+    /// <summary>Where the camera stands, in metres, and how it is turned, rounded to float32.
+    /// Cost: O(1).</summary>
     public unsafe (Vec3 Position, Quat Rotation) GetTransform() {
         var position = default(Vec3);
         var rotation = default(Quat);
@@ -845,113 +743,107 @@ public sealed partial class Camera : IDisposable {
         return (position, rotation);
     }
 
-    /// <summary>The matrix from camera to world. Cost: O(1).</summary>
+    /// <summary>The matrix from camera to world.
+    /// Cost: O(1).</summary>
     public unsafe Mat4 GetWorldMatrix() {
         var world = default(Mat4);
         Check(Low.gphys_camera_get_world_matrix(Handle, &world));
         return world;
     }
 
-    /// <summary>
-    /// The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-    /// through them. Cost: O(1).
-    /// </summary>
+    /// <summary>The matrix from world to camera: the transpose of the orthonormal world axes, and the position
+    /// through them.
+    /// Cost: O(1).</summary>
     public unsafe Mat4 GetViewMatrix() {
         var view = default(Mat4);
         Check(Low.gphys_camera_get_view_matrix(Handle, &view));
         return view;
     }
 
-    /// <summary>The matrix from camera to clip space. Cost: O(1).</summary>
+    /// <summary>The matrix from camera to clip space.
+    /// Cost: O(1).</summary>
     public unsafe Mat4 GetProjectionMatrix() {
         var projection = default(Mat4);
         Check(Low.gphys_camera_get_projection_matrix(Handle, &projection));
         return projection;
     }
 
-    /// <summary>Projection * view, multiplied in double precision and rounded once. Cost: O(1).</summary>
+    /// <summary>Projection * view, multiplied in double precision and rounded once.
+    /// Cost: O(1).</summary>
     public unsafe Mat4 GetViewProjectionMatrix() {
         var viewProjection = default(Mat4);
         Check(Low.gphys_camera_get_view_projection_matrix(Handle, &viewProjection));
         return viewProjection;
     }
 
-    /// <summary>
-    /// Start orbiting with these settings; places the camera at once and drops pending input. An angle
-    /// or a distance outside its limits is brought inside. Cost: O(1).
-    /// </summary>
+    /// <summary>Start orbiting with these settings; places the camera at once and drops pending input. An angle or a
+    /// distance outside its limits is brought inside.
+    /// Cost: O(1).</summary>
     public unsafe void SetOrbit(Orbit orbit) {
         Check(Low.gphys_camera_set_orbit(Handle, &orbit));
     }
 
-    /// <summary>
-    /// The present settings, angles and distance of the orbit.
-    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>The present settings, angles and distance of the orbit.
+    /// Cost: O(1).</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
+    /// orbit</exception>
     public unsafe Orbit GetOrbit() {
         var orbit = default(Orbit);
         Check(Low.gphys_camera_get_orbit(Handle, &orbit));
         return orbit;
     }
 
-    /// <summary>
-    /// Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
-    /// @param units_x, units_y  finite, any size
-    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit.
+    /// Cost: O(1).</summary>
+    /// <param name="unitsX">finite, any size</param>
+    /// <param name="unitsY">finite, any size</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
+    /// orbit</exception>
     public unsafe void OrbitRotate(float unitsX, float unitsY) {
         Check(Low.gphys_camera_orbit_rotate(Handle, unitsX, unitsY));
     }
 
-    /// <summary>
-    /// Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
-    /// @param units  finite, any size
-    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+    /// Cost: O(1).</summary>
+    /// <param name="units">finite, any size</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
+    /// orbit</exception>
     public unsafe void OrbitZoom(float units) {
         Check(Low.gphys_camera_orbit_zoom(Handle, units));
     }
 
-    /// <summary>
-    /// Add input to the orbit: move the target to the camera's right and up, as the last update left them,
+    /// <summary>Add input to the orbit: move the target to the camera's right and up, as the last update left them,
     /// by units times metres_per_unit.
-    /// @param units_right, units_up  finite, any size
-    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-    /// Cost: O(1).
-    /// </summary>
+    /// Cost: O(1).</summary>
+    /// <param name="unitsRight">finite, any size</param>
+    /// <param name="unitsUp">finite, any size</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
+    /// orbit</exception>
     public unsafe void OrbitPan(float unitsRight, float unitsUp) {
         Check(Low.gphys_camera_orbit_pan(Handle, unitsRight, unitsUp));
     }
 
-    /// <summary>
-    /// Apply the input since the last update, within the limits, and place the camera. Angles are
-    /// wrapped to -pi .. pi in constant time.
-    /// @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
+    /// to -pi .. pi in constant time.
+    /// Cost: O(1).</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
+    /// orbit</exception>
     public unsafe void OrbitUpdate() {
         Check(Low.gphys_camera_orbit_update(Handle));
     }
 
-    /// <summary>
-    /// The seen volume, with origin at the camera's position and planes from its parameters: each
-    /// number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>The seen volume, with origin at the camera's position and planes from its parameters: each number
+    /// within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    /// Cost: O(1).</summary>
     public unsafe Frustum GetFrustum() {
         var frustum = default(Frustum);
         Check(Low.gphys_camera_get_frustum(Handle, &frustum));
         return frustum;
     }
 
-    /// <summary>
-    /// World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
-    /// @return GPHYS_UNBOUNDED with an infinite far plane
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>World positions of the corners of the seen volume, in the order of Geometry.FrustumCorners.
+    /// Cost: O(1).</summary>
+    /// <returns>null with an infinite far plane.</returns>
     public unsafe Vec3[] GetCorners() {
         var corners = new Vec3[8];
         Status status;
@@ -960,26 +852,20 @@ public sealed partial class Camera : IDisposable {
         return Found(status) ? corners : null;
     }
 
-    /// <summary>
-    /// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
-    /// z is the depth in the camera's range.
-    /// @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
-    ///         image lies beyond the range of coordinates
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+    /// viewport; z is the depth in the camera's range.
+    /// Cost: O(1).</summary>
+    /// <returns>null if the point is not in front of the camera's centre (no image), or its image lies
+    /// beyond the range of coordinates.</returns>
     public unsafe Vec3? Project(Vec3 point) {
         var pixel = default(Vec3);
         var status = Low.gphys_camera_project(Handle, &point, &pixel);
         return Found(status) ? pixel : (Vec3?)null;
     }
 
-    /// <summary>
-    /// Pixels of count world points, as gphys_camera_project; a point without an image gets
-    /// x = y = z = INFINITY.
-    /// @param points      metres; a stride of 0 projects one point count times
-    /// @param out_pixels  count elements
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Pixels of count world points, as Camera.Project; a point without an image gets x = y = z = INFINITY.
+    /// Cost: O(elements).</summary>
+    /// <param name="points">metres</param>
     public unsafe void ProjectBatch(ReadOnlySpan<Vec3> points, Span<Vec3> pixels) {
         var count = CommonLength(-1, points.Length);
         RequireLength(pixels.Length, count);
@@ -988,25 +874,20 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_project_batch(Handle, points_, StrideOf(points), count, pixels_, (uint)sizeof(Vec3)));
     }
 
-    /// <summary>
-    /// Pixel and depth to world point: the inverse of gphys_camera_project.
-    /// @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
-    ///         beyond the range of coordinates
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Pixel and depth to world point: the inverse of Camera.Project.
+    /// Cost: O(1).</summary>
+    /// <returns>null for the depth of an infinite far plane, and for points beyond that or beyond the range
+    /// of coordinates.</returns>
     public unsafe Vec3? Unproject(Vec3 pixel) {
         var point = default(Vec3);
         var status = Low.gphys_camera_unproject(Handle, &pixel, &point);
         return Found(status) ? point : (Vec3?)null;
     }
 
-    /// <summary>
-    /// World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
-    /// x = y = z = INFINITY.
-    /// @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
-    /// @param out_points  count elements
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>World points of the pixels with depth, as Camera.Unproject; one at infinity gets x = y = z =
+    /// INFINITY.
+    /// Cost: O(elements).</summary>
+    /// <param name="pixels">x, y in pixels, z the depth</param>
     public unsafe void UnprojectBatch(ReadOnlySpan<Vec3> pixels, Span<Vec3> points) {
         var count = CommonLength(-1, pixels.Length);
         RequireLength(points.Length, count);
@@ -1015,55 +896,48 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_unproject_batch(Handle, pixels_, StrideOf(pixels), count, points_, (uint)sizeof(Vec3)));
     }
 
-    /// <summary>
-    /// The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
-    /// on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
-    /// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-    /// near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-    /// For perspective the stretch before the near plane is part of the ray.
-    /// @param pixel_x, pixel_y  pixels; may lie outside the viewport
-    /// @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
+    /// the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
+    /// image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
+    /// half an ulp of a direction can be; Camera.Pick is not so limited. For perspective the stretch before
+    /// the near plane is part of the ray.
+    /// Cost: O(1).</summary>
+    /// <param name="pixelX">pixels; may lie outside the viewport</param>
+    /// <param name="pixelY">pixels; may lie outside the viewport</param>
+    /// <returns>null if the line of sight does not meet the near plane (user projections).</returns>
     public unsafe Ray? PickRay(float pixelX, float pixelY) {
         var ray = default(Ray);
         var status = Low.gphys_camera_pick_ray(Handle, pixelX, pixelY, &ray);
         return Found(status) ? ray : (Ray?)null;
     }
 
-    /// <summary>
-    /// Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
-    /// @param x, y, width, height  pixels; width * height rays, fewer than 2^32
-    /// @param out_rays             width * height elements
-    /// @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
-    /// Cost: O(width * height).
-    /// </summary>
+    /// <summary>Rays for a rectangle of pixel centres, as Camera.PickRay, row by row.
+    /// Cost: O(width * height).</summary>
+    /// <param name="x">pixels; width * height rays, fewer than 2^32</param>
+    /// <param name="y">pixels; width * height rays, fewer than 2^32</param>
+    /// <param name="width">pixels; width * height rays, fewer than 2^32</param>
+    /// <param name="height">pixels; width * height rays, fewer than 2^32</param>
     public unsafe void PickRays(uint x, uint y, uint width, uint height, Span<Ray> rays) {
         RequireLength(rays.Length, (ulong)width * height);
         fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
         Check(Low.gphys_camera_pick_rays(Handle, x, y, width, height, rays_, (uint)sizeof(Ray)));
     }
 
-    /// <summary>
-    /// The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
-    /// float32; t is in metres.
-    /// @param pixel_x, pixel_y  pixels; may lie outside the viewport
-    /// @return GPHYS_OK or GPHYS_NO_HIT
-    /// Cost: O(log n) expected.
-    /// </summary>
+    /// <summary>The model under a pixel: the first hit of Camera.PickRay, before that is rounded to float32; t is in
+    /// metres.
+    /// Cost: O(log n) expected.</summary>
+    /// <param name="pixelX">pixels; may lie outside the viewport</param>
+    /// <param name="pixelY">pixels; may lie outside the viewport</param>
+    /// <returns>null if nothing is found.</returns>
     public unsafe Hit? Pick(Scene scene, float pixelX, float pixelY, uint layers = Constants.AllLayers) {
         var hit = default(Hit);
         var status = Low.gphys_camera_pick(Handle, scene.Handle, pixelX, pixelY, layers, &hit);
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
-    /// t = INFINITY.
-    /// @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
-    /// @param out_hits  count elements
-    /// Cost: at most that of count single calls; shared among the scene's workers.
-    /// </summary>
+    /// <summary>The models under the pixels, as Camera.Pick; a pixel without one gets model = 0 and t = INFINITY.
+    /// Cost: at most that of as many single calls; shared among the scene's workers.</summary>
+    /// <param name="pixels">x, y pairs of floats</param>
     public unsafe void PickBatch(Scene scene, ReadOnlySpan<Vec2> pixels, Span<Hit> hits, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, pixels.Length);
         RequireLength(hits.Length, count);
@@ -1072,13 +946,15 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_pick_batch(Handle, scene.Handle, (float*)pixels_, StrideOf(pixels), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
-    /// <summary>
-    /// Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    /// rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
-    /// @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
-    /// Cost: O(log n + k) expected.
-    /// </summary>
+    /// <summary>Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
+    /// rectangle, between near and far plane; exact shapes, ascending.
+    /// Cost: O(log n + k) expected.</summary>
+    /// <param name="x0">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <param name="y0">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <param name="x1">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <param name="y1">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if the rectangle has no
+    /// area</exception>
     public unsafe uint[] PickRectangle(Scene scene, float x0, float y0, float x1, float y1, uint layers = Constants.AllLayers) {
         var result = new uint[Guess];
         for (;;) {
@@ -1095,10 +971,8 @@ public sealed partial class Camera : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
-    /// Cost: O(log n + k) expected.
-    /// </summary>
+    /// <summary>Ids of the models to draw: Scene.Cull with the camera's frustum.
+    /// Cost: O(log n + k) expected.</summary>
     public unsafe uint[] Cull(Scene scene, uint layers = Constants.AllLayers) {
         var result = new uint[Guess];
         for (;;) {
@@ -1121,14 +995,12 @@ public sealed partial class Camera : IDisposable {
 public sealed partial class Solver : IDisposable {
     internal readonly SolverHandle Handle;
 
-    /// <summary>
-    /// Create a solver without bodies.
-    /// With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
-    /// every n. Threads are started, joined and lost as those of gphys_scene_create.
-    /// @param desc  NULL: the defaults
-    /// @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
-    /// Cost: O(1), and that of starting the threads.
-    /// </summary>
+    /// <summary>Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
+    /// results have the same bits for every n. Threads are started, joined and lost as those of Scene.
+    /// Cost: O(1), and that of starting the threads.</summary>
+    /// <param name="desc">null: the defaults</param>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: also if the threads cannot be
+    /// started</exception>
     public unsafe Solver(SolverDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         IntPtr made;
@@ -1139,22 +1011,21 @@ public sealed partial class Solver : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
-    /// <summary>
-    /// Move the point of the world that the coordinates of all particles count from; see
-    /// gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
-    /// step and an attachment need a scene of the same origin, else they return
-    /// GPHYS_ERROR_INVALID_ARGUMENT.
-    /// @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
-    /// Cost: O(particles).
-    /// </summary>
+    /// <summary>Move the point of the world that the coordinates of all particles count from; see Scene.SetOrigin.
+    /// Particles stay where they are in the world and keep moving as they do. A step and an attachment need
+    /// a scene of the same origin, else they fail with Status.ErrorInvalidArgument.
+    /// Cost: O(particles).</summary>
+    /// <param name="origin">x, y, z in the world, metres, within MaxCoordinate</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if a particle would leave the
+    /// range of coordinates</exception>
     public unsafe void SetOrigin(ReadOnlySpan<double> origin) {
         RequireLength(origin.Length, 3);
         fixed (double* origin_ = &MemoryMarshal.GetReference(origin))
         Check(Low.gphys_solver_set_origin(Handle, origin_));
     }
 
-    /// <summary>Where in the world the particles' coordinates count from, metres. Cost: O(1).</summary>
+    /// <summary>Where in the world the particles' coordinates count from, metres.
+    /// Cost: O(1).</summary>
     public unsafe double[] GetOrigin() {
         var origin = new double[3];
         fixed (double* origin_ = origin)
@@ -1162,34 +1033,29 @@ public sealed partial class Solver : IDisposable {
         return origin;
     }
 
-    /// <summary>
-    /// Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
-    /// @param gravity  m/s^2; may be zero
-    /// Cost: O(bodies).
-    /// </summary>
+    /// <summary>Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
+    /// Cost: O(bodies).</summary>
+    /// <param name="gravity">m/s^2; may be zero</param>
     public unsafe void SetGravity(Vec3 gravity) {
         Check(Low.gphys_solver_set_gravity(Handle, &gravity));
     }
 
-    /// <summary>
-    /// Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
-    /// error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
-    /// by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
-    /// al. 1985): twice the time, a seventh of the error.
-    /// @param substeps  1 .. 1000
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Change the number of substeps of a step. More substeps: smaller errors, proportionally more time.
+    /// The error of motion goes with the square of their length. Ropes that move calmly - in a substep no
+    /// link turns by half a radian, or would swing by one if its ends were pushed - make each in two stages
+    /// (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
+    /// Cost: O(1).</summary>
+    /// <param name="substeps">1 .. 1000</param>
     public unsafe void SetSubsteps(uint substeps) {
         Check(Low.gphys_solver_set_substeps(Handle, substeps));
     }
 
-    /// <summary>
-    /// Add a body of particles without constraints.
-    /// @param desc       NULL: the defaults
-    /// @param positions  metres; count elements, count &gt;= 1
-    /// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Add a body of particles without constraints.
+    /// Cost: O(elements).</summary>
+    /// <param name="desc">null: the defaults</param>
+    /// <param name="positions">metres</param>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
+    /// bodies</exception>
     public unsafe uint AddParticles(ReadOnlySpan<Vec3> positions, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         var count = CommonLength(-1, positions.Length);
@@ -1199,14 +1065,13 @@ public sealed partial class Solver : IDisposable {
         return body;
     }
 
-    /// <summary>
-    /// Add a rope through the given points, one particle at each.
-    /// @param desc         NULL: the defaults
-    /// @param positions    metres; count elements, count &gt;= 2
-    /// @param link_length  rest length of each link in metres; 0: as placed
-    /// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Add a rope through the given points, one particle at each.
+    /// Cost: O(elements).</summary>
+    /// <param name="desc">null: the defaults</param>
+    /// <param name="positions">metres</param>
+    /// <param name="linkLength">rest length of each link in metres; 0: as placed</param>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
+    /// bodies</exception>
     public unsafe uint AddRope(ReadOnlySpan<Vec3> positions, float linkLength = 0, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         var count = CommonLength(-1, positions.Length);
@@ -1216,16 +1081,17 @@ public sealed partial class Solver : IDisposable {
         return body;
     }
 
-    /// <summary>
-    /// Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-    /// corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-    /// @param desc           NULL: the defaults
-    /// @param corner         metres
-    /// @param edge_u, edge_v metres, from the corner along a row and along a column
-    /// @param columns, rows  &gt;= 2
-    /// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    /// Cost: O(columns * rows).
-    /// </summary>
+    /// <summary>Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
+    /// corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV.
+    /// Cost: O(columns * rows).</summary>
+    /// <param name="desc">null: the defaults</param>
+    /// <param name="corner">metres</param>
+    /// <param name="edgeU">metres, from the corner along a row and along a column</param>
+    /// <param name="edgeV">metres, from the corner along a row and along a column</param>
+    /// <param name="columns">&gt;= 2</param>
+    /// <param name="rows">&gt;= 2</param>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
+    /// bodies</exception>
     public unsafe uint AddCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, uint columns, uint rows, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         var body = default(uint);
@@ -1233,14 +1099,13 @@ public sealed partial class Solver : IDisposable {
         return body;
     }
 
-    /// <summary>
-    /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    /// with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    /// @param desc       NULL: the defaults
-    /// @param transform  places the mesh; NULL is the identity
-    /// @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    /// Cost: O(n log n).
-    /// </summary>
+    /// <summary>Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
+    /// ClothBend one across each inner edge. Vertices at the same place stay separate.
+    /// Cost: O(n log n).</summary>
+    /// <param name="desc">null: the defaults</param>
+    /// <param name="transform">places the mesh; null is the identity</param>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
+    /// bodies</exception>
     public unsafe uint AddClothMesh(Mesh mesh, Transform? transform = null, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
         var transform_ = transform.GetValueOrDefault();
@@ -1249,16 +1114,15 @@ public sealed partial class Solver : IDisposable {
         return body;
     }
 
-    /// <summary>
-    /// Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
-    /// last step are no longer listed.
-    /// Cost: O(particles + constraints of the body), and O(joints of the solver).
-    /// </summary>
+    /// <summary>Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
+    /// the last step are no longer listed.
+    /// Cost: O(particles + constraints of the body), and O(joints of the solver).</summary>
     public unsafe void RemoveBody(uint body) {
         Check(Low.gphys_solver_remove_body(Handle, body));
     }
 
-    /// <summary>Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).</summary>
+    /// <summary>Ids of all bodies, ascending.
+    /// Cost: O(bodies).</summary>
     public unsafe uint[] GetBodies() {
         var result = new uint[Guess];
         for (;;) {
@@ -1275,15 +1139,13 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
-    /// A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
-    /// sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
-    /// keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
-    /// wakes in the step before which a model came, went or moved as near as it could come in a step at
-    /// 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-    /// its state, of gravity or of the origin. Cost: O(bodies).
-    /// </summary>
+    /// <summary>Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+    /// sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
+    /// than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
+    /// more than a look for models nearby. It wakes in the step before which a model came, went or moved as
+    /// near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
+    /// exchanged; and at once by any change of its state, of gravity or of the origin.
+    /// Cost: O(bodies).</summary>
     public unsafe uint[] GetSleeping() {
         var result = new uint[Guess];
         for (;;) {
@@ -1300,30 +1162,23 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Wake a body; its time of rest begins again.
-    /// @param body  0: all
-    /// Cost: O(1) a body.
-    /// </summary>
+    /// <summary>Wake a body; its time of rest begins again.
+    /// Cost: O(1) a body.</summary>
+    /// <param name="body">0: all</param>
     public unsafe void Wake(uint body) {
         Check(Low.gphys_solver_wake(Handle, body));
     }
 
-    /// <summary>
-    /// What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
-    /// it allocates.
-    /// </summary>
+    /// <summary>What a body is made of and how it is solved.
+    /// Cost: O(1); after a change of constraints O(particles), and it allocates.</summary>
     public unsafe BodyInfo GetBodyInfo(uint body) {
         var info = default(BodyInfo);
         Check(Low.gphys_solver_get_body_info(Handle, body, &info));
         return info;
     }
 
-    /// <summary>
-    /// Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
-    /// *out_total counts numbers, not triangles; it is 0 for other bodies.
-    /// Cost: O(triangles).
-    /// </summary>
+    /// <summary>Particle numbers of a cloth's triangles, three each, for drawing.
+    /// Cost: O(triangles).</summary>
     public unsafe uint[] GetTriangles(uint body) {
         var result = new uint[Guess];
         for (;;) {
@@ -1340,200 +1195,179 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Where the particles are, metres.
-    /// @param first, count   the particles first .. first + count - 1; a range beyond the body is
-    ///                       GPHYS_ERROR_INVALID_ARGUMENT
-    /// @param out_positions  count elements
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Where the particles are, metres.
+    /// Cost: O(count).</summary>
+    /// <param name="first">the particles first .. first + count - 1; a range beyond the body is
+    /// Status.ErrorInvalidArgument</param>
+    /// <param name="count">the particles first .. first + count - 1; a range beyond the body is
+    /// Status.ErrorInvalidArgument</param>
     public unsafe void GetPositions(uint body, uint first, Span<Vec3> positions) {
         var count = (uint)positions.Length;
         fixed (Vec3* positions_ = &MemoryMarshal.GetReference(positions))
         Check(Low.gphys_solver_get_positions(Handle, body, first, count, positions_, (uint)sizeof(Vec3)));
     }
 
-    /// <summary>
-    /// Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
-    /// @param first, count  as in gphys_solver_get_positions
-    /// @param positions     metres; a stride of 0 moves all to one place
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+    /// body.
+    /// Cost: O(elements).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="positions">metres</param>
     public unsafe void SetPositions(uint body, uint first, ReadOnlySpan<Vec3> positions) {
         var count = CommonLength(-1, positions.Length);
         fixed (Vec3* positions_ = &MemoryMarshal.GetReference(positions))
         Check(Low.gphys_solver_set_positions(Handle, body, first, count, positions_, StrideOf(positions)));
     }
 
-    /// <summary>
-    /// How fast the particles are, m/s.
-    /// @param first, count    as in gphys_solver_get_positions
-    /// @param out_velocities  count elements; 0 of what is pinned
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>How fast the particles are, m/s.
+    /// Cost: O(count).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
+    /// <returns>0 of what is pinned.</returns>
     public unsafe void GetVelocities(uint body, uint first, Span<Vec3> velocities) {
         var count = (uint)velocities.Length;
         fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
         Check(Low.gphys_solver_get_velocities(Handle, body, first, count, velocities_, (uint)sizeof(Vec3)));
     }
 
-    /// <summary>
-    /// Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
-    /// @param first, count  as in gphys_solver_get_positions
-    /// @param velocities    m/s; a stride of 0 gives all the same
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
+    /// Cost: O(elements).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="velocities">m/s</param>
     public unsafe void SetVelocities(uint body, uint first, ReadOnlySpan<Vec3> velocities) {
         var count = CommonLength(-1, velocities.Length);
         fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
         Check(Low.gphys_solver_set_velocities(Handle, body, first, count, velocities_, StrideOf(velocities)));
     }
 
-    /// <summary>
-    /// Masses of particles, kg. That of a pinned particle is what it has when it is released.
-    /// @param first, count  as in gphys_solver_get_positions
-    /// @param out_masses    count elements
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Masses of particles, kg. That of a pinned particle is what it has when it is released.
+    /// Cost: O(count).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
     public unsafe void GetMasses(uint body, uint first, Span<float> masses) {
         var count = (uint)masses.Length;
         fixed (float* masses_ = &MemoryMarshal.GetReference(masses))
         Check(Low.gphys_solver_get_masses(Handle, body, first, count, masses_, (uint)sizeof(float)));
     }
 
-    /// <summary>
-    /// Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
+    /// <summary>Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
     /// Wakes the body.
-    /// @param first, count  as in gphys_solver_get_positions
-    /// @param masses        kg, &gt; 0; a stride of 0 gives all the same
-    /// Cost: O(count).
-    /// </summary>
+    /// Cost: O(elements).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="masses">kg, &gt; 0</param>
     public unsafe void SetMasses(uint body, uint first, ReadOnlySpan<float> masses) {
         var count = CommonLength(-1, masses.Length);
         fixed (float* masses_ = &MemoryMarshal.GetReference(masses))
         Check(Low.gphys_solver_set_masses(Handle, body, first, count, masses_, StrideOf(masses)));
     }
 
-    /// <summary>
-    /// Change the collision radii of particles. Wakes the body.
-    /// @param first, count  as in gphys_solver_get_positions
-    /// @param radii         metres, &gt;= 0; a stride of 0 gives all the same
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Change the collision radii of particles. Wakes the body.
+    /// Cost: O(elements).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="radii">metres, &gt;= 0</param>
     public unsafe void SetRadii(uint body, uint first, ReadOnlySpan<float> radii) {
         var count = CommonLength(-1, radii.Length);
         fixed (float* radii_ = &MemoryMarshal.GetReference(radii))
         Check(Low.gphys_solver_set_radii(Handle, body, first, count, radii_, StrideOf(radii)));
     }
 
-    /// <summary>
-    /// Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
-    /// @param first, count  as in gphys_solver_get_positions
-    /// @param forces        newtons; a stride of 0 gives all the same
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
+    /// Cost: O(elements).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="forces">newtons</param>
     public unsafe void SetForces(uint body, uint first, ReadOnlySpan<Vec3> forces) {
         var count = CommonLength(-1, forces.Length);
         fixed (Vec3* forces_ = &MemoryMarshal.GetReference(forces))
         Check(Low.gphys_solver_set_forces(Handle, body, first, count, forces_, StrideOf(forces)));
     }
 
-    /// <summary>
-    /// Pin or release particles. A pinned particle stays where it is put and moves only by
-    /// gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
-    /// @param first, count  as in gphys_solver_get_positions
-    /// @param pinned        1: pin; 0: release
-    /// Cost: O(count).
-    /// </summary>
+    /// <summary>Pin or release particles. A pinned particle stays where it is put and moves only by
+    /// Solver.SetPositions; its speed is 0. Both pinning and releasing end an attachment.
+    /// Cost: O(count).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
+    /// <param name="pinned">true: pin; false: release</param>
     public unsafe void SetPinned(uint body, uint first, uint count, bool pinned) {
         Check(Low.gphys_solver_set_pinned(Handle, body, first, count, pinned ? 1 : 0));
     }
 
-    /// <summary>
-    /// Fix a particle to a model: it follows the model's transform in each step, and is released when
-    /// the model is gone. Steps must then be given this scene.
-    /// @param scene        of the same origin as the solver; not modified
-    /// @param local_point  metres, in the model's coordinates; NULL: where the particle is now
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Fix a particle to a model: it follows the model's transform in each step, and is released when the
+    /// model is gone. Steps must then be given this scene.
+    /// Cost: O(1).</summary>
+    /// <param name="scene">of the same origin as the solver; not modified</param>
+    /// <param name="localPoint">metres, in the model's coordinates; null: where the particle is now</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not
+    /// exist</exception>
     public unsafe void Attach(Scene scene, uint body, uint particle, uint model, Vec3? localPoint = null) {
         var localPoint_ = localPoint.GetValueOrDefault();
         Check(Low.gphys_solver_attach(Handle, scene.Handle, body, particle, model, localPoint.HasValue ? &localPoint_ : null));
     }
 
-    /// <summary>
-    /// Release an attached particle.
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Release an attached particle.
+    /// Cost: O(1).</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if it is not attached, or does not
+    /// exist</exception>
     public unsafe void Detach(uint body, uint particle) {
         Check(Low.gphys_solver_detach(Handle, body, particle));
     }
 
-    /// <summary>
-    /// Hold two different particles of a body at a distance.
-    /// @param rest_length  metres, &gt;= 0; negative: the present distance
-    /// @param compliance   metres per newton, &gt;= 0; 0 is rigid
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
-    ///         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
-    /// Cost: O(1); the next step plans the body again, O(constraints).
-    /// </summary>
+    /// <summary>Hold two different particles of a body at a distance.
+    /// Cost: O(1); the next step plans the body again, O(constraints).</summary>
+    /// <param name="restLength">metres, &gt;= 0; negative: the present distance</param>
+    /// <param name="compliance">metres per newton, &gt;= 0; 0 is rigid</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not exist
+    /// or twice the same one</exception>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 constraints of a
+    /// body</exception>
     public unsafe uint AddDistance(uint body, uint particleA, uint particleB, float restLength, float compliance = 0) {
         var constraint = default(uint);
         Check(Low.gphys_solver_add_distance(Handle, body, particleA, particleB, restLength, compliance, &constraint));
         return constraint;
     }
 
-    /// <summary>
-    /// Keep two different particles of a body from being further apart than a length, like a string between
+    /// <summary>Keep two different particles of a body from being further apart than a length, like a string between
     /// them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
     /// rigid, the speed at which the particles part is lost and no other.
-    /// @param max_length  metres, &gt;= 0; negative: the present distance
-    /// @param compliance  metres per newton, &gt;= 0, of what it yields beyond that; 0 is rigid
-    /// @return as gphys_solver_add_distance
-    /// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-    /// strained only when it is too long. Cost: as gphys_solver_add_distance.
-    /// </summary>
+    /// Fails as Solver.AddDistance.
+    /// It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
+    /// strained only when it is too long.
+    /// Cost: as Solver.AddDistance.</summary>
+    /// <param name="maxLength">metres, &gt;= 0; negative: the present distance</param>
+    /// <param name="compliance">metres per newton, &gt;= 0, of what it yields beyond that; 0 is
+    /// rigid</param>
     public unsafe uint AddMaxDistance(uint body, uint particleA, uint particleB, float maxLength, float compliance = 0) {
         var constraint = default(uint);
         Check(Low.gphys_solver_add_max_distance(Handle, body, particleA, particleB, maxLength, compliance, &constraint));
         return constraint;
     }
 
-    /// <summary>
-    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-    /// its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-    /// on steps. Rigid constraints have nothing to damp.
-    /// @param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
-    /// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
-    /// Cost: as gphys_solver_add_distance.
-    /// </summary>
+    /// <summary>Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+    /// beside its tension; one of Solver.AddMaxDistance never pushes. The decay depends on time, not on
+    /// steps. Rigid constraints have nothing to damp.
+    /// Cost: as Solver.AddDistance.</summary>
+    /// <param name="damping">N s/m, &gt;= 0; 0, which every constraint begins with: none</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or constraint that does not
+    /// exist</exception>
     public unsafe void SetConstraintDamping(uint body, uint constraint, float damping) {
         Check(Low.gphys_solver_set_constraint_damping(Handle, body, constraint, damping));
     }
 
-    /// <summary>
-    /// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
-    /// it again changes it, which inflates a body.
-    /// @param rest_volume  m^3, &gt; 0; negative: the present volume
-    /// @param compliance   m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0: as water,
-    ///                     which keeps its volume; INFINITY: none, which ends the constraint
-    /// @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
-    ///         not all turned the same way, or face inward when the present volume is asked for
-    /// Cost: O(triangles) in each substep, twice.
-    /// </summary>
+    /// <summary>Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+    /// setting it again changes it, which inflates a body.
+    /// Cost: O(triangles) in each substep, twice.</summary>
+    /// <param name="restVolume">m^3, &gt; 0; negative: the present volume</param>
+    /// <param name="compliance">m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0:
+    /// as water, which keeps its volume; INFINITY: none, which ends the constraint</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the triangles do not close (each
+    /// side is that of two triangles), are not all turned the same way, or face inward when the present
+    /// volume is asked for</exception>
     public unsafe void SetVolume(uint body, float restVolume, float compliance = 0) {
         Check(Low.gphys_solver_set_volume(Handle, body, restVolume, compliance));
     }
 
-    /// <summary>
-    /// The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    /// <summary>The volume held by Solver.SetVolume, m^3, as it is, and the pressure in pascals with which it was
     /// held at the end of the last step: above 0 it pushes outward.
-    /// @param out_volume, out_pressure  may be NULL
-    /// @return GPHYS_ERROR_UNSUPPORTED if none is held
-    /// Cost: O(triangles).
-    /// </summary>
+    /// Cost: O(triangles).</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if none is held</exception>
     public unsafe (float Volume, float Pressure) GetVolume(uint body) {
         var volume = default(float);
         var pressure = default(float);
@@ -1541,19 +1375,16 @@ public sealed partial class Solver : IDisposable {
         return (volume, pressure);
     }
 
-    /// <summary>
-    /// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-    /// @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
-    /// Cost: as gphys_solver_add_distance.
-    /// </summary>
+    /// <summary>End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
+    /// Cost: as Solver.AddDistance.</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidId: for a body or constraint that does not
+    /// exist, or no longer</exception>
     public unsafe void RemoveConstraint(uint body, uint constraint) {
         Check(Low.gphys_solver_remove_constraint(Handle, body, constraint));
     }
 
-    /// <summary>
-    /// All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
-    /// Cost: O(constraints).
-    /// </summary>
+    /// <summary>All constraints of a body, those of its builder included, by id.
+    /// Cost: O(constraints).</summary>
     public unsafe ConstraintInfo[] GetConstraints(uint body) {
         var result = new ConstraintInfo[Guess];
         for (;;) {
@@ -1570,40 +1401,36 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-    /// equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-    /// system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-    /// particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-    /// one thread and fall asleep and wake together. A joint goes with either body.
-    /// @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-    ///                     as far apart are drawn there within a step, and get the speed of that.
-    /// @param compliance   metres per newton, &gt;= 0; 0 is rigid
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-    ///         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-    /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-    /// of a rope that is not joined.
-    /// </summary>
+    /// <summary>Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
+    /// are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
+    /// as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
+    /// inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
+    /// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+    /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+    /// one of a rope that is not joined.</summary>
+    /// <param name="restLength">metres; 0: at the same place; negative: the present distance. Particles
+    /// that are not as far apart are drawn there within a step, and get the speed of that.</param>
+    /// <param name="compliance">metres per newton, &gt;= 0; 0 is rigid</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not exist
+    /// or twice the same body (see Solver.AddDistance)</exception>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 joints</exception>
     public unsafe uint Join(uint bodyA, uint particleA, uint bodyB, uint particleB, float restLength, float compliance = 0) {
         var joint = default(uint);
         Check(Low.gphys_solver_join(Handle, bodyA, particleA, bodyB, particleB, restLength, compliance, &joint));
         return joint;
     }
 
-    /// <summary>
-    /// End a joint. Wakes both bodies.
-    /// @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
-    /// Cost: as gphys_solver_join.
-    /// </summary>
+    /// <summary>End a joint. Wakes both bodies.
+    /// Cost: as Solver.Join.</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidId: for a joint that does not exist, or no
+    /// longer</exception>
     public unsafe void Unjoin(uint joint) {
         Check(Low.gphys_solver_unjoin(Handle, joint));
     }
 
-    /// <summary>
-    /// Joints of a body, by id. Kept when too many: the lowest.
-    /// @param body  0: of all bodies
-    /// Cost: O(joints of the solver).
-    /// </summary>
+    /// <summary>Joints of a body, by id.
+    /// Cost: O(joints of the solver).</summary>
+    /// <param name="body">0: of all bodies</param>
     public unsafe JointInfo[] GetJoints(uint body) {
         var result = new JointInfo[Guess];
         for (;;) {
@@ -1620,27 +1447,22 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
+    /// <summary>Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     /// takes more where they would be longer than 25 ms.
-    /// @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-    /// @param dt     seconds, 1e-6 .. 0.5
     /// Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
     /// through particles. May allocate.
-    /// Cost: O(particles + constraints) a substep, and a scene query for particles near models.
-    /// </summary>
+    /// Cost: O(particles + constraints) a substep, and a scene query for particles near models.</summary>
+    /// <param name="scene">to collide with and to follow attachments; null: none. Not modified.</param>
+    /// <param name="dt">seconds, 1e-6 .. 0.5</param>
     public unsafe void Step(float dt, Scene scene = null) {
         Check(Low.gphys_solver_step(Handle, scene == null ? SceneHandle.None : scene.Handle, dt));
     }
 
-    /// <summary>
-    /// Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-    /// frame, so the motion does not depend on the frame rate.
-    /// @param frame_time    seconds, &gt;= 0
-    /// @param out_steps     steps made; may be NULL
-    /// @param out_leftover  0 &lt;= fraction of a step still owed &lt; 1, to blend drawings; may be NULL
-    /// Cost: that of the steps made.
-    /// </summary>
+    /// <summary>Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
+    /// so the motion does not depend on the frame rate.
+    /// Cost: that of the steps made.</summary>
+    /// <param name="frameTime">seconds, &gt;= 0</param>
+    /// <returns>steps made. 0 &lt;= fraction of a step still owed &lt; 1, to blend drawings.</returns>
     public unsafe (uint Steps, float Leftover) Advance(float frameTime, Scene scene = null) {
         var steps = default(uint);
         var leftover = default(float);
@@ -1648,37 +1470,31 @@ public sealed partial class Solver : IDisposable {
         return (steps, leftover);
     }
 
-    /// <summary>
-    /// The substeps that a body took in the last step; 0 before its first.
-    /// With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
-    /// their length follows from what the last step measured, the largest strain of its rigid constraints
-    /// and the local error of the time scheme, both of which go with its square. It is at
-    /// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-    /// target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-    /// met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
+    /// tolerance set, each body takes as many as its own motion needs: their length follows from what the
+    /// last step measured, the largest strain of its rigid constraints and the local error of the time
+    /// scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
+    /// from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
+    /// where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
+    /// positions jump, by contacts, the error is that of the jump.
+    /// Cost: O(1).</summary>
     public unsafe uint GetSubsteps(uint body) {
         var substeps = default(uint);
         Check(Low.gphys_solver_get_substeps(Handle, body, &substeps));
         return substeps;
     }
 
-    /// <summary>
-    /// Counts, strain and energy of a body at present.
-    /// @param body  0: all bodies together
-    /// Cost: O(particles + constraints).
-    /// </summary>
+    /// <summary>Counts, strain and energy of a body at present.
+    /// Cost: O(particles + constraints).</summary>
+    /// <param name="body">0: all bodies together</param>
     public unsafe SolverStats GetStats(uint body) {
         var stats = default(SolverStats);
         Check(Low.gphys_solver_get_stats(Handle, body, &stats));
         return stats;
     }
 
-    /// <summary>
-    /// Contacts of the last step by body, particle, model. Kept when too many: the first.
-    /// Cost: O(contacts).
-    /// </summary>
+    /// <summary>Contacts of the last step by body, particle, model.
+    /// Cost: O(contacts).</summary>
     public unsafe Contact[] GetContacts() {
         var result = new Contact[Guess];
         for (;;) {
@@ -1695,14 +1511,12 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-    /// which they fell asleep. Kept when too many: the lowest models.
-    /// Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
-    /// cloth that touches several models at once gives to the one that it touches most. Models have no mass
-    /// here; a body of yours much lighter than what hangs from it should be moved in small steps.
-    /// Cost: O(models touched); no allocation. The same bits for any number of workers.
-    /// </summary>
+    /// <summary>Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
+    /// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
+    /// weight. A particle of cloth that touches several models at once gives to the one that it touches
+    /// most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+    /// in small steps.
+    /// Cost: O(models touched); no allocation. The same bits for any number of workers.</summary>
     public unsafe Impulse[] GetImpulses() {
         var result = new Impulse[Guess];
         for (;;) {
@@ -1719,15 +1533,12 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
-    /// that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
-    /// @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
-    ///                   for the same release of the library and machines of the same byte order; it may
-    ///                   be stored, but not changed.
-    /// @return GPHYS_INCOMPLETE when *out_total &gt; capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
-    /// Cost: O(particles + constraints), some 50 words for each.
-    /// </summary>
+    /// <summary>Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+    /// impulses, time that Solver.Advance still owes. The scene, workers and allocator are not in it.
+    /// Cost: O(particles + constraints), some 50 words for each.</summary>
+    /// <returns>the snapshot. It is for the same release of the library and machines of the same byte
+    /// order; it may be stored, but not changed.</returns>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^32 - 1 words</exception>
     public unsafe uint[] GetSnapshot() {
         var result = new uint[Guess];
         for (;;) {
@@ -1744,25 +1555,23 @@ public sealed partial class Solver : IDisposable {
         }
     }
 
-    /// <summary>
-    /// Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-    /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
-    /// too, is as it was.
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
-    ///         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
-    /// Cost: as gphys_solver_get_snapshot; allocates.
-    /// </summary>
+    /// <summary>Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
+    /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
+    /// is as it was. On an error the solver is as before.
+    /// Cost: as Solver.GetSnapshot; allocates.</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for words that are no snapshot,
+    /// damaged, of another version or byte order</exception>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: if there is no room for it</exception>
     public unsafe void Restore(ReadOnlySpan<uint> words) {
         var count = CommonLength(words.Length, 1);
         fixed (uint* words_ = &MemoryMarshal.GetReference(words))
         Check(Low.gphys_solver_restore(Handle, words_, count));
     }
 
-    /// <summary>
-    /// A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
+    /// <summary>A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
     /// different ones differ with near certainty (not against an adversary). Compare it between machines
-    /// that simulate the same, to see when they part. Cost: O(particles + constraints).
-    /// </summary>
+    /// that simulate the same, to see when they part.
+    /// Cost: O(particles + constraints).</summary>
     public unsafe uint[] GetHash() {
         var hash = new uint[2];
         fixed (uint* hash_ = hash)
@@ -1774,11 +1583,10 @@ public sealed partial class Solver : IDisposable {
 
 /// <summary>Questions about single shapes, without a scene.</summary>
 public static partial class Geometry {
-    /// <summary>
-    /// Whether the shape fulfils the ranges beside its struct.
-    /// @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Whether the shape fulfils the ranges beside its struct.
+    /// Cost: O(1).</summary>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: and the exception's message names
+    /// the field</exception>
     public static unsafe void Validate(Shape shape) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var status = Low.gphys_shape_validate(shape.Type, shape_);
@@ -1786,12 +1594,10 @@ public static partial class Geometry {
         Check(status);
     }
 
-    /// <summary>
-    /// The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
-    /// @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
-    ///         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
-    /// Cost: O(1), for a mesh too.
-    /// </summary>
+    /// <summary>The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
+    /// Cost: O(1), for a mesh too.</summary>
+    /// <returns>null for a plane, a ray without end (or with one beyond all floats) and a frustum that
+    /// extends to infinity; for an empty mesh or frustum.</returns>
     public static unsafe Aabb? Bounds(Shape shape) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var bounds = default(Aabb);
@@ -1800,13 +1606,11 @@ public static partial class Geometry {
         return Found(status) ? bounds : (Aabb?)null;
     }
 
-    /// <summary>
-    /// Whether the point is within tolerance metres of the shape (solid or surface).
-    /// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-    /// axes are those of its rotation in double precision).
-    /// @param tolerance  &gt;= 0
-    /// @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
-    /// </summary>
+    /// <summary>Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
+    /// answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
+    /// rotation in double precision).
+    /// Cost: O(1); O(log n) expected for a mesh.</summary>
+    /// <param name="tolerance">metres, &gt;= 0</param>
     public static unsafe bool Contains(Shape shape, Vec3 point, float tolerance = 0) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var contains = default(int);
@@ -1816,13 +1620,9 @@ public static partial class Geometry {
         return contains != 0;
     }
 
-    /// <summary>
-    /// Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
-    /// @param points        a stride of 0 asks for one point count times
-    /// @param tolerance     metres, &gt;= 0, for all points
-    /// @param out_contains  count elements, each 0 or 1
-    /// Cost: that of count single calls.
-    /// </summary>
+    /// <summary>Whether each of the points is within tolerance metres of one shape, as Geometry.Contains.
+    /// Cost: that of as many single calls.</summary>
+    /// <param name="tolerance">metres, &gt;= 0, for all points</param>
     public static unsafe void ContainsBatch(Shape shape, ReadOnlySpan<Vec3> points, Span<int> contains, float tolerance = 0) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var count = CommonLength(-1, points.Length);
@@ -1835,14 +1635,12 @@ public static partial class Geometry {
         Check(status);
     }
 
-    /// <summary>
-    /// The point of the shape that is closest to the given point: the point itself inside a solid.
-    /// Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
-    /// coordinate difference. If several are equally close, one of them,
-    /// always the same. For a ray, t is limited by t_max.
-    /// @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
-    /// Cost: O(1); O(log n) expected for a mesh.
-    /// </summary>
+    /// <summary>The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
+    /// ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
+    /// difference. If several are equally close, one of them, always the same. For a ray, t is limited by
+    /// t_max.
+    /// Cost: O(1); O(log n) expected for a mesh.</summary>
+    /// <returns>null only for an empty mesh or an empty frustum.</returns>
     public static unsafe Nearest? ClosestPoint(Shape shape, Vec3 point) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var nearest = default(Nearest);
@@ -1851,13 +1649,9 @@ public static partial class Geometry {
         return Found(status) ? nearest : (Nearest?)null;
     }
 
-    /// <summary>
-    /// The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
-    /// element for which there is none gets distance INFINITY.
-    /// @param points       a stride of 0 asks for one point count times
-    /// @param out_nearest  count elements
-    /// Cost: that of count single calls.
-    /// </summary>
+    /// <summary>The points of one shape that are closest to each of the points, as Geometry.ClosestPoint. An element
+    /// for which there is none gets distance INFINITY.
+    /// Cost: that of as many single calls.</summary>
     public static unsafe void ClosestPointBatch(Shape shape, ReadOnlySpan<Vec3> points, Span<Nearest> nearest) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var count = CommonLength(-1, points.Length);
@@ -1870,12 +1664,10 @@ public static partial class Geometry {
         Check(status);
     }
 
-    /// <summary>
-    /// The closest points of two segments and their distance. Parallel segments have many: the first
-    /// along a, always the same.
-    /// @param out_a, out_b, out_distance  each may be NULL; metres
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>The closest points of two segments and their distance. Parallel segments have many: the first along
+    /// a, always the same.
+    /// Cost: O(1).</summary>
+    /// <returns>metres.</returns>
     public static unsafe (Vec3 Outa, Vec3 Outb, float Distance) SegmentClosestPoints(Segment a, Segment b) {
         var outA = default(Vec3);
         var outB = default(Vec3);
@@ -1884,15 +1676,14 @@ public static partial class Geometry {
         return (outA, outB, distance);
     }
 
-    /// <summary>
-    /// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
-    /// triangle, frustum and mesh, in either order.
-    /// A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
-    /// Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
-    /// precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
-    /// @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
-    /// Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
-    /// </summary>
+    /// <summary>Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
+    /// frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
+    /// not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
+    /// in double precision and may err only where the gap is below 2^-40 of the largest coordinate
+    /// difference.
+    /// Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or segment (see
+    /// Geometry.SegmentTest)</exception>
     public static unsafe bool Overlaps(Shape a, Shape b) {
         void* a_ = a.Mesh == null ? (void*)&a.Data : a.Mesh.Pointer;
         void* b_ = b.Mesh == null ? (void*)&b.Data : b.Mesh.Pointer;
@@ -1904,14 +1695,11 @@ public static partial class Geometry {
         return overlaps != 0;
     }
 
-    /// <summary>
-    /// Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
-    /// @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
-    ///                      needs 0
-    /// @param out_overlaps  count elements, each 0 or 1
-    /// @return GPHYS_ERROR_UNSUPPORTED for rays and segments
-    /// Cost: that of count single calls.
-    /// </summary>
+    /// <summary>Whether the shapes of each of the pairs overlap, as Geometry.Overlaps: pair i is a[i] against b[i].
+    /// Cost: that of as many single calls.</summary>
+    /// <param name="a">shapes of one type each</param>
+    /// <param name="b">shapes of one type each</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for rays and segments</exception>
     public static unsafe void OverlapsBatch(Shapes a, Shapes b, Span<int> overlaps) {
         var aOne = a.One;
         var bOne = b.One;
@@ -1927,13 +1715,11 @@ public static partial class Geometry {
         Check(status);
     }
 
-    /// <summary>
-    /// Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-    /// @param out_signed_distance  metres, of the shape's nearest point to the plane: &gt; 0 in front, &lt; 0
-    ///                             behind, 0 when crossing; may be NULL
-    /// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Classify a sphere, capsule, AABB, OBB or triangle against a plane.
+    /// Cost: O(1).</summary>
+    /// <returns>metres, of the shape's nearest point to the plane: &gt; 0 in front, &lt; 0 behind, 0 when
+    /// crossing.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types of shapes</exception>
     public static unsafe (Side Side, float Signeddistance) ClassifyPlane(Shape shape, Plane plane) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var side = default(Side);
@@ -1944,12 +1730,10 @@ public static partial class Geometry {
         return (side, signedDistance);
     }
 
-    /// <summary>
-    /// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
-    /// that no point is shared, inside that the frustum holds the whole shape.
-    /// @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that no
+    /// point is shared, inside that the frustum holds the whole shape.
+    /// Cost: O(1).</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types of shapes</exception>
     public static unsafe Side ClassifyFrustum(Shape shape, Frustum frustum) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var side = default(Side);
@@ -1959,16 +1743,16 @@ public static partial class Geometry {
         return side;
     }
 
-    /// <summary>
-    /// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
-    /// Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
-    /// shared edge or vertex always meets one of the triangles there.
-    /// Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
-    /// and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
-    /// smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-    /// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-    /// Cost: O(1); O(log n) expected for a mesh.
-    /// </summary>
+    /// <summary>First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
+    /// and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
+    /// always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
+    /// all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
+    /// distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+    /// docs/accuracy.md has the bounds of all functions.
+    /// Cost: O(1); O(log n) expected for a mesh.</summary>
+    /// <returns>null if nothing is found.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the
+    /// shape</exception>
     public static unsafe Hit? Raycast(Shape shape, Ray ray) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var hit = default(Hit);
@@ -1977,14 +1761,11 @@ public static partial class Geometry {
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
-    /// t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
-    /// @param rays      a stride of 0 casts one ray count times
-    /// @param out_hits  count elements
-    /// @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-    /// Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
-    /// </summary>
+    /// <summary>First hits of the rays with one shape, as Geometry.Raycast. A ray that hits nothing gets t =
+    /// INFINITY, triangle = NoTriangle and zeros in its hits element.
+    /// Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the
+    /// shape</exception>
     public static unsafe void RaycastBatch(Shape shape, ReadOnlySpan<Ray> rays, Span<Hit> hits) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var count = CommonLength(-1, rays.Length);
@@ -1997,13 +1778,13 @@ public static partial class Geometry {
         Check(status);
     }
 
-    /// <summary>
-    /// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
-    /// A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
-    /// then is met from no direction, the normal is zero.
-    /// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-    /// Cost: as gphys_shape_raycast.
-    /// </summary>
+    /// <summary>First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+    /// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
+    /// met from no direction, the normal is zero.
+    /// Cost: as Geometry.Raycast.</summary>
+    /// <returns>null if nothing is found.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the
+    /// shape</exception>
     public static unsafe Hit? SegmentTest(Shape shape, Segment segment) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var hit = default(Hit);
@@ -2012,18 +1793,18 @@ public static partial class Geometry {
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
+    /// <summary>First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
     /// triangle, frustum or mesh.
-    /// @param displacement  metres; may be zero
-    /// @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
-    ///                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
-    ///                 and where the centre itself is in a solid, the normal is opposite to the
-    ///                 displacement (zero if that is zero).
-    /// @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
     /// Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-    /// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
-    /// </summary>
+    /// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
+    /// mesh.</summary>
+    /// <param name="displacement">metres; may be zero</param>
+    /// <returns>t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+    /// the sphere's centre. Already overlapping: t = 0, HitInside, and where the centre itself is in a
+    /// solid, the normal is opposite to the displacement (zero if that is zero). null if nothing is
+    /// found.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the
+    /// shape</exception>
     public static unsafe Hit? SweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {
         void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
         var hit = default(Hit);
@@ -2032,12 +1813,10 @@ public static partial class Geometry {
         return Found(status) ? hit : (Hit?)null;
     }
 
-    /// <summary>
-    /// The eight corners, each the intersection of three planes: near then far, each in the order
+    /// <summary>The eight corners, each the intersection of three planes: near then far, each in the order
     /// left-bottom, right-bottom, right-top, left-top.
-    /// @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
-    /// Cost: O(1).
-    /// </summary>
+    /// Cost: O(1).</summary>
+    /// <returns>null if three planes do not meet in a point (infinite far plane).</returns>
     public static unsafe Vec3[] FrustumCorners(Frustum frustum) {
         var corners = new Vec3[8];
         Status status;
@@ -2046,28 +1825,24 @@ public static partial class Geometry {
         return Found(status) ? corners : null;
     }
 
-    /// <summary>
-    /// The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-    /// origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
-    /// @param reverse_z  0: near has the low depth; 1: near has the high depth
-    /// @return GPHYS_ERROR_SINGULAR if the matrix has no volume
-    /// Cost: O(1).
-    /// </summary>
+    /// <summary>The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
+    /// origin (0, 0, 0). A camera knows its frustum better: Camera.GetFrustum.
+    /// Cost: O(1).</summary>
+    /// <param name="reverseZ">false: near has the low depth; true: near has the high depth</param>
+    /// <exception cref="GamephysException">Status.ErrorSingular: if the matrix has no volume</exception>
     public static unsafe Frustum FrustumFromMatrix(Mat4 viewProjection, DepthRange depthRange, bool reverseZ) {
         var frustum = default(Frustum);
         Check(Low.gphys_frustum_from_matrix(&viewProjection, depthRange, reverseZ ? 1 : 0, &frustum));
         return frustum;
     }
 
-    /// <summary>
-    /// Examine arrays without building anything. Allocates while it runs.
-    /// @param vertices       vertex_count elements of 3 floats, metres
-    /// @param vertex_stride  bytes between vertices, at least 12
-    /// @param indices        index_count numbers, three for each triangle
-    /// @param out_report     what was found; indices out of range and bad vertices are counted, not refused
-    /// @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
-    /// Cost: O(n log n).
-    /// </summary>
+    /// <summary>Examine arrays without building anything. Allocates while it runs.
+    /// Cost: O(n log n).</summary>
+    /// <param name="vertices">elements of 3 floats, metres</param>
+    /// <param name="indices">numbers, three for each triangle</param>
+    /// <returns>what was found; indices out of range and bad vertices are counted, not refused.</returns>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for an indexCount that is no
+    /// multiple of 3</exception>
     public static unsafe MeshReport MeshCheck(ReadOnlySpan<Vec3> vertices, ReadOnlySpan<uint> indices) {
         var report = default(MeshReport);
         fixed (Vec3* vertices_ = &MemoryMarshal.GetReference(vertices))

@@ -33,25 +33,25 @@ public enum Status {
 
 /// <summary>Says which struct a `const void* shape` points to.</summary>
 public enum ShapeType {
-    /// <summary>gphys_sphere</summary>
+    /// <summary>Sphere</summary>
     Sphere = 1,
-    /// <summary>gphys_capsule</summary>
+    /// <summary>Capsule</summary>
     Capsule = 2,
-    /// <summary>gphys_aabb</summary>
+    /// <summary>Aabb</summary>
     Aabb = 3,
-    /// <summary>gphys_obb</summary>
+    /// <summary>Obb</summary>
     Obb = 4,
-    /// <summary>gphys_plane</summary>
+    /// <summary>Plane</summary>
     Plane = 5,
-    /// <summary>gphys_triangle</summary>
+    /// <summary>Triangle</summary>
     Triangle = 6,
-    /// <summary>gphys_frustum</summary>
+    /// <summary>Frustum</summary>
     Frustum = 7,
-    /// <summary>gphys_mesh: the handle itself</summary>
+    /// <summary>Mesh: the handle itself</summary>
     Mesh = 8,
-    /// <summary>gphys_ray</summary>
+    /// <summary>Ray</summary>
     Ray = 16,
-    /// <summary>gphys_segment</summary>
+    /// <summary>Segment</summary>
     Segment = 17,
 }
 
@@ -131,7 +131,7 @@ public static class Constants {
 /// <summary>
 /// Memory functions for one object and everything in it. Both are called on the thread that calls
 /// the library, possibly from several threads if the objects that share it are used so.
-/// allocate returns NULL on failure (reported as GPHYS_ERROR_OUT_OF_MEMORY, nothing changed);
+/// allocate returns null on failure (reported as Status.ErrorOutOfMemory, nothing changed);
 /// release gets the same size and alignment again. The struct is copied at creation.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
@@ -283,7 +283,7 @@ public partial struct Triangle {
 
 /// <summary>
 /// The points x with dot(planes[i].normal, x - origin) &gt;= planes[i].distance for all six planes,
-/// which look inward, in the order of gphys_frustum_plane. Distances count from origin, so that a
+/// which look inward, in the order of frustum_plane. Distances count from origin, so that a
 /// frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
@@ -312,27 +312,27 @@ public partial struct Hit {
     public Vec3 Point;
     /// <summary>unit, against the motion: dot(normal, direction) &lt;= 0</summary>
     public Vec3 Normal;
-    /// <summary>index within a mesh, else GPHYS_NO_TRIANGLE</summary>
+    /// <summary>index within a mesh, else NoTriangle</summary>
     public uint Triangle;
     /// <summary>barycentric weights of b and c of a triangle, else 0</summary>
     public float U;
     /// <summary>barycentric weights of b and c of a triangle, else 0</summary>
     public float V;
-    /// <summary>GPHYS_HIT_...</summary>
+    /// <summary>hit values</summary>
     public uint Flags;
 }
 
 /// <summary>The closest point of something to a given point.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct Nearest {
-    /// <summary>as in gphys_hit</summary>
+    /// <summary>as in Hit</summary>
     public uint Model;
     public uint Tag;
     /// <summary>equal to the query point when that is inside a solid</summary>
     public Vec3 Point;
     /// <summary>0 inside a solid</summary>
     public float Distance;
-    /// <summary>index within a mesh, else GPHYS_NO_TRIANGLE</summary>
+    /// <summary>index within a mesh, else NoTriangle</summary>
     public uint Triangle;
 }
 
@@ -342,12 +342,12 @@ public partial struct MeshReport {
     public uint TriangleCount;
     /// <summary>triangles of exactly zero area</summary>
     public uint DegenerateCount;
-    /// <summary>index of the first, or GPHYS_NO_TRIANGLE</summary>
+    /// <summary>index of the first, or NoTriangle</summary>
     public uint FirstDegenerate;
-    /// <summary>triangles with an index &gt;= vertex_count</summary>
+    /// <summary>triangles with an index &gt;= vertexCount</summary>
     public uint OutOfRangeCount;
     public uint FirstOutOfRange;
-    /// <summary>vertices that are not finite or beyond GPHYS_MAX_COORDINATE</summary>
+    /// <summary>vertices that are not finite or beyond MaxCoordinate</summary>
     public uint BadVertexCount;
     /// <summary>or 0xffffffff</summary>
     public uint FirstBadVertex;
@@ -359,7 +359,7 @@ public partial struct MeshReport {
 public partial struct MeshDesc {
     internal uint StructSize;
     /// <summary>
-    /// NULL: the C++ runtime's
+    /// null: the C++ runtime's
     /// The address of a gphys_allocator.
     /// </summary>
     public IntPtr Allocator;
@@ -406,14 +406,14 @@ public partial struct OctreeBox {
 public partial struct SceneDesc {
     internal uint StructSize;
     /// <summary>
-    /// NULL: the C++ runtime's
+    /// null: the C++ runtime's
     /// The address of a gphys_allocator.
     /// </summary>
     public IntPtr Allocator;
     /// <summary>models to make room for at once; 0</summary>
     public uint ReserveModels;
     /// <summary>
-    /// whose threads worker_count counts; NULL: the scene's own
+    /// whose threads worker_count counts; null: the scene's own
     /// The address of a gphys_task_runner.
     /// </summary>
     public IntPtr TaskRunner;
@@ -466,7 +466,7 @@ public partial struct ModelInfo {
 public partial struct CameraDesc {
     internal uint StructSize;
     /// <summary>
-    /// NULL: the C++ runtime's
+    /// null: the C++ runtime's
     /// The address of a gphys_allocator.
     /// </summary>
     public IntPtr Allocator;
@@ -512,9 +512,9 @@ public partial struct Orbit {
     /// it; pitch &gt; 0 looks down
     /// </summary>
     public float Pitch;
-    /// <summary>of gphys_camera_orbit_rotate</summary>
+    /// <summary>of Camera.OrbitRotate</summary>
     public float RadiansPerUnit;
-    /// <summary>of gphys_camera_orbit_zoom and _pan</summary>
+    /// <summary>of Camera.OrbitZoom and _pan</summary>
     public float MetresPerUnit;
     /// <summary>0 &lt; min &lt;= max; max INFINITY allowed</summary>
     public float MinDistance;
@@ -530,7 +530,7 @@ public partial struct Orbit {
 public partial struct SolverDesc {
     internal uint StructSize;
     /// <summary>
-    /// NULL: the C++ runtime's
+    /// null: the C++ runtime's
     /// The address of a gphys_allocator.
     /// </summary>
     public IntPtr Allocator;
@@ -538,24 +538,24 @@ public partial struct SolverDesc {
     public Vec3 Gravity;
     /// <summary>of one step, 1 .. 1000; default 8; with targets: of the first</summary>
     public uint Substeps;
-    /// <summary>seconds simulated by each step of gphys_solver_advance; 1/60</summary>
+    /// <summary>seconds simulated by each step of Solver.Advance; 1/60</summary>
     public float FixedStep;
     /// <summary>most steps of one advance; time beyond is dropped; 8</summary>
     public uint MaxSteps;
     /// <summary>
-    /// whose threads worker_count counts; NULL: the solver's own
+    /// whose threads worker_count counts; null: the solver's own
     /// The address of a gphys_task_runner.
     /// </summary>
     public IntPtr TaskRunner;
     /// <summary>threads for one step, its own included, at most 1024; 0 and 1: that alone</summary>
     public uint WorkerCount;
-    /// <summary>m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0</summary>
+    /// <summary>m/s, see Solver.GetSleeping; 0: bodies never sleep; default 0</summary>
     public float SleepSpeed;
     /// <summary>of rigid constraints, |length / rest length - 1|; default 0.01</summary>
     public float SleepStrain;
     /// <summary>seconds; default 0.5</summary>
     public float SleepTime;
-    /// <summary>target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0</summary>
+    /// <summary>target of rigid constraints, see Solver.GetSubsteps; 0: none; default 0</summary>
     public float MaxStrain;
     /// <summary>target of positions: metres of error that a second of motion adds; 0: none; default 0</summary>
     public float Tolerance;
@@ -589,9 +589,9 @@ public partial struct BodyDesc {
     public float Restitution;
     /// <summary>of stretch, metres per newton, &gt;= 0; 0 is inextensible; default 0</summary>
     public float Compliance;
-    /// <summary>of GPHYS_CLOTH_BEND constraints, m/N; default 0.001</summary>
+    /// <summary>of ClothBend constraints, m/N; default 0.001</summary>
     public float BendCompliance;
-    /// <summary>GPHYS_CLOTH_...; default SHEAR | BEND</summary>
+    /// <summary>cloth values; default SHEAR | BEND</summary>
     public uint ClothFlags;
     /// <summary>mask of the models it collides with; 0: none; default all</summary>
     public uint Layers;

@@ -45,10 +45,9 @@ local Impulse = runtime.element 'gphys_impulse'
 local Mesh = runtime.class 'mesh'
 --- Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
 --- segments or points that they are, and counted in the report. 0 triangles are allowed.
---- @param desc  may be NULL
---- @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
----         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
 --- Cost: O(n log n), about 1 us per triangle.
+--- @raise status ERROR_INVALID_ARGUMENT: for an index out of range, an index_count that is no multiple
+---     of 3 or a bad vertex; gp.mesh_check tells which
 function gp.Mesh(vertices, indices, desc)
     local vertices, vertices_count, vertices_stride = to_array(float, vertices, 3)
     local indices, indices_count, indices_stride = to_array(uint32_t, indices)
@@ -57,7 +56,7 @@ function gp.Mesh(vertices, indices, desc)
     end)
 end
 
---- What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+--- What the mesh was built from: the report that gp.mesh_check makes of its arrays.
 --- Cost: O(1).
 function Mesh:get_report(out_report)
     out_report = out_report or MeshReport.new()
@@ -65,7 +64,7 @@ function Mesh:get_report(out_report)
     return out_report
 end
 
---- Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+--- Copy the vertices out, in metres and in their original order.
 --- Cost: O(vertices).
 function Mesh:get_vertices()
     return list(Vec3, function(out, capacity, total)
@@ -73,8 +72,7 @@ function Mesh:get_vertices()
     end)
 end
 
---- Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
---- *out_total counts indices, not triangles.
+--- Copy the indices out, three for each triangle, in their original order.
 --- Cost: O(n).
 function Mesh:get_indices()
     return list(uint32_t, function(out, capacity, total)
@@ -83,8 +81,6 @@ function Mesh:get_indices()
 end
 
 --- All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
---- Kept when the array is too small: the first ones.
---- @return GPHYS_OK (also for 0 hits)
 --- Cost: O(log n + k) expected.
 function Mesh:raycast_all(ray)
     return list(Hit, function(out, capacity, total)
@@ -95,7 +91,6 @@ end
 do
     local out_hit = int32_t.array(1)
     --- Whether a ray hits anything; cheaper than the closest hit.
-    --- @param out_hit  0 or 1
     --- Cost: O(log n) expected.
     function Mesh:raycast_any(ray)
         check(C.gphys_mesh_raycast_any(opened(self), to_value(Ray, ray), out_hit))
@@ -104,23 +99,24 @@ do
 end
 
 --- Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
---- ascending. Kept when the array is too small: the lowest.
---- @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+--- ascending.
 --- Cost: O(log n + k) expected.
+--- @raise status ERROR_UNSUPPORTED: for other types of shapes
 function Mesh:overlap(shape)
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_mesh_overlap(opened(self), kind(shape), address(shape), out, capacity, total)
     end)
 end
 
---- How the mesh's octree is made up. Cost: O(nodes).
+--- How the mesh's octree is made up.
+--- Cost: O(nodes).
 function Mesh:get_octree_stats(out_stats)
     out_stats = out_stats or OctreeStats.new()
     check(C.gphys_mesh_get_octree_stats(opened(self), out_stats))
     return out_stats
 end
 
---- Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+--- Boxes of the mesh's octree, each parent before its children.
 --- Cost: O(nodes).
 function Mesh:get_octree_boxes()
     return list(OctreeBox, function(out, capacity, total)
@@ -129,38 +125,38 @@ function Mesh:get_octree_boxes()
 end
 
 local Scene = runtime.class 'scene'
---- Create a scene without models.
---- With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
---- adding and moving many models, share their work among n threads; the results have the same bits
---- for every n. Without a task_runner n - 1 threads are started here and joined by
---- gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
---- work. They take no signals but faults, and the floating-point settings of the thread that
+--- Create a scene without models. With a worker_count of n, all batch queries of the scene
+--- (Camera:pick_batch too), and adding and moving many models, share their work among n threads; the
+--- results have the same bits for every n. Without a task_runner n - 1 threads are started here and
+--- joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
+--- their own work. They take no signals but faults, and the floating-point settings of the thread that
 --- created them. In a child of fork they are gone: calls there run on one thread, as they do on a
 --- platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
---- @param desc  NULL: the defaults
---- @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
----         reserve_models is above 2^24 - 1
 --- Cost: O(reserve_models), and that of starting the threads.
+--- @param desc nil: the defaults
+--- @raise status ERROR_OUT_OF_MEMORY: also if the threads cannot be started
+--- @raise status ERROR_CAPACITY: if reserve_models is above 2^24 - 1
 function gp.Scene(desc)
     return Scene.create(function(made)
         return C.gphys_scene_create(desc and to_desc(SceneDesc, desc), made)
     end)
 end
 
---- Move the point of the world that all coordinates of the scene count from, those that it is given
---- and those that it returns. Models stay where they are in the world: the positions of those without
---- a parent become what they are from there, kept in double precision and rounded to float32 once,
+--- Move the point of the world that all coordinates of the scene count from, those that it is given and
+--- those that it returns. Models stay where they are in the world: the positions of those without a
+--- parent become what they are from there, kept in double precision and rounded to float32 once,
 --- however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
 --- and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
---- @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
---- @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
---- Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
---- on. Queries cost nothing more.
+--- Cost: that of Scene:set_transforms of all models, and 24 bytes a model from the first call on.
+--- Queries cost nothing more.
+--- @param origin x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
+--- @raise status ERROR_INVALID_ARGUMENT: also if a model would leave the range of coordinates
 function Scene:set_origin(origin)
     check(C.gphys_scene_set_origin(opened(self), to_numbers(double, origin, 3)))
 end
 
---- Where in the world the scene's coordinates count from. Cost: O(1).
+--- Where in the world the scene's coordinates count from.
+--- Cost: O(1).
 function Scene:get_origin()
     local out_origin = double.array(3)
     check(C.gphys_scene_get_origin(opened(self), out_origin))
@@ -170,26 +166,27 @@ end
 do
     local out_model = uint32_t.array(1)
     --- Add a model.
-    --- @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
-    --- @param shape      in the model's own coordinates
-    --- @param transform  local; NULL is the identity
-    --- @param desc       NULL: no parent, layer 1, tag 0
-    --- @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
-    ---         GPHYS_ERROR_CAPACITY
     --- Cost: O(log n) amortised.
+    --- @param shape sphere, capsule, AABB, OBB, plane, triangle or mesh
+    --- @param shape in the model's own coordinates
+    --- @param transform local; nil is the identity
+    --- @param desc nil: no parent, layer 1, tag 0
+    --- @raise status ERROR_UNSUPPORTED: for another type
+    --- @raise status ERROR_INVALID_ID: for a stale parent
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 models
     function Scene:add(shape, transform, desc)
         check(C.gphys_scene_add(opened(self), kind(shape), address(shape), transform and to_value(Transform, transform), desc and to_desc(ModelDesc, desc), out_model))
         return out_model[0]
     end
 end
 
---- Add count models of one type, all or none, as gphys_scene_add does one.
---- @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
---- @param transforms  local; a stride of 0 shares one; NULL is the identity
---- @param desc        for all; NULL: no parent, layer 1, tag 0
---- @param out_models  count elements
---- @return as gphys_scene_add
---- Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
+--- Add the models of one type, all or none, as Scene:add does one.
+--- Fails as Scene:add.
+--- Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their number
+--- is of the order of n.
+--- @param shapes in the models' own coordinates
+--- @param transforms local; nil is the identity
+--- @param desc for all; nil: no parent, layer 1, tag 0
 function Scene:add_batch(shapes, transforms, desc, out)
     local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
     local transforms, transforms_count, transforms_stride = to_array(Transform, transforms)
@@ -206,39 +203,42 @@ function Scene:remove(model)
 end
 
 --- Remove models, all or none.
---- @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
---- Cost: that of count calls of gphys_scene_remove.
+--- Cost: that of as many calls of Scene:remove.
+--- @param models the ids; one that stands twice is ERROR_INVALID_ID
 function Scene:remove_batch(models)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local count = common(models_count)
     check(C.gphys_scene_remove_batch(opened(self), models, count))
 end
 
---- Remove a model and all its descendants. Cost: O(log n) amortised for each.
+--- Remove a model and all its descendants.
+--- Cost: O(log n) amortised for each.
 function Scene:remove_subtree(model)
     check(C.gphys_scene_remove_subtree(opened(self), model))
 end
 
---- Remove all models. Ids given out before stay invalid. Cost: O(n).
+--- Remove all models. Ids given out before stay invalid.
+--- Cost: O(n).
 function Scene:clear()
     check(C.gphys_scene_clear(opened(self)))
 end
 
 --- Whether an id names a model of this scene.
---- @return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
 --- Cost: O(1).
 function Scene:has(model)
     return answered(C.gphys_scene_has(opened(self), model), -2)
 end
 
---- Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
+--- Ids of all models, ascending.
+--- Cost: O(n).
 function Scene:get_models()
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_scene_get_models(opened(self), out, capacity, total)
     end)
 end
 
---- Kind, parent, layers, tag and number of children of a model. Cost: O(1).
+--- Kind, parent, layers, tag and number of children of a model.
+--- Cost: O(1).
 function Scene:get_info(model, out_info)
     out_info = out_info or ModelInfo.new()
     check(C.gphys_scene_get_info(opened(self), model, out_info))
@@ -247,16 +247,16 @@ end
 
 --- World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
 --- of its sizes wider. That of an empty mesh is its position.
---- @return GPHYS_UNBOUNDED for a plane
 --- Cost: O(1).
+--- @return nil for a plane.
 function Scene:get_bounds(model, out_bounds)
     out_bounds = out_bounds or Aabb.new()
     if found(C.gphys_scene_get_bounds(opened(self), model, out_bounds)) then return out_bounds end
 end
 
 --- World box of all bounded models. Planes are left out.
---- @return GPHYS_NO_HIT if there are none
 --- Cost: O(1).
+--- @return nil if there are none.
 function Scene:get_scene_bounds(out_bounds)
     out_bounds = out_bounds or Aabb.new()
     if found(C.gphys_scene_get_scene_bounds(opened(self), out_bounds)) then return out_bounds end
@@ -264,41 +264,42 @@ end
 
 --- Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
 --- affected.
---- @param layers  any mask; 0: no query sees it
 --- Cost: O(1).
+--- @param layers any mask; 0: no query sees it
 function Scene:set_layers(model, layers)
     check(C.gphys_scene_set_layers(opened(self), model, layers))
 end
 
 --- Change the number that a model's hits report beside its id. Children are not affected.
---- @param tag  any number of the caller's
 --- Cost: O(1).
+--- @param tag any number of the caller's
 function Scene:set_tag(model, tag)
     check(C.gphys_scene_set_tag(opened(self), model, tag))
 end
 
 --- Hang a model below another one, or below none (0).
---- @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
----                    changed so that the world transform stays (within float32 rounding)
---- @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
---- Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
+--- Cost: O(depth of the tree of models), and as Scene:set_transform for what moves.
+--- @param keep_world 0: the local transform is kept, the model jumps; 1: the local transform is changed
+---     so that the world transform stays (within float32 rounding)
+--- @raise status ERROR_CYCLE: if parent is the model or one of its descendants
 function Scene:set_parent(model, parent, keep_world)
     check(C.gphys_scene_set_parent(opened(self), model, parent, to_flag(keep_world)))
 end
 
 --- Set a model's local transform. Descendants follow.
---- @param transform  relative to the parent; scale > 0
---- @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
 --- Cost: O(log n) for each model that moves.
+--- @param transform relative to the parent; scale > 0
+--- @raise status ERROR_INVALID_ARGUMENT: also if it, or a descendant, would leave the range of the
+---     world
 function Scene:set_transform(model, transform)
     check(C.gphys_scene_set_transform(opened(self), model, to_value(Transform, transform)))
 end
 
 --- Set the local transforms of many models, all or none; a model that stands twice gets the last.
 --- Descendants follow.
---- @param models      count ids
---- @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
 --- Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+--- @param models the ids
+--- @param transforms as in Scene:set_transform
 function Scene:set_transforms(models, transforms)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local transforms, transforms_count, transforms_stride = to_array(Transform, transforms)
@@ -306,10 +307,9 @@ function Scene:set_transforms(models, transforms)
     check(C.gphys_scene_set_transforms(opened(self), models, transforms, transforms_stride, count))
 end
 
---- Local transforms of count models, as they were set: relative to the parent.
---- @param models          count ids; one may stand twice
---- @param out_transforms  count elements
---- Cost: O(count).
+--- Local transforms of the models, as they were set: relative to the parent.
+--- Cost: O(elements).
+--- @param models the ids; one may stand twice
 function Scene:get_transforms(models, out)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local count = common(models_count)
@@ -318,11 +318,10 @@ function Scene:get_transforms(models, out)
     return out
 end
 
---- World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+--- World transforms of the models: those of all ancestors applied, rounded to float32. What queries
 --- answer is exact with respect to these.
---- @param models          count ids; one may stand twice
---- @param out_transforms  count elements
---- Cost: O(count).
+--- Cost: O(elements).
+--- @param models the ids; one may stand twice
 function Scene:get_world_transforms(models, out)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local count = common(models_count)
@@ -331,19 +330,17 @@ function Scene:get_world_transforms(models, out)
     return out
 end
 
---- Closest model on a ray; the fields are exact as in gphys_shape_raycast.
---- @return GPHYS_OK or GPHYS_NO_HIT
+--- Closest model on a ray; the fields are exact as in gp.raycast.
 --- Cost: O(log n) expected; no allocation.
+--- @return nil if nothing is found.
 function Scene:raycast(ray, layers, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_scene_raycast(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out_hit)) then return out_hit end
 end
 
---- Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
---- t = INFINITY.
---- @param rays      a stride of 0 casts one ray count times
---- @param out_hits  count elements
---- Cost: at most that of count single calls; shared among workers.
+--- Closest models on the rays, as Scene:raycast; a ray that hits nothing gets model = 0 and t =
+--- INFINITY.
+--- Cost: at most that of as many single calls; shared among workers.
 function Scene:raycast_batch(rays, layers, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
@@ -355,7 +352,6 @@ end
 do
     local out_hit = int32_t.array(1)
     --- Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-    --- @param out_hit  0 or 1
     --- Cost: O(log n) expected.
     function Scene:raycast_any(ray, layers)
         check(C.gphys_scene_raycast_any(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out_hit))
@@ -363,10 +359,8 @@ do
     end
 end
 
---- Whether each of count rays meets anything, as gphys_scene_raycast_any.
---- @param rays      a stride of 0 casts one ray count times
---- @param out_hits  count elements, each 0 or 1
---- Cost: at most that of count single calls; shared among workers.
+--- Whether each of the rays meets anything, as Scene:raycast_any.
+--- Cost: at most that of as many single calls; shared among workers.
 function Scene:raycast_any_batch(rays, layers, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
@@ -375,22 +369,17 @@ function Scene:raycast_any_batch(rays, layers, out)
     return out
 end
 
---- Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
---- the first. Cost: O(log n + k log k) expected.
+--- Every model that a ray meets, each once with its first hit, by t, then id.
+--- Cost: O(log n + k log k) expected.
 function Scene:raycast_all(ray, layers)
     return list(Hit, function(out, capacity, total)
         return C.gphys_scene_raycast_all(opened(self), to_value(Ray, ray), layers or ALL_LAYERS, out, capacity, total)
     end)
 end
 
---- Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
---- out_hits[out_offsets[i]] up to out_offsets[i + 1].
---- @param rays         a stride of 0 casts one ray count times
---- @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
----                     room. Where a ray's range crosses capacity, its first hits are written.
---- What stands in out_hits behind the last hit afterwards is unspecified.
---- @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
---- Cost: that of count single calls; shared among workers.
+--- Every model that each of the rays meets, as Scene:raycast_all: the hits of ray i stand at
+--- hits[offsets[i]] up to offsets[i + 1].
+--- Cost: that of as many single calls; shared among workers.
 function Scene:raycast_all_batch(rays, layers)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
@@ -399,20 +388,17 @@ function Scene:raycast_all_batch(rays, layers)
     end, count)
 end
 
---- Closest model along a segment from a to b, both included; t in 0..1. Fields as in
---- gphys_shape_segment_test.
---- @return GPHYS_OK or GPHYS_NO_HIT
+--- Closest model along a segment from a to b, both included; t in 0..1. Fields as in gp.segment_test.
 --- Cost: O(log n) expected.
+--- @return nil if nothing is found.
 function Scene:segment_test(segment, layers, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_scene_segment_test(opened(self), to_value(Segment, segment), layers or ALL_LAYERS, out_hit)) then return out_hit end
 end
 
---- Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
---- model = 0 and t = INFINITY.
---- @param segments  a stride of 0 tests one segment count times
---- @param out_hits  count elements
---- Cost: that of count single calls; shared among workers.
+--- Closest models along the segments, as Scene:segment_test; one that hits nothing gets model = 0 and t
+--- = INFINITY.
+--- Cost: that of as many single calls; shared among workers.
 function Scene:segment_test_batch(segments, layers, out)
     local segments, segments_count, segments_stride = to_array(Segment, segments)
     local count = common(segments_count)
@@ -422,21 +408,19 @@ function Scene:segment_test_batch(segments, layers, out)
 end
 
 --- Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
---- gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
---- @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+--- gp.overlaps, ascending.
 --- Cost: O(log n + k) expected.
+--- @raise status ERROR_UNSUPPORTED: for other types of shapes
 function Scene:overlap(shape, layers)
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_scene_overlap(opened(self), kind(shape), address(shape), layers or ALL_LAYERS, out, capacity, total)
     end)
 end
 
---- Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
---- i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
---- @param shapes       a stride of 0 asks for one shape count times
---- @param out_offsets  count + 1 numbers, always complete
---- @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
---- Cost: at most that of count single calls; shared among workers.
+--- Ids of all models that each of the shapes of one type overlaps, as Scene:overlap: those of shape i
+--- stand at models[offsets[i]] up to offsets[i + 1], as in Scene:raycast_all_batch.
+--- Cost: at most that of as many single calls; shared among workers.
+--- @raise status ERROR_UNSUPPORTED: as there
 function Scene:overlap_batch(shapes, layers)
     local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
     local count = common(shapes_count)
@@ -445,11 +429,10 @@ function Scene:overlap_batch(shapes, layers)
     end, count)
 end
 
---- Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
---- own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
---- per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
---- too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
---- as scratch memory to order them. Cost: O(log n + k) expected.
+--- Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
+--- box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
+--- more are listed, which Scene:overlap sorts out by testing the shapes.
+--- Cost: O(log n + k) expected.
 function Scene:cull(frustum, layers)
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_scene_cull(opened(self), to_value(Frustum, frustum), layers or ALL_LAYERS, out, capacity, total)
@@ -457,20 +440,18 @@ function Scene:cull(frustum, layers)
 end
 
 --- The model nearest to a point, and its closest point.
---- @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
---- @return GPHYS_OK or GPHYS_NO_HIT
 --- Cost: O(log n) expected.
+--- @param max_distance metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+--- @return nil if nothing is found.
 function Scene:nearest(point, max_distance, layers, out_nearest)
     out_nearest = out_nearest or Nearest.new()
     if found(C.gphys_scene_nearest(opened(self), to_value(Vec3, point), max_distance or math.huge, layers or ALL_LAYERS, out_nearest)) then return out_nearest end
 end
 
---- The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
---- distance = INFINITY.
---- @param points        a stride of 0 asks for one point count times
---- @param max_distance  metres, >= 0, INFINITY allowed, for all points
---- @param out_nearest   count elements
---- Cost: that of count single calls; shared among workers.
+--- The models nearest to the points, as Scene:nearest; a point with none gets model = 0 and distance =
+--- INFINITY.
+--- Cost: that of as many single calls; shared among workers.
+--- @param max_distance metres, >= 0, INFINITY allowed, for all points
 function Scene:nearest_batch(points, max_distance, layers, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)
@@ -479,22 +460,20 @@ function Scene:nearest_batch(points, max_distance, layers, out)
     return out
 end
 
---- First model that a sphere touches while it moves by displacement; t in 0..1.
---- Fields as in gphys_shape_sweep_sphere.
---- @param displacement  metres; may be zero
---- @return GPHYS_OK or GPHYS_NO_HIT
+--- First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+--- gp.sweep_sphere.
 --- Cost: O(log n + k) expected, k the models that the swept box touches.
+--- @param displacement metres; may be zero
+--- @return nil if nothing is found.
 function Scene:sweep_sphere(sphere, displacement, layers, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_scene_sweep_sphere(opened(self), to_value(Sphere, sphere), to_value(Vec3, displacement), layers or ALL_LAYERS, out_hit)) then return out_hit end
 end
 
---- First models that count spheres touch while each moves by its displacement, as
---- gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
---- @param spheres        a stride of 0 takes one sphere throughout
---- @param displacements  metres; a stride of 0 moves all alike
---- @param out_hits       count elements
---- Cost: that of count single calls; shared among workers.
+--- First models that the spheres touch while each moves by its displacement, as Scene:sweep_sphere; one
+--- that touches nothing gets model = 0 and t = INFINITY.
+--- Cost: that of as many single calls; shared among workers.
+--- @param displacements metres
 function Scene:sweep_sphere_batch(spheres, displacements, layers, out)
     local spheres, spheres_count, spheres_stride = to_array(Sphere, spheres)
     local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
@@ -504,14 +483,15 @@ function Scene:sweep_sphere_batch(spheres, displacements, layers, out)
     return out
 end
 
---- How the scene's octree is made up. Cost: O(nodes).
+--- How the scene's octree is made up.
+--- Cost: O(nodes).
 function Scene:get_octree_stats(out_stats)
     out_stats = out_stats or OctreeStats.new()
     check(C.gphys_scene_get_octree_stats(opened(self), out_stats))
     return out_stats
 end
 
---- Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+--- Boxes of the scene's octree, each parent before its children.
 --- Cost: O(nodes).
 function Scene:get_octree_boxes()
     return list(OctreeBox, function(out, capacity, total)
@@ -519,34 +499,35 @@ function Scene:get_octree_boxes()
     end)
 end
 
---- Check the scene's own structure: every model once in the tree, every box around its content,
---- parents and children in agreement, free slots free. For tests.
---- @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+--- Check the scene's own structure: every model once in the tree, every box around its content, parents
+--- and children in agreement, free slots free. For tests.
 --- Cost: O(n).
+--- @raise status ERROR_INTERNAL: and the error's message says what is wrong
 function Scene:validate()
     check(C.gphys_scene_validate(opened(self)))
 end
 
 local Camera = runtime.class 'camera'
---- Create a camera with the defaults above.
---- @param desc  NULL: the defaults
+--- Create a camera that stands at the origin, with the projection and the viewport of its desc.
 --- Cost: O(1).
+--- @param desc nil: the defaults
 function gp.Camera(desc)
     return Camera.create(function(made)
         return C.gphys_camera_create(desc and to_desc(CameraDesc, desc), made)
     end)
 end
 
---- Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
---- The camera and the target of its orbit stay where they are in the world. Picking and culling need a
---- scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
---- @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+--- Move the point of the world that the camera's coordinates count from; see Scene:set_origin. The
+--- camera and the target of its orbit stay where they are in the world. Picking and culling need a
+--- scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
 --- Cost: O(1).
+--- @param origin x, y, z in the world, metres, within MAX_COORDINATE
 function Camera:set_origin(origin)
     check(C.gphys_camera_set_origin(opened(self), to_numbers(double, origin, 3)))
 end
 
---- Where in the world the camera's coordinates count from, metres. Cost: O(1).
+--- Where in the world the camera's coordinates count from, metres.
+--- Cost: O(1).
 function Camera:get_origin()
     local out_origin = double.array(3)
     check(C.gphys_camera_get_origin(opened(self), out_origin))
@@ -554,65 +535,68 @@ function Camera:get_origin()
 end
 
 --- See with a perspective projection; what is further away is smaller.
---- @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
---- @param near_distance  metres, > 0
---- @param far_distance   metres, > near_distance; INFINITY allowed
 --- Cost: O(1).
+--- @param fov_y full vertical angle in radians, 1e-6 <= fov_y < pi
+--- @param near_distance metres, > 0
+--- @param far_distance metres, > near_distance; INFINITY allowed
 function Camera:set_perspective(fov_y, near_distance, far_distance)
     check(C.gphys_camera_set_perspective(opened(self), fov_y, near_distance, far_distance))
 end
 
 --- See with an orthographic projection; the distance changes no size.
---- @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
---- @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
 --- Cost: O(1).
+--- @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+--- @param near_distance metres; far at least 1e-6 above near, which may be negative
+--- @param far_distance metres; far at least 1e-6 above near, which may be negative
 function Camera:set_orthographic(height, near_distance, far_distance)
     check(C.gphys_camera_set_orthographic(opened(self), height, near_distance, far_distance))
 end
 
 --- See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
---- another library's). It is not changed by gphys_camera_set_viewport.
---- @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
----         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
----         the matrix is for another depth range
+--- another library's). It is not changed by Camera:set_viewport.
 --- Cost: O(1).
+--- @raise status ERROR_SINGULAR: if it has no inverse, or is too close to such a matrix to tell
+--- @raise status ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity, as it does when
+---     the matrix is for another depth range
 function Camera:set_projection(projection)
     check(C.gphys_camera_set_projection(opened(self), to_value(Mat4, projection)))
 end
 
 --- The viewport was resized. Perspective keeps fov_y, orthographic its height.
---- @param width, height  pixels, 1e-3 .. 1e6
 --- Cost: O(1).
+--- @param width pixels, 1e-3 .. 1e6
+--- @param height pixels, 1e-3 .. 1e6
 function Camera:set_viewport(width, height)
     check(C.gphys_camera_set_viewport(opened(self), width, height))
 end
 
 --- Place the camera.
---- @param position  metres, of its centre
---- @param rotation  from its own axes to those of the world
 --- Cost: O(1).
+--- @param position metres, of its centre
+--- @param rotation from its own axes to those of the world
 function Camera:set_transform(position, rotation)
     check(C.gphys_camera_set_transform(opened(self), to_value(Vec3, position), to_value(Quat, rotation)))
 end
 
 --- Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
 --- kept, then up), so that a matrix which drifted is corrected.
---- @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
----         they mirror or the last row is not 0 0 0 1
 --- Cost: O(1).
+--- @raise status ERROR_SINGULAR: if the axes do not span space
+--- @raise status ERROR_INVALID_ARGUMENT: if they mirror or the last row is not 0 0 0 1
 function Camera:set_world_matrix(world)
     check(C.gphys_camera_set_world_matrix(opened(self), to_value(Mat4, world)))
 end
 
 --- Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
 --- chosen in its place, always the same for the same input.
---- @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
 --- Cost: O(1).
+--- @raise status ERROR_INVALID_ARGUMENT: if eye equals target or up is zero
 function Camera:look_at(eye, target, up)
     check(C.gphys_camera_look_at(opened(self), to_value(Vec3, eye), to_value(Vec3, target), to_value(Vec3, up)))
 end
 
---- Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
+--- Where the camera stands, in metres, and how it is turned, rounded to float32.
+--- Cost: O(1).
 function Camera:get_transform()
     local out_position = Vec3.new()
     local out_rotation = Quat.new()
@@ -620,7 +604,8 @@ function Camera:get_transform()
     return out_position, out_rotation
 end
 
---- The matrix from camera to world. Cost: O(1).
+--- The matrix from camera to world.
+--- Cost: O(1).
 function Camera:get_world_matrix(out_world)
     out_world = out_world or Mat4.new()
     check(C.gphys_camera_get_world_matrix(opened(self), out_world))
@@ -628,36 +613,40 @@ function Camera:get_world_matrix(out_world)
 end
 
 --- The matrix from world to camera: the transpose of the orthonormal world axes, and the position
---- through them. Cost: O(1).
+--- through them.
+--- Cost: O(1).
 function Camera:get_view_matrix(out_view)
     out_view = out_view or Mat4.new()
     check(C.gphys_camera_get_view_matrix(opened(self), out_view))
     return out_view
 end
 
---- The matrix from camera to clip space. Cost: O(1).
+--- The matrix from camera to clip space.
+--- Cost: O(1).
 function Camera:get_projection_matrix(out_projection)
     out_projection = out_projection or Mat4.new()
     check(C.gphys_camera_get_projection_matrix(opened(self), out_projection))
     return out_projection
 end
 
---- Projection * view, multiplied in double precision and rounded once. Cost: O(1).
+--- Projection * view, multiplied in double precision and rounded once.
+--- Cost: O(1).
 function Camera:get_view_projection_matrix(out_view_projection)
     out_view_projection = out_view_projection or Mat4.new()
     check(C.gphys_camera_get_view_projection_matrix(opened(self), out_view_projection))
     return out_view_projection
 end
 
---- Start orbiting with these settings; places the camera at once and drops pending input. An angle
---- or a distance outside its limits is brought inside. Cost: O(1).
+--- Start orbiting with these settings; places the camera at once and drops pending input. An angle or a
+--- distance outside its limits is brought inside.
+--- Cost: O(1).
 function Camera:set_orbit(orbit)
     check(C.gphys_camera_set_orbit(opened(self), to_value(Orbit, orbit)))
 end
 
 --- The present settings, angles and distance of the orbit.
---- @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
 --- Cost: O(1).
+--- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
 function Camera:get_orbit(out_orbit)
     out_orbit = out_orbit or Orbit.new()
     check(C.gphys_camera_get_orbit(opened(self), out_orbit))
@@ -665,40 +654,42 @@ function Camera:get_orbit(out_orbit)
 end
 
 --- Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
---- @param units_x, units_y  finite, any size
---- @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
 --- Cost: O(1).
+--- @param units_x finite, any size
+--- @param units_y finite, any size
+--- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
 function Camera:orbit_rotate(units_x, units_y)
     check(C.gphys_camera_orbit_rotate(opened(self), units_x, units_y))
 end
 
 --- Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
---- @param units  finite, any size
---- @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
 --- Cost: O(1).
+--- @param units finite, any size
+--- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
 function Camera:orbit_zoom(units)
     check(C.gphys_camera_orbit_zoom(opened(self), units))
 end
 
 --- Add input to the orbit: move the target to the camera's right and up, as the last update left them,
 --- by units times metres_per_unit.
---- @param units_right, units_up  finite, any size
---- @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
 --- Cost: O(1).
+--- @param units_right finite, any size
+--- @param units_up finite, any size
+--- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
 function Camera:orbit_pan(units_right, units_up)
     check(C.gphys_camera_orbit_pan(opened(self), units_right, units_up))
 end
 
---- Apply the input since the last update, within the limits, and place the camera. Angles are
---- wrapped to -pi .. pi in constant time.
---- @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+--- Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
+--- to -pi .. pi in constant time.
 --- Cost: O(1).
+--- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
 function Camera:orbit_update()
     check(C.gphys_camera_orbit_update(opened(self)))
 end
 
---- The seen volume, with origin at the camera's position and planes from its parameters: each
---- number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+--- The seen volume, with origin at the camera's position and planes from its parameters: each number
+--- within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
 --- Cost: O(1).
 function Camera:get_frustum(out_frustum)
     out_frustum = out_frustum or Frustum.new()
@@ -706,29 +697,27 @@ function Camera:get_frustum(out_frustum)
     return out_frustum
 end
 
---- World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
---- @return GPHYS_UNBOUNDED with an infinite far plane
+--- World positions of the corners of the seen volume, in the order of gp.frustum_corners.
 --- Cost: O(1).
+--- @return nil with an infinite far plane.
 function Camera:get_corners()
     local out_corners = Vec3.array(8)
     if found(C.gphys_camera_get_corners(opened(self), out_corners)) then return out_corners end
 end
 
---- World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
---- z is the depth in the camera's range.
---- @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
----         image lies beyond the range of coordinates
+--- World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+--- viewport; z is the depth in the camera's range.
 --- Cost: O(1).
+--- @return nil if the point is not in front of the camera's centre (no image), or its image lies beyond
+---     the range of coordinates.
 function Camera:project(point, out_pixel)
     out_pixel = out_pixel or Vec3.new()
     if found(C.gphys_camera_project(opened(self), to_value(Vec3, point), out_pixel)) then return out_pixel end
 end
 
---- Pixels of count world points, as gphys_camera_project; a point without an image gets
---- x = y = z = INFINITY.
---- @param points      metres; a stride of 0 projects one point count times
---- @param out_pixels  count elements
---- Cost: O(count).
+--- Pixels of count world points, as Camera:project; a point without an image gets x = y = z = INFINITY.
+--- Cost: O(elements).
+--- @param points metres
 function Camera:project_batch(points, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)
@@ -737,20 +726,19 @@ function Camera:project_batch(points, out)
     return out
 end
 
---- Pixel and depth to world point: the inverse of gphys_camera_project.
---- @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
----         beyond the range of coordinates
+--- Pixel and depth to world point: the inverse of Camera:project.
 --- Cost: O(1).
+--- @return nil for the depth of an infinite far plane, and for points beyond that or beyond the range
+---     of coordinates.
 function Camera:unproject(pixel, out_point)
     out_point = out_point or Vec3.new()
     if found(C.gphys_camera_unproject(opened(self), to_value(Vec3, pixel), out_point)) then return out_point end
 end
 
---- World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
---- x = y = z = INFINITY.
---- @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
---- @param out_points  count elements
---- Cost: O(count).
+--- World points of the pixels with depth, as Camera:unproject; one at infinity gets x = y = z =
+--- INFINITY.
+--- Cost: O(elements).
+--- @param pixels x, y in pixels, z the depth
 function Camera:unproject_batch(pixels, out)
     local pixels, pixels_count, pixels_stride = to_array(Vec3, pixels)
     local count = common(pixels_count)
@@ -759,45 +747,46 @@ function Camera:unproject_batch(pixels, out)
     return out
 end
 
---- The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
---- on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
---- Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
---- near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
---- For perspective the stretch before the near plane is part of the ray.
---- @param pixel_x, pixel_y  pixels; may lie outside the viewport
---- @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+--- The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
+--- the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
+--- image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
+--- half an ulp of a direction can be; Camera:pick is not so limited. For perspective the stretch before
+--- the near plane is part of the ray.
 --- Cost: O(1).
+--- @param pixel_x pixels; may lie outside the viewport
+--- @param pixel_y pixels; may lie outside the viewport
+--- @return nil if the line of sight does not meet the near plane (user projections).
 function Camera:pick_ray(pixel_x, pixel_y, out_ray)
     out_ray = out_ray or Ray.new()
     if found(C.gphys_camera_pick_ray(opened(self), pixel_x, pixel_y, out_ray)) then return out_ray end
 end
 
---- Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
---- @param x, y, width, height  pixels; width * height rays, fewer than 2^32
---- @param out_rays             width * height elements
---- @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+--- Rays for a rectangle of pixel centres, as Camera:pick_ray, row by row.
 --- Cost: O(width * height).
+--- @param x pixels; width * height rays, fewer than 2^32
+--- @param y pixels; width * height rays, fewer than 2^32
+--- @param width pixels; width * height rays, fewer than 2^32
+--- @param height pixels; width * height rays, fewer than 2^32
 function Camera:pick_rays(x, y, width, height, out)
     out = results(Ray, out, width * height)
     check(C.gphys_camera_pick_rays(opened(self), x, y, width, height, out, Ray.size))
     return out
 end
 
---- The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
---- float32; t is in metres.
---- @param pixel_x, pixel_y  pixels; may lie outside the viewport
---- @return GPHYS_OK or GPHYS_NO_HIT
+--- The model under a pixel: the first hit of Camera:pick_ray, before that is rounded to float32; t is
+--- in metres.
 --- Cost: O(log n) expected.
+--- @param pixel_x pixels; may lie outside the viewport
+--- @param pixel_y pixels; may lie outside the viewport
+--- @return nil if nothing is found.
 function Camera:pick(scene, pixel_x, pixel_y, layers, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_camera_pick(opened(self), opened(scene), pixel_x, pixel_y, layers or ALL_LAYERS, out_hit)) then return out_hit end
 end
 
---- The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
---- t = INFINITY.
---- @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
---- @param out_hits  count elements
---- Cost: at most that of count single calls; shared among the scene's workers.
+--- The models under the pixels, as Camera:pick; a pixel without one gets model = 0 and t = INFINITY.
+--- Cost: at most that of as many single calls; shared among the scene's workers.
+--- @param pixels x, y pairs of floats
 function Camera:pick_batch(scene, pixels, layers, out)
     local pixels, pixels_count, pixels_stride = to_array(float, pixels, 2)
     local count = common(pixels_count)
@@ -807,17 +796,20 @@ function Camera:pick_batch(scene, pixels, layers, out)
 end
 
 --- Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
---- rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
---- @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
---- @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+--- rectangle, between near and far plane; exact shapes, ascending.
 --- Cost: O(log n + k) expected.
+--- @param x0 pixels, opposite corners in any order; may lie outside the viewport
+--- @param y0 pixels, opposite corners in any order; may lie outside the viewport
+--- @param x1 pixels, opposite corners in any order; may lie outside the viewport
+--- @param y1 pixels, opposite corners in any order; may lie outside the viewport
+--- @raise status ERROR_INVALID_ARGUMENT: if the rectangle has no area
 function Camera:pick_rectangle(scene, x0, y0, x1, y1, layers)
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_camera_pick_rectangle(opened(self), opened(scene), x0, y0, x1, y1, layers or ALL_LAYERS, out, capacity, total)
     end)
 end
 
---- Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+--- Ids of the models to draw: Scene:cull with the camera's frustum.
 --- Cost: O(log n + k) expected.
 function Camera:cull(scene, layers)
     return list(uint32_t, function(out, capacity, total)
@@ -826,30 +818,29 @@ function Camera:cull(scene, layers)
 end
 
 local Solver = runtime.class 'solver'
---- Create a solver without bodies.
---- With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
---- every n. Threads are started, joined and lost as those of gphys_scene_create.
---- @param desc  NULL: the defaults
---- @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+--- Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
+--- results have the same bits for every n. Threads are started, joined and lost as those of Scene.
 --- Cost: O(1), and that of starting the threads.
+--- @param desc nil: the defaults
+--- @raise status ERROR_OUT_OF_MEMORY: also if the threads cannot be started
 function gp.Solver(desc)
     return Solver.create(function(made)
         return C.gphys_solver_create(desc and to_desc(SolverDesc, desc), made)
     end)
 end
 
---- Move the point of the world that the coordinates of all particles count from; see
---- gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
---- step and an attachment need a scene of the same origin, else they return
---- GPHYS_ERROR_INVALID_ARGUMENT.
---- @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
---- @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+--- Move the point of the world that the coordinates of all particles count from; see Scene:set_origin.
+--- Particles stay where they are in the world and keep moving as they do. A step and an attachment need
+--- a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
 --- Cost: O(particles).
+--- @param origin x, y, z in the world, metres, within MAX_COORDINATE
+--- @raise status ERROR_INVALID_ARGUMENT: also if a particle would leave the range of coordinates
 function Solver:set_origin(origin)
     check(C.gphys_solver_set_origin(opened(self), to_numbers(double, origin, 3)))
 end
 
---- Where in the world the particles' coordinates count from, metres. Cost: O(1).
+--- Where in the world the particles' coordinates count from, metres.
+--- Cost: O(1).
 function Solver:get_origin()
     local out_origin = double.array(3)
     check(C.gphys_solver_get_origin(opened(self), out_origin))
@@ -857,18 +848,18 @@ function Solver:get_origin()
 end
 
 --- Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
---- @param gravity  m/s^2; may be zero
 --- Cost: O(bodies).
+--- @param gravity m/s^2; may be zero
 function Solver:set_gravity(gravity)
     check(C.gphys_solver_set_gravity(opened(self), to_value(Vec3, gravity)))
 end
 
---- Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
---- error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
---- by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
---- al. 1985): twice the time, a seventh of the error.
---- @param substeps  1 .. 1000
+--- Change the number of substeps of a step. More substeps: smaller errors, proportionally more time.
+--- The error of motion goes with the square of their length. Ropes that move calmly - in a substep no
+--- link turns by half a radian, or would swing by one if its ends were pushed - make each in two stages
+--- (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
 --- Cost: O(1).
+--- @param substeps 1 .. 1000
 function Solver:set_substeps(substeps)
     check(C.gphys_solver_set_substeps(opened(self), substeps))
 end
@@ -876,10 +867,10 @@ end
 do
     local out_body = uint32_t.array(1)
     --- Add a body of particles without constraints.
-    --- @param desc       NULL: the defaults
-    --- @param positions  metres; count elements, count >= 1
-    --- @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    --- Cost: O(count).
+    --- Cost: O(elements).
+    --- @param desc nil: the defaults
+    --- @param positions metres
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
     function Solver:add_particles(positions, desc)
         local positions, positions_count, positions_stride = to_array(Vec3, positions)
         local count = common(positions_count)
@@ -891,11 +882,11 @@ end
 do
     local out_body = uint32_t.array(1)
     --- Add a rope through the given points, one particle at each.
-    --- @param desc         NULL: the defaults
-    --- @param positions    metres; count elements, count >= 2
-    --- @param link_length  rest length of each link in metres; 0: as placed
-    --- @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    --- Cost: O(count).
+    --- Cost: O(elements).
+    --- @param desc nil: the defaults
+    --- @param positions metres
+    --- @param link_length rest length of each link in metres; 0: as placed
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
     function Solver:add_rope(positions, link_length, desc)
         local positions, positions_count, positions_stride = to_array(Vec3, positions)
         local count = common(positions_count)
@@ -908,12 +899,14 @@ do
     local out_body = uint32_t.array(1)
     --- Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
     --- corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-    --- @param desc           NULL: the defaults
-    --- @param corner         metres
-    --- @param edge_u, edge_v metres, from the corner along a row and along a column
-    --- @param columns, rows  >= 2
-    --- @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
     --- Cost: O(columns * rows).
+    --- @param desc nil: the defaults
+    --- @param corner metres
+    --- @param edge_u metres, from the corner along a row and along a column
+    --- @param edge_v metres, from the corner along a row and along a column
+    --- @param columns >= 2
+    --- @param rows >= 2
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
     function Solver:add_cloth(corner, edge_u, edge_v, columns, rows, desc)
         check(C.gphys_solver_add_cloth(opened(self), desc and to_desc(BodyDesc, desc), to_value(Vec3, corner), to_value(Vec3, edge_u), to_value(Vec3, edge_v), columns, rows, out_body))
         return out_body[0]
@@ -922,39 +915,40 @@ end
 
 do
     local out_body = uint32_t.array(1)
-    --- Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    --- with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    --- @param desc       NULL: the defaults
-    --- @param transform  places the mesh; NULL is the identity
-    --- @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    --- Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
+    --- CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
     --- Cost: O(n log n).
+    --- @param desc nil: the defaults
+    --- @param transform places the mesh; nil is the identity
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
     function Solver:add_cloth_mesh(mesh, transform, desc)
         check(C.gphys_solver_add_cloth_mesh(opened(self), desc and to_desc(BodyDesc, desc), opened(mesh), transform and to_value(Transform, transform), out_body))
         return out_body[0]
     end
 end
 
---- Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
---- last step are no longer listed.
+--- Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
+--- the last step are no longer listed.
 --- Cost: O(particles + constraints of the body), and O(joints of the solver).
 function Solver:remove_body(body)
     check(C.gphys_solver_remove_body(opened(self), body))
 end
 
---- Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
+--- Ids of all bodies, ascending.
+--- Cost: O(bodies).
 function Solver:get_bodies()
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_solver_get_bodies(opened(self), out, capacity, total)
     end)
 end
 
---- Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
---- A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
---- sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
---- keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
---- wakes in the step before which a model came, went or moved as near as it could come in a step at
---- 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
---- its state, of gravity or of the origin. Cost: O(bodies).
+--- Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+--- sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
+--- than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
+--- more than a look for models nearby. It wakes in the step before which a model came, went or moved as
+--- near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
+--- exchanged; and at once by any change of its state, of gravity or of the origin.
+--- Cost: O(bodies).
 function Solver:get_sleeping()
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_solver_get_sleeping(opened(self), out, capacity, total)
@@ -962,22 +956,21 @@ function Solver:get_sleeping()
 end
 
 --- Wake a body; its time of rest begins again.
---- @param body  0: all
 --- Cost: O(1) a body.
+--- @param body 0: all
 function Solver:wake(body)
     check(C.gphys_solver_wake(opened(self), body))
 end
 
---- What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
---- it allocates.
+--- What a body is made of and how it is solved.
+--- Cost: O(1); after a change of constraints O(particles), and it allocates.
 function Solver:get_body_info(body, out_info)
     out_info = out_info or BodyInfo.new()
     check(C.gphys_solver_get_body_info(opened(self), body, out_info))
     return out_info
 end
 
---- Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
---- *out_total counts numbers, not triangles; it is 0 for other bodies.
+--- Particle numbers of a cloth's triangles, three each, for drawing.
 --- Cost: O(triangles).
 function Solver:get_triangles(body)
     return list(uint32_t, function(out, capacity, total)
@@ -986,20 +979,22 @@ function Solver:get_triangles(body)
 end
 
 --- Where the particles are, metres.
---- @param first, count   the particles first .. first + count - 1; a range beyond the body is
----                       GPHYS_ERROR_INVALID_ARGUMENT
---- @param out_positions  count elements
 --- Cost: O(count).
+--- @param first the particles first .. first + count - 1; a range beyond the body is
+---     ERROR_INVALID_ARGUMENT
+--- @param count the particles first .. first + count - 1; a range beyond the body is
+---     ERROR_INVALID_ARGUMENT
 function Solver:get_positions(body, first, count, out)
     out = results(Vec3, out, count)
     check(C.gphys_solver_get_positions(opened(self), body, first, count, out, Vec3.size))
     return out
 end
 
---- Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
---- @param first, count  as in gphys_solver_get_positions
---- @param positions     metres; a stride of 0 moves all to one place
---- Cost: O(count).
+--- Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+--- body.
+--- Cost: O(elements).
+--- @param first as in Solver:get_positions
+--- @param positions metres
 function Solver:set_positions(body, first, positions)
     local positions, positions_count, positions_stride = to_array(Vec3, positions)
     local count = common(positions_count)
@@ -1007,9 +1002,10 @@ function Solver:set_positions(body, first, positions)
 end
 
 --- How fast the particles are, m/s.
---- @param first, count    as in gphys_solver_get_positions
---- @param out_velocities  count elements; 0 of what is pinned
 --- Cost: O(count).
+--- @param first as in Solver:get_positions
+--- @param count as in Solver:get_positions
+--- @return 0 of what is pinned.
 function Solver:get_velocities(body, first, count, out)
     out = results(Vec3, out, count)
     check(C.gphys_solver_get_velocities(opened(self), body, first, count, out, Vec3.size))
@@ -1017,9 +1013,9 @@ function Solver:get_velocities(body, first, count, out)
 end
 
 --- Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
---- @param first, count  as in gphys_solver_get_positions
---- @param velocities    m/s; a stride of 0 gives all the same
---- Cost: O(count).
+--- Cost: O(elements).
+--- @param first as in Solver:get_positions
+--- @param velocities m/s
 function Solver:set_velocities(body, first, velocities)
     local velocities, velocities_count, velocities_stride = to_array(Vec3, velocities)
     local count = common(velocities_count)
@@ -1027,9 +1023,9 @@ function Solver:set_velocities(body, first, velocities)
 end
 
 --- Masses of particles, kg. That of a pinned particle is what it has when it is released.
---- @param first, count  as in gphys_solver_get_positions
---- @param out_masses    count elements
 --- Cost: O(count).
+--- @param first as in Solver:get_positions
+--- @param count as in Solver:get_positions
 function Solver:get_masses(body, first, count, out)
     out = results(float, out, count)
     check(C.gphys_solver_get_masses(opened(self), body, first, count, out, float.size))
@@ -1038,9 +1034,9 @@ end
 
 --- Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
 --- Wakes the body.
---- @param first, count  as in gphys_solver_get_positions
---- @param masses        kg, > 0; a stride of 0 gives all the same
---- Cost: O(count).
+--- Cost: O(elements).
+--- @param first as in Solver:get_positions
+--- @param masses kg, > 0
 function Solver:set_masses(body, first, masses)
     local masses, masses_count, masses_stride = to_array(float, masses)
     local count = common(masses_count)
@@ -1048,9 +1044,9 @@ function Solver:set_masses(body, first, masses)
 end
 
 --- Change the collision radii of particles. Wakes the body.
---- @param first, count  as in gphys_solver_get_positions
---- @param radii         metres, >= 0; a stride of 0 gives all the same
---- Cost: O(count).
+--- Cost: O(elements).
+--- @param first as in Solver:get_positions
+--- @param radii metres, >= 0
 function Solver:set_radii(body, first, radii)
     local radii, radii_count, radii_stride = to_array(float, radii)
     local count = common(radii_count)
@@ -1058,9 +1054,9 @@ function Solver:set_radii(body, first, radii)
 end
 
 --- Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
---- @param first, count  as in gphys_solver_get_positions
---- @param forces        newtons; a stride of 0 gives all the same
---- Cost: O(count).
+--- Cost: O(elements).
+--- @param first as in Solver:get_positions
+--- @param forces newtons
 function Solver:set_forces(body, first, forces)
     local forces, forces_count, forces_stride = to_array(Vec3, forces)
     local count = common(forces_count)
@@ -1068,27 +1064,28 @@ function Solver:set_forces(body, first, forces)
 end
 
 --- Pin or release particles. A pinned particle stays where it is put and moves only by
---- gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
---- @param first, count  as in gphys_solver_get_positions
---- @param pinned        1: pin; 0: release
+--- Solver:set_positions; its speed is 0. Both pinning and releasing end an attachment.
 --- Cost: O(count).
+--- @param first as in Solver:get_positions
+--- @param count as in Solver:get_positions
+--- @param pinned 1: pin; 0: release
 function Solver:set_pinned(body, first, count, pinned)
     check(C.gphys_solver_set_pinned(opened(self), body, first, count, to_flag(pinned)))
 end
 
---- Fix a particle to a model: it follows the model's transform in each step, and is released when
---- the model is gone. Steps must then be given this scene.
---- @param scene        of the same origin as the solver; not modified
---- @param local_point  metres, in the model's coordinates; NULL: where the particle is now
---- @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+--- Fix a particle to a model: it follows the model's transform in each step, and is released when the
+--- model is gone. Steps must then be given this scene.
 --- Cost: O(1).
+--- @param scene of the same origin as the solver; not modified
+--- @param local_point metres, in the model's coordinates; nil: where the particle is now
+--- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist
 function Solver:attach(scene, body, particle, model, local_point)
     check(C.gphys_solver_attach(opened(self), opened(scene), body, particle, model, local_point and to_value(Vec3, local_point)))
 end
 
 --- Release an attached particle.
---- @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
 --- Cost: O(1).
+--- @raise status ERROR_INVALID_ARGUMENT: if it is not attached, or does not exist
 function Solver:detach(body, particle)
     check(C.gphys_solver_detach(opened(self), body, particle))
 end
@@ -1096,11 +1093,11 @@ end
 do
     local out_constraint = uint32_t.array(1)
     --- Hold two different particles of a body at a distance.
-    --- @param rest_length  metres, >= 0; negative: the present distance
-    --- @param compliance   metres per newton, >= 0; 0 is rigid
-    --- @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
-    ---         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
     --- Cost: O(1); the next step plans the body again, O(constraints).
+    --- @param rest_length metres, >= 0; negative: the present distance
+    --- @param compliance metres per newton, >= 0; 0 is rigid
+    --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same one
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 constraints of a body
     function Solver:add_distance(body, particle_a, particle_b, rest_length, compliance)
         check(C.gphys_solver_add_distance(opened(self), body, particle_a, particle_b, rest_length, compliance, out_constraint))
         return out_constraint[0]
@@ -1112,35 +1109,36 @@ do
     --- Keep two different particles of a body from being further apart than a length, like a string between
     --- them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
     --- rigid, the speed at which the particles part is lost and no other.
-    --- @param max_length  metres, >= 0; negative: the present distance
-    --- @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
-    --- @return as gphys_solver_add_distance
+    --- Fails as Solver:add_distance.
     --- It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-    --- strained only when it is too long. Cost: as gphys_solver_add_distance.
+    --- strained only when it is too long.
+    --- Cost: as Solver:add_distance.
+    --- @param max_length metres, >= 0; negative: the present distance
+    --- @param compliance metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     function Solver:add_max_distance(body, particle_a, particle_b, max_length, compliance)
         check(C.gphys_solver_add_max_distance(opened(self), body, particle_a, particle_b, max_length, compliance, out_constraint))
         return out_constraint[0]
     end
 end
 
---- Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
---- its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
---- on steps. Rigid constraints have nothing to damp.
---- @param damping  N s/m, >= 0; 0, which every constraint begins with: none
---- @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
---- Cost: as gphys_solver_add_distance.
+--- Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+--- beside its tension; one of Solver:add_max_distance never pushes. The decay depends on time, not on
+--- steps. Rigid constraints have nothing to damp.
+--- Cost: as Solver:add_distance.
+--- @param damping N s/m, >= 0; 0, which every constraint begins with: none
+--- @raise status ERROR_INVALID_ID: for a body or constraint that does not exist
 function Solver:set_constraint_damping(body, constraint, damping)
     check(C.gphys_solver_set_constraint_damping(opened(self), body, constraint, damping))
 end
 
---- Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
---- it again changes it, which inflates a body.
---- @param rest_volume  m^3, > 0; negative: the present volume
---- @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
----                     which keeps its volume; INFINITY: none, which ends the constraint
---- @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
----         not all turned the same way, or face inward when the present volume is asked for
+--- Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+--- setting it again changes it, which inflates a body.
 --- Cost: O(triangles) in each substep, twice.
+--- @param rest_volume m^3, > 0; negative: the present volume
+--- @param compliance m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+---     which keeps its volume; INFINITY: none, which ends the constraint
+--- @raise status ERROR_UNSUPPORTED: if the triangles do not close (each side is that of two triangles),
+---     are not all turned the same way, or face inward when the present volume is asked for
 function Solver:set_volume(body, rest_volume, compliance)
     check(C.gphys_solver_set_volume(opened(self), body, rest_volume, compliance))
 end
@@ -1148,11 +1146,10 @@ end
 do
     local out_volume = float.array(1)
     local out_pressure = float.array(1)
-    --- The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    --- The volume held by Solver:set_volume, m^3, as it is, and the pressure in pascals with which it was
     --- held at the end of the last step: above 0 it pushes outward.
-    --- @param out_volume, out_pressure  may be NULL
-    --- @return GPHYS_ERROR_UNSUPPORTED if none is held
     --- Cost: O(triangles).
+    --- @raise status ERROR_UNSUPPORTED: if none is held
     function Solver:get_volume(body)
         check(C.gphys_solver_get_volume(opened(self), body, out_volume, out_pressure))
         return out_volume[0], out_pressure[0]
@@ -1160,13 +1157,13 @@ do
 end
 
 --- End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
---- @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
---- Cost: as gphys_solver_add_distance.
+--- Cost: as Solver:add_distance.
+--- @raise status ERROR_INVALID_ID: for a body or constraint that does not exist, or no longer
 function Solver:remove_constraint(body, constraint)
     check(C.gphys_solver_remove_constraint(opened(self), body, constraint))
 end
 
---- All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+--- All constraints of a body, those of its builder included, by id.
 --- Cost: O(constraints).
 function Solver:get_constraints(body)
     return list(ConstraintInfo, function(out, capacity, total)
@@ -1176,18 +1173,19 @@ end
 
 do
     local out_joint = uint32_t.array(1)
-    --- Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-    --- equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-    --- system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-    --- particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-    --- one thread and fall asleep and wake together. A joint goes with either body.
-    --- @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-    ---                     as far apart are drawn there within a step, and get the speed of that.
-    --- @param compliance   metres per newton, >= 0; 0 is rigid
-    --- @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-    ---         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-    --- Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-    --- of a rope that is not joined.
+    --- Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
+    --- are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
+    --- as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
+    --- inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
+    --- bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+    --- Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+    --- one of a rope that is not joined.
+    --- @param rest_length metres; 0: at the same place; negative: the present distance. Particles that are
+    ---     not as far apart are drawn there within a step, and get the speed of that.
+    --- @param compliance metres per newton, >= 0; 0 is rigid
+    --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same body (see
+    ---     Solver:add_distance)
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 joints
     function Solver:join(body_a, particle_a, body_b, particle_b, rest_length, compliance)
         check(C.gphys_solver_join(opened(self), body_a, particle_a, body_b, particle_b, rest_length, compliance, out_joint))
         return out_joint[0]
@@ -1195,15 +1193,15 @@ do
 end
 
 --- End a joint. Wakes both bodies.
---- @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
---- Cost: as gphys_solver_join.
+--- Cost: as Solver:join.
+--- @raise status ERROR_INVALID_ID: for a joint that does not exist, or no longer
 function Solver:unjoin(joint)
     check(C.gphys_solver_unjoin(opened(self), joint))
 end
 
---- Joints of a body, by id. Kept when too many: the lowest.
---- @param body  0: of all bodies
+--- Joints of a body, by id.
 --- Cost: O(joints of the solver).
+--- @param body 0: of all bodies
 function Solver:get_joints(body)
     return list(JointInfo, function(out, capacity, total)
         return C.gphys_solver_get_joints(opened(self), body, out, capacity, total)
@@ -1212,11 +1210,11 @@ end
 
 --- Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
 --- takes more where they would be longer than 25 ms.
---- @param scene  to collide with and to follow attachments; NULL: none. Not modified.
---- @param dt     seconds, 1e-6 .. 0.5
 --- Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
 --- through particles. May allocate.
 --- Cost: O(particles + constraints) a substep, and a scene query for particles near models.
+--- @param scene to collide with and to follow attachments; nil: none. Not modified.
+--- @param dt seconds, 1e-6 .. 0.5
 function Solver:step(scene, dt)
     check(C.gphys_solver_step(opened(self), scene and opened(scene), dt))
 end
@@ -1224,12 +1222,11 @@ end
 do
     local out_steps = uint32_t.array(1)
     local out_leftover = float.array(1)
-    --- Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-    --- frame, so the motion does not depend on the frame rate.
-    --- @param frame_time    seconds, >= 0
-    --- @param out_steps     steps made; may be NULL
-    --- @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    --- Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
+    --- so the motion does not depend on the frame rate.
     --- Cost: that of the steps made.
+    --- @param frame_time seconds, >= 0
+    --- @return steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
     function Solver:advance(scene, frame_time)
         check(C.gphys_solver_advance(opened(self), scene and opened(scene), frame_time, out_steps, out_leftover))
         return out_steps[0], out_leftover[0]
@@ -1238,13 +1235,13 @@ end
 
 do
     local out_substeps = uint32_t.array(1)
-    --- The substeps that a body took in the last step; 0 before its first.
-    --- With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
-    --- their length follows from what the last step measured, the largest strain of its rigid constraints
-    --- and the local error of the time scheme, both of which go with its square. It is at
-    --- most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-    --- target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-    --- met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    --- The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
+    --- tolerance set, each body takes as many as its own motion needs: their length follows from what the
+    --- last step measured, the largest strain of its rigid constraints and the local error of the time
+    --- scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
+    --- from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
+    --- where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
+    --- positions jump, by contacts, the error is that of the jump.
     --- Cost: O(1).
     function Solver:get_substeps(body)
         check(C.gphys_solver_get_substeps(opened(self), body, out_substeps))
@@ -1253,15 +1250,15 @@ do
 end
 
 --- Counts, strain and energy of a body at present.
---- @param body  0: all bodies together
 --- Cost: O(particles + constraints).
+--- @param body 0: all bodies together
 function Solver:get_stats(body, out_stats)
     out_stats = out_stats or SolverStats.new()
     check(C.gphys_solver_get_stats(opened(self), body, out_stats))
     return out_stats
 end
 
---- Contacts of the last step by body, particle, model. Kept when too many: the first.
+--- Contacts of the last step by body, particle, model.
 --- Cost: O(contacts).
 function Solver:get_contacts()
     return list(Contact, function(out, capacity, total)
@@ -1270,10 +1267,10 @@ function Solver:get_contacts()
 end
 
 --- Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
---- which they fell asleep. Kept when too many: the lowest models.
---- Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
---- cloth that touches several models at once gives to the one that it touches most. Models have no mass
---- here; a body of yours much lighter than what hangs from it should be moved in small steps.
+--- which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
+--- weight. A particle of cloth that touches several models at once gives to the one that it touches
+--- most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+--- in small steps.
 --- Cost: O(models touched); no allocation. The same bits for any number of workers.
 function Solver:get_impulses()
     return list(Impulse, function(out, capacity, total)
@@ -1281,13 +1278,12 @@ function Solver:get_impulses()
     end)
 end
 
---- Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
---- that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
---- @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
----                   for the same release of the library and machines of the same byte order; it may
----                   be stored, but not changed.
---- @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+--- Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+--- impulses, time that Solver:advance still owes. The scene, workers and allocator are not in it.
 --- Cost: O(particles + constraints), some 50 words for each.
+--- @return the snapshot. It is for the same release of the library and machines of the same byte order;
+---     it may be stored, but not changed.
+--- @raise status ERROR_CAPACITY: beyond 2^32 - 1 words
 function Solver:get_snapshot()
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_solver_get_snapshot(opened(self), out, capacity, total)
@@ -1295,11 +1291,12 @@ function Solver:get_snapshot()
 end
 
 --- Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
---- time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
---- too, is as it was.
---- @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
----         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
---- Cost: as gphys_solver_get_snapshot; allocates.
+--- time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
+--- is as it was. On an error the solver is as before.
+--- Cost: as Solver:get_snapshot; allocates.
+--- @raise status ERROR_INVALID_ARGUMENT: for words that are no snapshot, damaged, of another version or
+---     byte order
+--- @raise status ERROR_OUT_OF_MEMORY: if there is no room for it
 function Solver:restore(words)
     local words, words_count, words_stride = to_array(uint32_t, words)
     local count = common(words_count)
@@ -1308,7 +1305,8 @@ end
 
 --- A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
 --- different ones differ with near certainty (not against an adversary). Compare it between machines
---- that simulate the same, to see when they part. Cost: O(particles + constraints).
+--- that simulate the same, to see when they part.
+--- Cost: O(particles + constraints).
 function Solver:get_hash()
     local out_hash = uint32_t.array(2)
     check(C.gphys_solver_get_hash(opened(self), out_hash))
@@ -1316,16 +1314,16 @@ function Solver:get_hash()
 end
 
 --- Whether the shape fulfils the ranges beside its struct.
---- @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
 --- Cost: O(1).
+--- @raise status ERROR_INVALID_ARGUMENT: and the error's message names the field
 function gp.validate(shape)
     check(C.gphys_shape_validate(kind(shape), address(shape)))
 end
 
 --- The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
---- @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
----         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
 --- Cost: O(1), for a mesh too.
+--- @return nil for a plane, a ray without end (or with one beyond all floats) and a frustum that
+---     extends to infinity; for an empty mesh or frustum.
 function gp.bounds(shape, out_bounds)
     out_bounds = out_bounds or Aabb.new()
     if found(C.gphys_shape_bounds(kind(shape), address(shape), out_bounds)) then return out_bounds end
@@ -1333,22 +1331,20 @@ end
 
 do
     local out_contains = int32_t.array(1)
-    --- Whether the point is within tolerance metres of the shape (solid or surface).
-    --- With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-    --- axes are those of its rotation in double precision).
-    --- @param tolerance  >= 0
-    --- @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
+    --- Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
+    --- answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
+    --- rotation in double precision).
+    --- Cost: O(1); O(log n) expected for a mesh.
+    --- @param tolerance metres, >= 0
     function gp.contains(shape, point, tolerance)
         check(C.gphys_shape_contains(kind(shape), address(shape), to_value(Vec3, point), tolerance, out_contains))
         return out_contains[0] ~= 0
     end
 end
 
---- Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
---- @param points        a stride of 0 asks for one point count times
---- @param tolerance     metres, >= 0, for all points
---- @param out_contains  count elements, each 0 or 1
---- Cost: that of count single calls.
+--- Whether each of the points is within tolerance metres of one shape, as gp.contains.
+--- Cost: that of as many single calls.
+--- @param tolerance metres, >= 0, for all points
 function gp.contains_batch(shape, points, tolerance, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)
@@ -1357,22 +1353,20 @@ function gp.contains_batch(shape, points, tolerance, out)
     return out
 end
 
---- The point of the shape that is closest to the given point: the point itself inside a solid.
---- Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
---- coordinate difference. If several are equally close, one of them,
---- always the same. For a ray, t is limited by t_max.
---- @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+--- The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
+--- ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
+--- difference. If several are equally close, one of them, always the same. For a ray, t is limited by
+--- t_max.
 --- Cost: O(1); O(log n) expected for a mesh.
+--- @return nil only for an empty mesh or an empty frustum.
 function gp.closest_point(shape, point, out_nearest)
     out_nearest = out_nearest or Nearest.new()
     if found(C.gphys_shape_closest_point(kind(shape), address(shape), to_value(Vec3, point), out_nearest)) then return out_nearest end
 end
 
---- The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
---- element for which there is none gets distance INFINITY.
---- @param points       a stride of 0 asks for one point count times
---- @param out_nearest  count elements
---- Cost: that of count single calls.
+--- The points of one shape that are closest to each of the points, as gp.closest_point. An element for
+--- which there is none gets distance INFINITY.
+--- Cost: that of as many single calls.
 function gp.closest_point_batch(shape, points, out)
     local points, points_count, points_stride = to_array(Vec3, points)
     local count = common(points_count)
@@ -1383,10 +1377,10 @@ end
 
 do
     local out_distance = float.array(1)
-    --- The closest points of two segments and their distance. Parallel segments have many: the first
-    --- along a, always the same.
-    --- @param out_a, out_b, out_distance  each may be NULL; metres
+    --- The closest points of two segments and their distance. Parallel segments have many: the first along
+    --- a, always the same.
     --- Cost: O(1).
+    --- @return metres.
     function gp.segment_closest_points(a, b)
         local out_a = Vec3.new()
         local out_b = Vec3.new()
@@ -1397,25 +1391,24 @@ end
 
 do
     local out_overlaps = int32_t.array(1)
-    --- Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
-    --- triangle, frustum and mesh, in either order.
-    --- A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
-    --- Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
-    --- precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
-    --- @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+    --- Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
+    --- frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
+    --- not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
+    --- in double precision and may err only where the gap is below 2^-40 of the largest coordinate
+    --- difference.
     --- Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
+    --- @raise status ERROR_UNSUPPORTED: for a ray or segment (see gp.segment_test)
     function gp.overlaps(a, b)
         check(C.gphys_shape_overlaps(kind(a), address(a), kind(b), address(b), out_overlaps))
         return out_overlaps[0] ~= 0
     end
 end
 
---- Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
---- @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
----                      needs 0
---- @param out_overlaps  count elements, each 0 or 1
---- @return GPHYS_ERROR_UNSUPPORTED for rays and segments
---- Cost: that of count single calls.
+--- Whether the shapes of each of the pairs overlap, as gp.overlaps: pair i is a[i] against b[i].
+--- Cost: that of as many single calls.
+--- @param a shapes of one type each
+--- @param b shapes of one type each
+--- @raise status ERROR_UNSUPPORTED: for rays and segments
 function gp.overlaps_batch(a, b, out)
     local a, a_kind, a_count, a_stride = to_shapes(a)
     local b, b_kind, b_count, b_stride = to_shapes(b)
@@ -1429,10 +1422,10 @@ do
     local out_side = int32_t.array(1)
     local out_signed_distance = float.array(1)
     --- Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-    --- @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
-    ---                             behind, 0 when crossing; may be NULL
-    --- @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
     --- Cost: O(1).
+    --- @return metres, of the shape's nearest point to the plane: > 0 in front, < 0 behind, 0 when
+    ---     crossing.
+    --- @raise status ERROR_UNSUPPORTED: for other types of shapes
     function gp.classify_plane(shape, plane)
         check(C.gphys_shape_classify_plane(kind(shape), address(shape), to_value(Plane, plane), out_side, out_signed_distance))
         return out_side[0], out_signed_distance[0]
@@ -1441,35 +1434,34 @@ end
 
 do
     local out_side = int32_t.array(1)
-    --- Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
-    --- that no point is shared, inside that the frustum holds the whole shape.
-    --- @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    --- Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that no
+    --- point is shared, inside that the frustum holds the whole shape.
     --- Cost: O(1).
+    --- @raise status ERROR_UNSUPPORTED: for other types of shapes
     function gp.classify_frustum(shape, frustum)
         check(C.gphys_shape_classify_frustum(kind(shape), address(shape), to_value(Frustum, frustum), out_side))
         return out_side[0]
     end
 end
 
---- First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
---- Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
---- shared edge or vertex always meets one of the triangles there.
---- Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
---- and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
---- smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
---- @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+--- First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
+--- and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
+--- always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
+--- all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
+--- distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+--- docs/accuracy.md has the bounds of all functions.
 --- Cost: O(1); O(log n) expected for a mesh.
+--- @return nil if nothing is found.
+--- @raise status ERROR_UNSUPPORTED: for a ray or a segment as the shape
 function gp.raycast(shape, ray, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_shape_raycast(kind(shape), address(shape), to_value(Ray, ray), out_hit)) then return out_hit end
 end
 
---- First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
---- t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
---- @param rays      a stride of 0 casts one ray count times
---- @param out_hits  count elements
---- @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
---- Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
+--- First hits of the rays with one shape, as gp.raycast. A ray that hits nothing gets t = INFINITY,
+--- triangle = NO_TRIANGLE and zeros in its hits element.
+--- Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+--- @raise status ERROR_UNSUPPORTED: for a ray or a segment as the shape
 function gp.raycast_batch(shape, rays, out)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
     local count = common(rays_count)
@@ -1478,11 +1470,12 @@ function gp.raycast_batch(shape, rays, out)
     return out
 end
 
---- First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
---- A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
---- then is met from no direction, the normal is zero.
---- @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
---- Cost: as gphys_shape_raycast.
+--- First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+--- segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
+--- met from no direction, the normal is zero.
+--- Cost: as gp.raycast.
+--- @return nil if nothing is found.
+--- @raise status ERROR_UNSUPPORTED: for a ray or a segment as the shape
 function gp.segment_test(shape, segment, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_shape_segment_test(kind(shape), address(shape), to_value(Segment, segment), out_hit)) then return out_hit end
@@ -1490,14 +1483,15 @@ end
 
 --- First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
 --- triangle, frustum or mesh.
---- @param displacement  metres; may be zero
---- @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
----                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
----                 and where the centre itself is in a solid, the normal is opposite to the
----                 displacement (zero if that is zero).
---- @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
 --- Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
---- Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
+--- Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
+--- mesh.
+--- @param displacement metres; may be zero
+--- @return t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+---     the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself is in a
+---     solid, the normal is opposite to the displacement (zero if that is zero). nil if nothing is
+---     found.
+--- @raise status ERROR_UNSUPPORTED: for a ray or a segment as the shape
 function gp.sweep_sphere(shape, sphere, displacement, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_shape_sweep_sphere(kind(shape), address(shape), to_value(Sphere, sphere), to_value(Vec3, displacement), out_hit)) then return out_hit end
@@ -1505,18 +1499,18 @@ end
 
 --- The eight corners, each the intersection of three planes: near then far, each in the order
 --- left-bottom, right-bottom, right-top, left-top.
---- @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
 --- Cost: O(1).
+--- @return nil if three planes do not meet in a point (infinite far plane).
 function gp.frustum_corners(frustum)
     local out_corners = Vec3.array(8)
     if found(C.gphys_frustum_corners(to_value(Frustum, frustum), out_corners)) then return out_corners end
 end
 
 --- The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
---- origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
---- @param reverse_z  0: near has the low depth; 1: near has the high depth
---- @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+--- origin (0, 0, 0). A camera knows its frustum better: Camera:get_frustum.
 --- Cost: O(1).
+--- @param reverse_z 0: near has the low depth; 1: near has the high depth
+--- @raise status ERROR_SINGULAR: if the matrix has no volume
 function gp.frustum_from_matrix(view_projection, depth_range, reverse_z, out_frustum)
     out_frustum = out_frustum or Frustum.new()
     check(C.gphys_frustum_from_matrix(to_value(Mat4, view_projection), depth_range, to_flag(reverse_z), out_frustum))
@@ -1524,12 +1518,11 @@ function gp.frustum_from_matrix(view_projection, depth_range, reverse_z, out_fru
 end
 
 --- Examine arrays without building anything. Allocates while it runs.
---- @param vertices       vertex_count elements of 3 floats, metres
---- @param vertex_stride  bytes between vertices, at least 12
---- @param indices        index_count numbers, three for each triangle
---- @param out_report     what was found; indices out of range and bad vertices are counted, not refused
---- @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
 --- Cost: O(n log n).
+--- @param vertices elements of 3 floats, metres
+--- @param indices numbers, three for each triangle
+--- @return what was found; indices out of range and bad vertices are counted, not refused.
+--- @raise status ERROR_INVALID_ARGUMENT: for an index_count that is no multiple of 3
 function gp.mesh_check(vertices, indices, out_report)
     local vertices, vertices_count, vertices_stride = to_array(float, vertices, 3)
     local indices, indices_count, indices_stride = to_array(uint32_t, indices)

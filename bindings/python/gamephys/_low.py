@@ -32,16 +32,16 @@ FRUSTUM_TOP = 5
 HIT_INSIDE = 1  # the ray or the swept sphere started inside or touching: t is 0
 HIT_BACK = 2  # a surface was met from behind its normal
 
-SHAPE_SPHERE = 1  # gphys_sphere
-SHAPE_CAPSULE = 2  # gphys_capsule
-SHAPE_AABB = 3  # gphys_aabb
-SHAPE_OBB = 4  # gphys_obb
-SHAPE_PLANE = 5  # gphys_plane
-SHAPE_TRIANGLE = 6  # gphys_triangle
-SHAPE_FRUSTUM = 7  # gphys_frustum
-SHAPE_MESH = 8  # gphys_mesh: the handle itself
-SHAPE_RAY = 16  # gphys_ray
-SHAPE_SEGMENT = 17  # gphys_segment
+SHAPE_SPHERE = 1  # Sphere
+SHAPE_CAPSULE = 2  # Capsule
+SHAPE_AABB = 3  # Aabb
+SHAPE_OBB = 4  # Obb
+SHAPE_PLANE = 5  # Plane
+SHAPE_TRIANGLE = 6  # Triangle
+SHAPE_FRUSTUM = 7  # Frustum
+SHAPE_MESH = 8  # Mesh: the handle itself
+SHAPE_RAY = 16  # Ray
+SHAPE_SEGMENT = 17  # Segment
 
 SIDE_OUTSIDE = -1  # wholly behind the plane, wholly outside the frustum
 SIDE_CROSSING = 0  # touches or crosses the boundary
@@ -213,7 +213,7 @@ Triangle.dtype = triangle_dtype
 
 class Frustum(Value, Structure):
     """The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
-    which look inward, in the order of gphys_frustum_plane. Distances count from origin, so that a
+    which look inward, in the order of frustum_plane. Distances count from origin, so that a
     frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1."""
     origin: Vec3
     planes: object
@@ -231,10 +231,10 @@ class Hit(Value, Structure):
     t: float  # 0 .. t_max; along a segment or sweep 0 .. 1
     point: Vec3  # where the surfaces meet
     normal: Vec3  # unit, against the motion: dot(normal, direction) <= 0
-    triangle: int  # index within a mesh, else GPHYS_NO_TRIANGLE
+    triangle: int  # index within a mesh, else NO_TRIANGLE
     u: float  # barycentric weights of b and c of a triangle, else 0
     v: float  # barycentric weights of b and c of a triangle, else 0
-    flags: int  # GPHYS_HIT_...
+    flags: int  # hit values
     _fields_ = [("model", c_uint32), ("tag", c_uint32), ("t", c_float), ("point", Vec3), ("normal", Vec3), ("triangle", c_uint32), ("u", c_float), ("v", c_float), ("flags", c_uint32)]
 
 
@@ -244,11 +244,11 @@ Hit.dtype = hit_dtype
 
 class Nearest(Value, Structure):
     """The closest point of something to a given point."""
-    model: int  # as in gphys_hit
+    model: int  # as in Hit
     tag: int
     point: Vec3  # equal to the query point when that is inside a solid
     distance: float  # 0 inside a solid
-    triangle: int  # index within a mesh, else GPHYS_NO_TRIANGLE
+    triangle: int  # index within a mesh, else NO_TRIANGLE
     _fields_ = [("model", c_uint32), ("tag", c_uint32), ("point", Vec3), ("distance", c_float), ("triangle", c_uint32)]
 
 
@@ -260,10 +260,10 @@ class MeshReport(Value, Structure):
     """What is in a triangle array. Frozen."""
     triangle_count: int
     degenerate_count: int  # triangles of exactly zero area
-    first_degenerate: int  # index of the first, or GPHYS_NO_TRIANGLE
+    first_degenerate: int  # index of the first, or NO_TRIANGLE
     out_of_range_count: int  # triangles with an index >= vertex_count
     first_out_of_range: int
-    bad_vertex_count: int  # vertices that are not finite or beyond GPHYS_MAX_COORDINATE
+    bad_vertex_count: int  # vertices that are not finite or beyond MAX_COORDINATE
     first_bad_vertex: int  # or 0xffffffff
     open_edge_count: int  # edges that do not join exactly two triangles; 0 for a closed mesh
     _fields_ = [("triangle_count", c_uint32), ("degenerate_count", c_uint32), ("first_degenerate", c_uint32), ("out_of_range_count", c_uint32), ("first_out_of_range", c_uint32), ("bad_vertex_count", c_uint32), ("first_bad_vertex", c_uint32), ("open_edge_count", c_uint32)]
@@ -275,7 +275,7 @@ MeshReport.dtype = mesh_report_dtype
 
 class MeshDesc(Desc, Structure):
     struct_size: int
-    allocator: int | None  # NULL: the C++ runtime's
+    allocator: int | None  # None: the C++ runtime's
     _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p)]
 
 
@@ -310,9 +310,9 @@ OctreeBox.dtype = octree_box_dtype
 
 class SceneDesc(Desc, Structure):
     struct_size: int
-    allocator: int | None  # NULL: the C++ runtime's
+    allocator: int | None  # None: the C++ runtime's
     reserve_models: int  # models to make room for at once; 0
-    task_runner: int | None  # whose threads worker_count counts; NULL: the scene's own
+    task_runner: int | None  # whose threads worker_count counts; None: the scene's own
     worker_count: int  # threads for one call, its own included, at most 1024; 0 and 1: that alone
     reserved: int  # must be 0
     _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("reserve_models", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("reserved", c_uint32)]
@@ -346,7 +346,7 @@ ModelInfo.dtype = model_info_dtype
 
 class CameraDesc(Desc, Structure):
     struct_size: int
-    allocator: int | None  # NULL: the C++ runtime's
+    allocator: int | None  # None: the C++ runtime's
     handedness: int
     depth_range: int
     reverse_z: int  # 1: near has the high depth, for float depth buffers
@@ -364,8 +364,8 @@ class Orbit(Value, Structure):
     distance: float  # metres from target, > 0
     yaw: float  # radians; yaw 0 looks along the reference direction that is perpendicular to up (+Z for up = +Y), yaw > 0 to the right of it; pitch > 0 looks down
     pitch: float  # radians; yaw 0 looks along the reference direction that is perpendicular to up (+Z for up = +Y), yaw > 0 to the right of it; pitch > 0 looks down
-    radians_per_unit: float  # of gphys_camera_orbit_rotate
-    metres_per_unit: float  # of gphys_camera_orbit_zoom and _pan
+    radians_per_unit: float  # of Camera.orbit_rotate
+    metres_per_unit: float  # of Camera.orbit_zoom and _pan
     min_distance: float  # 0 < min <= max; max INFINITY allowed
     max_distance: float  # 0 < min <= max; max INFINITY allowed
     min_pitch: float  # within -pi/2 .. pi/2
@@ -379,17 +379,17 @@ Orbit.dtype = orbit_dtype
 
 class SolverDesc(Desc, Structure):
     struct_size: int
-    allocator: int | None  # NULL: the C++ runtime's
+    allocator: int | None  # None: the C++ runtime's
     gravity: Vec3  # m/s^2; default (0, -9.81, 0)
     substeps: int  # of one step, 1 .. 1000; default 8; with targets: of the first
-    fixed_step: float  # seconds simulated by each step of gphys_solver_advance; 1/60
+    fixed_step: float  # seconds simulated by each step of Solver.advance; 1/60
     max_steps: int  # most steps of one advance; time beyond is dropped; 8
-    task_runner: int | None  # whose threads worker_count counts; NULL: the solver's own
+    task_runner: int | None  # whose threads worker_count counts; None: the solver's own
     worker_count: int  # threads for one step, its own included, at most 1024; 0 and 1: that alone
-    sleep_speed: float  # m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0
+    sleep_speed: float  # m/s, see Solver.get_sleeping; 0: bodies never sleep; default 0
     sleep_strain: float  # of rigid constraints, |length / rest length - 1|; default 0.01
     sleep_time: float  # seconds; default 0.5
-    max_strain: float  # target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0
+    max_strain: float  # target of rigid constraints, see Solver.get_substeps; 0: none; default 0
     tolerance: float  # target of positions: metres of error that a second of motion adds; 0: none; default 0
     max_substeps: int  # the most that a target may ask for, 1 .. 1000; default 64
     reserved: int  # must be 0
@@ -405,8 +405,8 @@ class BodyDesc(Desc, Structure):
     friction: float  # Coulomb coefficient against models, >= 0; default 0.5
     restitution: float  # speed kept in a bounce, 0 .. 1; default 0
     compliance: float  # of stretch, metres per newton, >= 0; 0 is inextensible; default 0
-    bend_compliance: float  # of GPHYS_CLOTH_BEND constraints, m/N; default 0.001
-    cloth_flags: int  # GPHYS_CLOTH_...; default SHEAR | BEND
+    bend_compliance: float  # of CLOTH_BEND constraints, m/N; default 0.001
+    cloth_flags: int  # cloth values; default SHEAR | BEND
     layers: int  # mask of the models it collides with; 0: none; default all
     static_friction: float  # of what rests on a model, slower than a fall of 4e-4 radii; at least friction, or 0: as friction; default 0
     self_collision: int  # 1: its particles collide with one another, see below; default 0

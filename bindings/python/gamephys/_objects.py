@@ -16,10 +16,11 @@ from ._runtime import (Models, Object, array_of, check, common_length, found, ha
 class Mesh(Object):
     """Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
     segments or points that they are, and counted in the report. 0 triangles are allowed.
-    @param desc  may be NULL
-    @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
-            multiple of 3 or a bad vertex; gphys_mesh_check tells which.
-    Cost: O(n log n), about 1 us per triangle."""
+    Cost: O(n log n), about 1 us per triangle.
+
+    Raises:
+        InvalidArgument: for an index out of range, an index_count that is no multiple of 3 or a bad
+            vertex; gamephys.mesh_check tells which"""
     _destroy = low.gphys_mesh_destroy
 
     def __init__(self, vertices: ArrayLike, indices: ArrayLike, desc: low.MeshDesc | None = None):
@@ -31,34 +32,30 @@ class Mesh(Object):
         self._own(handle.value)
 
     def get_report(self) -> low.MeshReport:
-        """What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+        """What the mesh was built from: the report that gamephys.mesh_check makes of its arrays.
         Cost: O(1)."""
         out_report = low.MeshReport()
         check(low.gphys_mesh_get_report(self._handle, ctypes.byref(out_report)))
         return out_report
 
     def get_vertices(self) -> np.ndarray:
-        """Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+        """Copy the vertices out, in metres and in their original order.
         Cost: O(vertices)."""
         return list_of(low.gphys_mesh_get_vertices, (self._handle,), low.vec3_dtype)
 
     def get_indices(self) -> np.ndarray:
-        """Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
-        *out_total counts indices, not triangles.
+        """Copy the indices out, three for each triangle, in their original order.
         Cost: O(n)."""
         return list_of(low.gphys_mesh_get_indices, (self._handle,), "<u4")
 
     def raycast_all(self, ray: low.Ray | Sequence) -> np.ndarray:
         """All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-        Kept when the array is too small: the first ones.
-        @return GPHYS_OK (also for 0 hits)
         Cost: O(log n + k) expected."""
         ray_ = value_of(ray, low.Ray)
         return list_of(low.gphys_mesh_raycast_all, (self._handle, ray_.address,), low.hit_dtype)
 
     def raycast_any(self, ray: low.Ray | Sequence) -> bool:
         """Whether a ray hits anything; cheaper than the closest hit.
-        @param out_hit  0 or 1
         Cost: O(log n) expected."""
         ray_ = value_of(ray, low.Ray)
         out_hit = ctypes.c_int32()
@@ -67,38 +64,45 @@ class Mesh(Object):
 
     def overlap(self, shape: Shape) -> np.ndarray:
         """Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-        ascending. Kept when the array is too small: the lowest.
-        @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-        Cost: O(log n + k) expected."""
+        ascending.
+        Cost: O(log n + k) expected.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for other types of shapes"""
         type_, shape_ = shape_of(shape)
         return list_of(low.gphys_mesh_overlap, (self._handle, type_, shape_.address,), "<u4")
 
     def get_octree_stats(self) -> low.OctreeStats:
-        """How the mesh's octree is made up. Cost: O(nodes)."""
+        """How the mesh's octree is made up.
+        Cost: O(nodes)."""
         out_stats = low.OctreeStats()
         check(low.gphys_mesh_get_octree_stats(self._handle, ctypes.byref(out_stats)))
         return out_stats
 
     def get_octree_boxes(self) -> np.ndarray:
-        """Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+        """Boxes of the mesh's octree, each parent before its children.
         Cost: O(nodes)."""
         return list_of(low.gphys_mesh_get_octree_boxes, (self._handle,), low.octree_box_dtype)
 
 
 
 class Scene(Models):
-    """Create a scene without models.
-    With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
-    adding and moving many models, share their work among n threads; the results have the same bits
-    for every n. Without a task_runner n - 1 threads are started here and joined by
-    gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
-    work. They take no signals but faults, and the floating-point settings of the thread that
-    created them. In a child of fork they are gone: calls there run on one thread, as they do on a
-    platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-    @param desc  NULL: the defaults
-    @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
-            reserve_models is above 2^24 - 1
-    Cost: O(reserve_models), and that of starting the threads."""
+    """Create a scene without models. With a worker_count of n, all batch queries of the scene
+    (Camera.pick_batch too), and adding and moving many models, share their work among n threads;
+    the results have the same bits for every n. Without a task_runner n - 1 threads are started here
+    and joined when the scene is destroyed. They serve one call at a time: others that come
+    meanwhile do their own work. They take no signals but faults, and the floating-point settings of
+    the thread that created them. In a child of fork they are gone: calls there run on one thread,
+    as they do on a platform without threads (WebAssembly, unless built for shared memory), whatever
+    is asked for.
+    Cost: O(reserve_models), and that of starting the threads.
+
+    Args:
+        desc: None: the defaults
+
+    Raises:
+        OutOfMemory: also if the threads cannot be started
+        Error, status ERROR_CAPACITY: if reserve_models is above 2^24 - 1"""
     _destroy = low.gphys_scene_destroy
 
     def __init__(self, desc: low.SceneDesc | None = None):
@@ -109,32 +113,43 @@ class Scene(Models):
 
     def set_origin(self, origin: ArrayLike) -> None:
         """Move the point of the world that all coordinates of the scene count from, those that it is given
-        and those that it returns. Models stay where they are in the world: the positions of those without
-        a parent become what they are from there, kept in double precision and rounded to float32 once,
-        however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
-        and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
-        @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
-        @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
-        Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
-        on. Queries cost nothing more."""
+        and those that it returns. Models stay where they are in the world: the positions of those
+        without a parent become what they are from there, kept in double precision and rounded to
+        float32 once, however often the origin moves. For worlds beyond some kilometres: keep the origin
+        near the camera, and when the camera has gone a few kilometres, move it together with that of
+        cameras and solvers.
+        Cost: that of Scene.set_transforms of all models, and 24 bytes a model from the first call on.
+        Queries cost nothing more.
+
+        Args:
+            origin: x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
+
+        Raises:
+            InvalidArgument: also if a model would leave the range of coordinates"""
         origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_scene_set_origin(self._handle, origin_.address))
 
     def get_origin(self) -> np.ndarray:
-        """Where in the world the scene's coordinates count from. Cost: O(1)."""
+        """Where in the world the scene's coordinates count from.
+        Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
         check(low.gphys_scene_get_origin(self._handle, out_origin.ctypes.data))
         return out_origin
 
     def add(self, shape: Shape, transform: low.Transform | None = None, desc: low.ModelDesc | None = None) -> int:
         """Add a model.
-        @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
-        @param shape      in the model's own coordinates
-        @param transform  local; NULL is the identity
-        @param desc       NULL: no parent, layer 1, tag 0
-        @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
-                GPHYS_ERROR_CAPACITY
-        Cost: O(log n) amortised."""
+        Cost: O(log n) amortised.
+
+        Args:
+            shape: sphere, capsule, AABB, OBB, plane, triangle or mesh
+            shape: in the model's own coordinates
+            transform: local; None is the identity
+            desc: None: no parent, layer 1, tag 0
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for another type
+            InvalidId: for a stale parent
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 models"""
         type_, shape_ = shape_of(shape)
         transform_ = value_of(transform, low.Transform)
         desc_ = value_of(desc, low.ModelDesc)
@@ -143,13 +158,15 @@ class Scene(Models):
         return out_model.value
 
     def add_batch(self, shapes: ArrayLike, transforms: ArrayLike | None = None, desc: low.ModelDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Add count models of one type, all or none, as gphys_scene_add does one.
-        @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
-        @param transforms  local; a stride of 0 shares one; NULL is the identity
-        @param desc        for all; NULL: no parent, layer 1, tag 0
-        @param out_models  count elements
-        @return as gphys_scene_add
-        Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n."""
+        """Add the models of one type, all or none, as Scene.add does one.
+        Fails as Scene.add.
+        Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their
+        number is of the order of n.
+
+        Args:
+            shapes: in the models' own coordinates
+            transforms: local; None is the identity
+            desc: for all; None: no parent, layer 1, tag 0"""
         type_, shapes_ = shapes_of(shapes)
         transforms_ = array_of(transforms, low.transform_dtype)
         desc_ = value_of(desc, low.ModelDesc)
@@ -165,97 +182,121 @@ class Scene(Models):
 
     def remove_batch(self, models: ArrayLike) -> None:
         """Remove models, all or none.
-        @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
-        Cost: that of count calls of gphys_scene_remove."""
+        Cost: that of as many calls of Scene.remove.
+
+        Args:
+            models: the ids; one that stands twice is ERROR_INVALID_ID"""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         check(low.gphys_scene_remove_batch(self._handle, models_.address, count))
 
     def remove_subtree(self, model: int) -> None:
-        """Remove a model and all its descendants. Cost: O(log n) amortised for each."""
+        """Remove a model and all its descendants.
+        Cost: O(log n) amortised for each."""
         check(low.gphys_scene_remove_subtree(self._handle, model))
 
     def clear(self) -> None:
-        """Remove all models. Ids given out before stay invalid. Cost: O(n)."""
+        """Remove all models. Ids given out before stay invalid.
+        Cost: O(n)."""
         check(low.gphys_scene_clear(self._handle))
 
     def has(self, model: int) -> bool:
         """Whether an id names a model of this scene.
-        @return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
         Cost: O(1)."""
         status = low.gphys_scene_has(self._handle, model)
         return status != low.ERROR_INVALID_ID and found(status)
 
     def get_models(self) -> np.ndarray:
-        """Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n)."""
+        """Ids of all models, ascending.
+        Cost: O(n)."""
         return list_of(low.gphys_scene_get_models, (self._handle,), "<u4")
 
     def get_info(self, model: int) -> low.ModelInfo:
-        """Kind, parent, layers, tag and number of children of a model. Cost: O(1)."""
+        """Kind, parent, layers, tag and number of children of a model.
+        Cost: O(1)."""
         out_info = low.ModelInfo()
         check(low.gphys_scene_get_info(self._handle, model, ctypes.byref(out_info)))
         return out_info
 
     def get_bounds(self, model: int) -> low.Aabb | None:
-        """World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
-        of its sizes wider. That of an empty mesh is its position.
-        @return GPHYS_UNBOUNDED for a plane
-        Cost: O(1)."""
+        """World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the
+        sum of its sizes wider. That of an empty mesh is its position.
+        Cost: O(1).
+
+        Returns:
+            None for a plane."""
         out_bounds = low.Aabb()
         return out_bounds if found(low.gphys_scene_get_bounds(self._handle, model, ctypes.byref(out_bounds))) else None
 
     def get_scene_bounds(self) -> low.Aabb | None:
         """World box of all bounded models. Planes are left out.
-        @return GPHYS_NO_HIT if there are none
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Returns:
+            None if there are none."""
         out_bounds = low.Aabb()
         return out_bounds if found(low.gphys_scene_get_scene_bounds(self._handle, ctypes.byref(out_bounds))) else None
 
     def set_layers(self, model: int, layers: int = low.ALL_LAYERS) -> None:
-        """Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
-        affected.
-        @param layers  any mask; 0: no query sees it
-        Cost: O(1)."""
+        """Change which queries see a model: those with a mask m of which layers & m is not 0. Children are
+        not affected.
+        Cost: O(1).
+
+        Args:
+            layers: any mask; 0: no query sees it"""
         check(low.gphys_scene_set_layers(self._handle, model, layers))
 
     def set_tag(self, model: int, tag: int) -> None:
         """Change the number that a model's hits report beside its id. Children are not affected.
-        @param tag  any number of the caller's
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Args:
+            tag: any number of the caller's"""
         check(low.gphys_scene_set_tag(self._handle, model, tag))
 
     def set_parent(self, model: int, parent: int, keep_world: int) -> None:
         """Hang a model below another one, or below none (0).
-        @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
-                           changed so that the world transform stays (within float32 rounding)
-        @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
-        Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves."""
+        Cost: O(depth of the tree of models), and as Scene.set_transform for what moves.
+
+        Args:
+            keep_world: False: the local transform is kept, the model jumps; True: the local transform
+                is changed so that the world transform stays (within float32 rounding)
+
+        Raises:
+            Error, status ERROR_CYCLE: if parent is the model or one of its descendants"""
         check(low.gphys_scene_set_parent(self._handle, model, parent, keep_world))
 
     def set_transform(self, model: int, transform: low.Transform | None = None) -> None:
         """Set a model's local transform. Descendants follow.
-        @param transform  relative to the parent; scale > 0
-        @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
-        Cost: O(log n) for each model that moves."""
+        Cost: O(log n) for each model that moves.
+
+        Args:
+            transform: relative to the parent; scale > 0
+
+        Raises:
+            InvalidArgument: also if it, or a descendant, would leave the range of the world"""
         transform_ = value_of(transform, low.Transform)
         check(low.gphys_scene_set_transform(self._handle, model, transform_.address))
 
     def set_transforms(self, models: ArrayLike, transforms: ArrayLike | None = None) -> None:
         """Set the local transforms of many models, all or none; a model that stands twice gets the last.
         Descendants follow.
-        @param models      count ids
-        @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
-        Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers."""
+        Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+
+        Args:
+            models: the ids
+            transforms: as in Scene.set_transform"""
         models_ = array_of(models, "<u4")
         transforms_ = array_of(transforms, low.transform_dtype)
         count = common_length(models_, transforms_)
         check(low.gphys_scene_set_transforms(self._handle, models_.address, transforms_.address, transforms_.stride, count))
 
     def get_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Local transforms of count models, as they were set: relative to the parent.
-        @param models          count ids; one may stand twice
-        @param out_transforms  count elements
-        Cost: O(count)."""
+        """Local transforms of the models, as they were set: relative to the parent.
+        Cost: O(elements).
+
+        Args:
+            models: the ids; one may stand twice"""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
@@ -263,11 +304,12 @@ class Scene(Models):
         return out_.array
 
     def get_world_transforms(self, models: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+        """World transforms of the models: those of all ancestors applied, rounded to float32. What queries
         answer is exact with respect to these.
-        @param models          count ids; one may stand twice
-        @param out_transforms  count elements
-        Cost: O(count)."""
+        Cost: O(elements).
+
+        Args:
+            models: the ids; one may stand twice"""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
@@ -275,19 +317,19 @@ class Scene(Models):
         return out_.array
 
     def raycast(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
-        """Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-        @return GPHYS_OK or GPHYS_NO_HIT
-        Cost: O(log n) expected; no allocation."""
+        """Closest model on a ray; the fields are exact as in gamephys.raycast.
+        Cost: O(log n) expected; no allocation.
+
+        Returns:
+            None if nothing is found."""
         ray_ = value_of(ray, low.Ray)
         out_hit = low.Hit()
         return out_hit if found(low.gphys_scene_raycast(self._handle, ray_.address, layers, ctypes.byref(out_hit))) else None
 
     def raycast_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
-        t = INFINITY.
-        @param rays      a stride of 0 casts one ray count times
-        @param out_hits  count elements
-        Cost: at most that of count single calls; shared among workers."""
+        """Closest models on the rays, as Scene.raycast; a ray that hits nothing gets model = 0 and t =
+        INFINITY.
+        Cost: at most that of as many single calls; shared among workers."""
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
         out_ = result_array(out, count, low.hit_dtype)
@@ -296,7 +338,6 @@ class Scene(Models):
 
     def raycast_any(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> bool:
         """Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-        @param out_hit  0 or 1
         Cost: O(log n) expected."""
         ray_ = value_of(ray, low.Ray)
         out_hit = ctypes.c_int32()
@@ -304,10 +345,8 @@ class Scene(Models):
         return bool(out_hit.value)
 
     def raycast_any_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Whether each of count rays meets anything, as gphys_scene_raycast_any.
-        @param rays      a stride of 0 casts one ray count times
-        @param out_hits  count elements, each 0 or 1
-        Cost: at most that of count single calls; shared among workers."""
+        """Whether each of the rays meets anything, as Scene.raycast_any.
+        Cost: at most that of as many single calls; shared among workers."""
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
         out_ = result_array(out, count, "<i4")
@@ -315,39 +354,34 @@ class Scene(Models):
         return out_.array
 
     def raycast_all(self, ray: low.Ray | Sequence, layers: int = low.ALL_LAYERS) -> np.ndarray:
-        """Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-        the first. Cost: O(log n + k log k) expected."""
+        """Every model that a ray meets, each once with its first hit, by t, then id.
+        Cost: O(log n + k log k) expected."""
         ray_ = value_of(ray, low.Ray)
         return list_of(low.gphys_scene_raycast_all, (self._handle, ray_.address, layers,), low.hit_dtype)
 
     def raycast_all_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
-        """Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
-        out_hits[out_offsets[i]] up to out_offsets[i + 1].
-        @param rays         a stride of 0 casts one ray count times
-        @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
-                            room. Where a ray's range crosses capacity, its first hits are written.
-        What stands in out_hits behind the last hit afterwards is unspecified.
-        @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
-        Cost: that of count single calls; shared among workers."""
+        """Every model that each of the rays meets, as Scene.raycast_all: the hits of ray i stand at
+        hits[offsets[i]] up to offsets[i + 1].
+        Cost: that of as many single calls; shared among workers."""
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
         return ragged_of(low.gphys_scene_raycast_all_batch, (self._handle, rays_.address, rays_.stride, count, layers,), low.hit_dtype, count)
 
     def segment_test(self, segment: low.Segment | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
         """Closest model along a segment from a to b, both included; t in 0..1. Fields as in
-        gphys_shape_segment_test.
-        @return GPHYS_OK or GPHYS_NO_HIT
-        Cost: O(log n) expected."""
+        gamephys.segment_test.
+        Cost: O(log n) expected.
+
+        Returns:
+            None if nothing is found."""
         segment_ = value_of(segment, low.Segment)
         out_hit = low.Hit()
         return out_hit if found(low.gphys_scene_segment_test(self._handle, segment_.address, layers, ctypes.byref(out_hit))) else None
 
     def segment_test_batch(self, segments: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
-        model = 0 and t = INFINITY.
-        @param segments  a stride of 0 tests one segment count times
-        @param out_hits  count elements
-        Cost: that of count single calls; shared among workers."""
+        """Closest models along the segments, as Scene.segment_test; one that hits nothing gets model = 0
+        and t = INFINITY.
+        Cost: that of as many single calls; shared among workers."""
         segments_ = array_of(segments, low.segment_dtype)
         count = common_length(segments_)
         out_ = result_array(out, count, low.hit_dtype)
@@ -356,48 +390,53 @@ class Scene(Models):
 
     def overlap(self, shape: Shape, layers: int = low.ALL_LAYERS) -> np.ndarray:
         """Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
-        gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
-        @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-        Cost: O(log n + k) expected."""
+        gamephys.overlaps, ascending.
+        Cost: O(log n + k) expected.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for other types of shapes"""
         type_, shape_ = shape_of(shape)
         return list_of(low.gphys_scene_overlap, (self._handle, type_, shape_.address, layers,), "<u4")
 
     def overlap_batch(self, shapes: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
-        """Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
-        i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
-        @param shapes       a stride of 0 asks for one shape count times
-        @param out_offsets  count + 1 numbers, always complete
-        @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
-        Cost: at most that of count single calls; shared among workers."""
+        """Ids of all models that each of the shapes of one type overlaps, as Scene.overlap: those of shape
+        i stand at models[offsets[i]] up to offsets[i + 1], as in Scene.raycast_all_batch.
+        Cost: at most that of as many single calls; shared among workers.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: as there"""
         type_, shapes_ = shapes_of(shapes)
         count = common_length(shapes_)
         return ragged_of(low.gphys_scene_overlap_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, layers,), "<u4", count)
 
     def cull(self, frustum: low.Frustum | Sequence, layers: int = low.ALL_LAYERS) -> np.ndarray:
         """Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-        own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
-        per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
-        too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-        as scratch memory to order them. Cost: O(log n + k) expected."""
+        own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per
+        cent more are listed, which Scene.overlap sorts out by testing the shapes.
+        Cost: O(log n + k) expected."""
         frustum_ = value_of(frustum, low.Frustum)
         return list_of(low.gphys_scene_cull, (self._handle, frustum_.address, layers,), "<u4")
 
     def nearest(self, point: low.Vec3 | Sequence, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS) -> low.Nearest | None:
         """The model nearest to a point, and its closest point.
-        @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-        @return GPHYS_OK or GPHYS_NO_HIT
-        Cost: O(log n) expected."""
+        Cost: O(log n) expected.
+
+        Args:
+            max_distance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+
+        Returns:
+            None if nothing is found."""
         point_ = value_of(point, low.Vec3)
         out_nearest = low.Nearest()
         return out_nearest if found(low.gphys_scene_nearest(self._handle, point_.address, max_distance, layers, ctypes.byref(out_nearest))) else None
 
     def nearest_batch(self, points: ArrayLike, max_distance: float = float("inf"), layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
+        """The models nearest to the points, as Scene.nearest; a point with none gets model = 0 and
         distance = INFINITY.
-        @param points        a stride of 0 asks for one point count times
-        @param max_distance  metres, >= 0, INFINITY allowed, for all points
-        @param out_nearest   count elements
-        Cost: that of count single calls; shared among workers."""
+        Cost: that of as many single calls; shared among workers.
+
+        Args:
+            max_distance: metres, >= 0, INFINITY allowed, for all points"""
         points_ = array_of(points, low.vec3_dtype)
         count = common_length(points_)
         out_ = result_array(out, count, low.nearest_dtype)
@@ -405,23 +444,27 @@ class Scene(Models):
         return out_.array
 
     def sweep_sphere(self, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
-        """First model that a sphere touches while it moves by displacement; t in 0..1.
-        Fields as in gphys_shape_sweep_sphere.
-        @param displacement  metres; may be zero
-        @return GPHYS_OK or GPHYS_NO_HIT
-        Cost: O(log n + k) expected, k the models that the swept box touches."""
+        """First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+        gamephys.sweep_sphere.
+        Cost: O(log n + k) expected, k the models that the swept box touches.
+
+        Args:
+            displacement: metres; may be zero
+
+        Returns:
+            None if nothing is found."""
         sphere_ = value_of(sphere, low.Sphere)
         displacement_ = value_of(displacement, low.Vec3)
         out_hit = low.Hit()
         return out_hit if found(low.gphys_scene_sweep_sphere(self._handle, sphere_.address, displacement_.address, layers, ctypes.byref(out_hit))) else None
 
     def sweep_sphere_batch(self, spheres: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """First models that count spheres touch while each moves by its displacement, as
-        gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
-        @param spheres        a stride of 0 takes one sphere throughout
-        @param displacements  metres; a stride of 0 moves all alike
-        @param out_hits       count elements
-        Cost: that of count single calls; shared among workers."""
+        """First models that the spheres touch while each moves by its displacement, as Scene.sweep_sphere;
+        one that touches nothing gets model = 0 and t = INFINITY.
+        Cost: that of as many single calls; shared among workers.
+
+        Args:
+            displacements: metres"""
         spheres_ = array_of(spheres, low.sphere_dtype)
         displacements_ = array_of(displacements, low.vec3_dtype)
         count = common_length(spheres_, displacements_)
@@ -430,29 +473,34 @@ class Scene(Models):
         return out_.array
 
     def get_octree_stats(self) -> low.OctreeStats:
-        """How the scene's octree is made up. Cost: O(nodes)."""
+        """How the scene's octree is made up.
+        Cost: O(nodes)."""
         out_stats = low.OctreeStats()
         check(low.gphys_scene_get_octree_stats(self._handle, ctypes.byref(out_stats)))
         return out_stats
 
     def get_octree_boxes(self) -> np.ndarray:
-        """Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+        """Boxes of the scene's octree, each parent before its children.
         Cost: O(nodes)."""
         return list_of(low.gphys_scene_get_octree_boxes, (self._handle,), low.octree_box_dtype)
 
     def validate(self) -> None:
         """Check the scene's own structure: every model once in the tree, every box around its content,
         parents and children in agreement, free slots free. For tests.
-        @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
-        Cost: O(n)."""
+        Cost: O(n).
+
+        Raises:
+            Error, status ERROR_INTERNAL: and the error's message says what is wrong"""
         check(low.gphys_scene_validate(self._handle))
 
 
 
 class Camera(Object):
-    """Create a camera with the defaults above.
-    @param desc  NULL: the defaults
-    Cost: O(1)."""
+    """Create a camera that stands at the origin, with the projection and the viewport of its desc.
+    Cost: O(1).
+
+    Args:
+        desc: None: the defaults"""
     _destroy = low.gphys_camera_destroy
 
     def __init__(self, desc: low.CameraDesc | None = None):
@@ -462,56 +510,69 @@ class Camera(Object):
         self._own(handle.value)
 
     def set_origin(self, origin: ArrayLike) -> None:
-        """Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
-        The camera and the target of its orbit stay where they are in the world. Picking and culling need a
-        scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
-        @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-        Cost: O(1)."""
+        """Move the point of the world that the camera's coordinates count from; see Scene.set_origin. The
+        camera and the target of its orbit stay where they are in the world. Picking and culling need a
+        scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
+        Cost: O(1).
+
+        Args:
+            origin: x, y, z in the world, metres, within MAX_COORDINATE"""
         origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_camera_set_origin(self._handle, origin_.address))
 
     def get_origin(self) -> np.ndarray:
-        """Where in the world the camera's coordinates count from, metres. Cost: O(1)."""
+        """Where in the world the camera's coordinates count from, metres.
+        Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
         check(low.gphys_camera_get_origin(self._handle, out_origin.ctypes.data))
         return out_origin
 
     def set_perspective(self, fov_y: float, near_distance: float, far_distance: float) -> None:
         """See with a perspective projection; what is further away is smaller.
-        @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
-        @param near_distance  metres, > 0
-        @param far_distance   metres, > near_distance; INFINITY allowed
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Args:
+            fov_y: full vertical angle in radians, 1e-6 <= fov_y < pi
+            near_distance: metres, > 0
+            far_distance: metres, > near_distance; INFINITY allowed"""
         check(low.gphys_camera_set_perspective(self._handle, fov_y, near_distance, far_distance))
 
     def set_orthographic(self, height: float, near_distance: float, far_distance: float) -> None:
         """See with an orthographic projection; the distance changes no size.
-        @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
-        @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Args:
+            height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+            near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative"""
         check(low.gphys_camera_set_orthographic(self._handle, height, near_distance, far_distance))
 
     def set_projection(self, projection: low.Mat4 | Sequence) -> None:
         """See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-        another library's). It is not changed by gphys_camera_set_viewport.
-        @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
-                GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
-                the matrix is for another depth range
-        Cost: O(1)."""
+        another library's). It is not changed by Camera.set_viewport.
+        Cost: O(1).
+
+        Raises:
+            Error, status ERROR_SINGULAR: if it has no inverse, or is too close to such a matrix to tell
+            InvalidArgument: if a plane other than far lies at infinity, as it does when the matrix is
+                for another depth range"""
         projection_ = value_of(projection, low.Mat4)
         check(low.gphys_camera_set_projection(self._handle, projection_.address))
 
     def set_viewport(self, width: float, height: float) -> None:
         """The viewport was resized. Perspective keeps fov_y, orthographic its height.
-        @param width, height  pixels, 1e-3 .. 1e6
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Args:
+            width, height: pixels, 1e-3 .. 1e6"""
         check(low.gphys_camera_set_viewport(self._handle, width, height))
 
     def set_transform(self, position: low.Vec3 | Sequence, rotation: low.Quat | Sequence) -> None:
         """Place the camera.
-        @param position  metres, of its centre
-        @param rotation  from its own axes to those of the world
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Args:
+            position: metres, of its centre
+            rotation: from its own axes to those of the world"""
         position_ = value_of(position, low.Vec3)
         rotation_ = value_of(rotation, low.Quat)
         check(low.gphys_camera_set_transform(self._handle, position_.address, rotation_.address))
@@ -519,95 +580,121 @@ class Camera(Object):
     def set_world_matrix(self, world: low.Mat4 | Sequence) -> None:
         """Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
         kept, then up), so that a matrix which drifted is corrected.
-        @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
-                they mirror or the last row is not 0 0 0 1
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Raises:
+            Error, status ERROR_SINGULAR: if the axes do not span space
+            InvalidArgument: if they mirror or the last row is not 0 0 0 1"""
         world_ = value_of(world, low.Mat4)
         check(low.gphys_camera_set_world_matrix(self._handle, world_.address))
 
     def look_at(self, eye: low.Vec3 | Sequence, target: low.Vec3 | Sequence, up: low.Vec3 | Sequence) -> None:
         """Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
         chosen in its place, always the same for the same input.
-        @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Raises:
+            InvalidArgument: if eye equals target or up is zero"""
         eye_ = value_of(eye, low.Vec3)
         target_ = value_of(target, low.Vec3)
         up_ = value_of(up, low.Vec3)
         check(low.gphys_camera_look_at(self._handle, eye_.address, target_.address, up_.address))
 
     def get_transform(self) -> tuple[low.Vec3, low.Quat]:
-        """Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1)."""
+        """Where the camera stands, in metres, and how it is turned, rounded to float32.
+        Cost: O(1)."""
         out_position = low.Vec3()
         out_rotation = low.Quat()
         check(low.gphys_camera_get_transform(self._handle, ctypes.byref(out_position), ctypes.byref(out_rotation)))
         return out_position, out_rotation
 
     def get_world_matrix(self) -> low.Mat4:
-        """The matrix from camera to world. Cost: O(1)."""
+        """The matrix from camera to world.
+        Cost: O(1)."""
         out_world = low.Mat4()
         check(low.gphys_camera_get_world_matrix(self._handle, ctypes.byref(out_world)))
         return out_world
 
     def get_view_matrix(self) -> low.Mat4:
         """The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-        through them. Cost: O(1)."""
+        through them.
+        Cost: O(1)."""
         out_view = low.Mat4()
         check(low.gphys_camera_get_view_matrix(self._handle, ctypes.byref(out_view)))
         return out_view
 
     def get_projection_matrix(self) -> low.Mat4:
-        """The matrix from camera to clip space. Cost: O(1)."""
+        """The matrix from camera to clip space.
+        Cost: O(1)."""
         out_projection = low.Mat4()
         check(low.gphys_camera_get_projection_matrix(self._handle, ctypes.byref(out_projection)))
         return out_projection
 
     def get_view_projection_matrix(self) -> low.Mat4:
-        """Projection * view, multiplied in double precision and rounded once. Cost: O(1)."""
+        """Projection * view, multiplied in double precision and rounded once.
+        Cost: O(1)."""
         out_view_projection = low.Mat4()
         check(low.gphys_camera_get_view_projection_matrix(self._handle, ctypes.byref(out_view_projection)))
         return out_view_projection
 
     def set_orbit(self, orbit: low.Orbit | Sequence) -> None:
         """Start orbiting with these settings; places the camera at once and drops pending input. An angle
-        or a distance outside its limits is brought inside. Cost: O(1)."""
+        or a distance outside its limits is brought inside.
+        Cost: O(1)."""
         orbit_ = value_of(orbit, low.Orbit)
         check(low.gphys_camera_set_orbit(self._handle, orbit_.address))
 
     def get_orbit(self) -> low.Orbit:
         """The present settings, angles and distance of the orbit.
-        @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         out_orbit = low.Orbit()
         check(low.gphys_camera_get_orbit(self._handle, ctypes.byref(out_orbit)))
         return out_orbit
 
     def orbit_rotate(self, units_x: float, units_y: float) -> None:
         """Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
-        @param units_x, units_y  finite, any size
-        @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Args:
+            units_x, units_y: finite, any size
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         check(low.gphys_camera_orbit_rotate(self._handle, units_x, units_y))
 
     def orbit_zoom(self, units: float) -> None:
         """Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
-        @param units  finite, any size
-        @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Args:
+            units: finite, any size
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         check(low.gphys_camera_orbit_zoom(self._handle, units))
 
     def orbit_pan(self, units_right: float, units_up: float) -> None:
-        """Add input to the orbit: move the target to the camera's right and up, as the last update left them,
-        by units times metres_per_unit.
-        @param units_right, units_up  finite, any size
-        @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-        Cost: O(1)."""
+        """Add input to the orbit: move the target to the camera's right and up, as the last update left
+        them, by units times metres_per_unit.
+        Cost: O(1).
+
+        Args:
+            units_right, units_up: finite, any size
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         check(low.gphys_camera_orbit_pan(self._handle, units_right, units_up))
 
     def orbit_update(self) -> None:
         """Apply the input since the last update, within the limits, and place the camera. Angles are
         wrapped to -pi .. pi in constant time.
-        @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
         check(low.gphys_camera_orbit_update(self._handle))
 
     def get_frustum(self) -> low.Frustum:
@@ -619,28 +706,33 @@ class Camera(Object):
         return out_frustum
 
     def get_corners(self) -> np.ndarray | None:
-        """World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
-        @return GPHYS_UNBOUNDED with an infinite far plane
-        Cost: O(1)."""
+        """World positions of the corners of the seen volume, in the order of gamephys.frustum_corners.
+        Cost: O(1).
+
+        Returns:
+            None with an infinite far plane."""
         out_corners = np.empty(8, low.vec3_dtype)
         return out_corners if found(low.gphys_camera_get_corners(self._handle, out_corners.ctypes.data)) else None
 
     def project(self, point: low.Vec3 | Sequence) -> low.Vec3 | None:
-        """World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
-        z is the depth in the camera's range.
-        @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
-                image lies beyond the range of coordinates
-        Cost: O(1)."""
+        """World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+        viewport; z is the depth in the camera's range.
+        Cost: O(1).
+
+        Returns:
+            None if the point is not in front of the camera's centre (no image), or its image lies
+                beyond the range of coordinates."""
         point_ = value_of(point, low.Vec3)
         out_pixel = low.Vec3()
         return out_pixel if found(low.gphys_camera_project(self._handle, point_.address, ctypes.byref(out_pixel))) else None
 
     def project_batch(self, points: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Pixels of count world points, as gphys_camera_project; a point without an image gets
-        x = y = z = INFINITY.
-        @param points      metres; a stride of 0 projects one point count times
-        @param out_pixels  count elements
-        Cost: O(count)."""
+        """Pixels of count world points, as Camera.project; a point without an image gets x = y = z =
+        INFINITY.
+        Cost: O(elements).
+
+        Args:
+            points: metres"""
         points_ = array_of(points, low.vec3_dtype)
         count = common_length(points_)
         out_ = result_array(out, count, low.vec3_dtype)
@@ -648,20 +740,23 @@ class Camera(Object):
         return out_.array
 
     def unproject(self, pixel: low.Vec3 | Sequence) -> low.Vec3 | None:
-        """Pixel and depth to world point: the inverse of gphys_camera_project.
-        @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
-                beyond the range of coordinates
-        Cost: O(1)."""
+        """Pixel and depth to world point: the inverse of Camera.project.
+        Cost: O(1).
+
+        Returns:
+            None for the depth of an infinite far plane, and for points beyond that or beyond the range
+                of coordinates."""
         pixel_ = value_of(pixel, low.Vec3)
         out_point = low.Vec3()
         return out_point if found(low.gphys_camera_unproject(self._handle, pixel_.address, ctypes.byref(out_point))) else None
 
     def unproject_batch(self, pixels: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-        """World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
-        x = y = z = INFINITY.
-        @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
-        @param out_points  count elements
-        Cost: O(count)."""
+        """World points of the pixels with depth, as Camera.unproject; one at infinity gets x = y = z =
+        INFINITY.
+        Cost: O(elements).
+
+        Args:
+            pixels: x, y in pixels, z the depth"""
         pixels_ = array_of(pixels, low.vec3_dtype)
         count = common_length(pixels_)
         out_ = result_array(out, count, low.vec3_dtype)
@@ -672,39 +767,48 @@ class Camera(Object):
         """The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
         on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
         Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-        near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-        For perspective the stretch before the near plane is part of the ray.
-        @param pixel_x, pixel_y  pixels; may lie outside the viewport
-        @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
-        Cost: O(1)."""
+        near as half an ulp of a direction can be; Camera.pick is not so limited. For perspective the
+        stretch before the near plane is part of the ray.
+        Cost: O(1).
+
+        Args:
+            pixel_x, pixel_y: pixels; may lie outside the viewport
+
+        Returns:
+            None if the line of sight does not meet the near plane (user projections)."""
         out_ray = low.Ray()
         return out_ray if found(low.gphys_camera_pick_ray(self._handle, pixel_x, pixel_y, ctypes.byref(out_ray))) else None
 
     def pick_rays(self, x: int, y: int, width: int, height: int, *, out: np.ndarray | None = None) -> np.ndarray:
-        """Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
-        @param x, y, width, height  pixels; width * height rays, fewer than 2^32
-        @param out_rays             width * height elements
-        @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
-        Cost: O(width * height)."""
+        """Rays for a rectangle of pixel centres, as Camera.pick_ray, row by row.
+        Cost: O(width * height).
+
+        Args:
+            x, y, width, height: pixels; width * height rays, fewer than 2^32"""
         out_ = result_array(out, width * height, low.ray_dtype)
         check(low.gphys_camera_pick_rays(self._handle, x, y, width, height, out_.address, out_.stride))
         return out_.array
 
     def pick(self, scene: Scene | None, pixel_x: float, pixel_y: float, layers: int = low.ALL_LAYERS) -> low.Hit | None:
-        """The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
-        float32; t is in metres.
-        @param pixel_x, pixel_y  pixels; may lie outside the viewport
-        @return GPHYS_OK or GPHYS_NO_HIT
-        Cost: O(log n) expected."""
+        """The model under a pixel: the first hit of Camera.pick_ray, before that is rounded to float32; t
+        is in metres.
+        Cost: O(log n) expected.
+
+        Args:
+            pixel_x, pixel_y: pixels; may lie outside the viewport
+
+        Returns:
+            None if nothing is found."""
         out_hit = low.Hit()
         return out_hit if found(low.gphys_camera_pick(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, layers, ctypes.byref(out_hit))) else None
 
     def pick_batch(self, scene: Scene | None, pixels: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
-        """The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
-        t = INFINITY.
-        @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
-        @param out_hits  count elements
-        Cost: at most that of count single calls; shared among the scene's workers."""
+        """The models under the pixels, as Camera.pick; a pixel without one gets model = 0 and t =
+        INFINITY.
+        Cost: at most that of as many single calls; shared among the scene's workers.
+
+        Args:
+            pixels: x, y pairs of floats"""
         pixels_ = array_of(pixels, "<f4", 2)
         count = common_length(pixels_)
         out_ = result_array(out, count, low.hit_dtype)
@@ -713,26 +817,34 @@ class Camera(Object):
 
     def pick_rectangle(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, layers: int = low.ALL_LAYERS) -> np.ndarray:
         """Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-        rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
-        @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
-        @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
-        Cost: O(log n + k) expected."""
+        rectangle, between near and far plane; exact shapes, ascending.
+        Cost: O(log n + k) expected.
+
+        Args:
+            x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+
+        Raises:
+            InvalidArgument: if the rectangle has no area"""
         return list_of(low.gphys_camera_pick_rectangle, (self._handle, handle_of(scene, Scene), x0, y0, x1, y1, layers,), "<u4")
 
     def cull(self, scene: Scene | None, layers: int = low.ALL_LAYERS) -> np.ndarray:
-        """Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+        """Ids of the models to draw: Scene.cull with the camera's frustum.
         Cost: O(log n + k) expected."""
         return list_of(low.gphys_camera_cull, (self._handle, handle_of(scene, Scene), layers,), "<u4")
 
 
 
 class Solver(Object):
-    """Create a solver without bodies.
-    With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
-    every n. Threads are started, joined and lost as those of gphys_scene_create.
-    @param desc  NULL: the defaults
-    @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
-    Cost: O(1), and that of starting the threads."""
+    """Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step;
+    the results have the same bits for every n. Threads are started, joined and lost as those of
+    Scene.
+    Cost: O(1), and that of starting the threads.
+
+    Args:
+        desc: None: the defaults
+
+    Raises:
+        OutOfMemory: also if the threads cannot be started"""
     _destroy = low.gphys_solver_destroy
 
     def __init__(self, desc: low.SolverDesc | None = None):
@@ -743,43 +855,55 @@ class Solver(Object):
 
     def set_origin(self, origin: ArrayLike) -> None:
         """Move the point of the world that the coordinates of all particles count from; see
-        gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
-        step and an attachment need a scene of the same origin, else they return
-        GPHYS_ERROR_INVALID_ARGUMENT.
-        @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-        @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
-        Cost: O(particles)."""
+        Scene.set_origin. Particles stay where they are in the world and keep moving as they do. A step
+        and an attachment need a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
+        Cost: O(particles).
+
+        Args:
+            origin: x, y, z in the world, metres, within MAX_COORDINATE
+
+        Raises:
+            InvalidArgument: also if a particle would leave the range of coordinates"""
         origin_ = numbers_of(origin, "<f8", 3)
         check(low.gphys_solver_set_origin(self._handle, origin_.address))
 
     def get_origin(self) -> np.ndarray:
-        """Where in the world the particles' coordinates count from, metres. Cost: O(1)."""
+        """Where in the world the particles' coordinates count from, metres.
+        Cost: O(1)."""
         out_origin = np.empty(3, "<f8")
         check(low.gphys_solver_get_origin(self._handle, out_origin.ctypes.data))
         return out_origin
 
     def set_gravity(self, gravity: low.Vec3 | Sequence) -> None:
         """Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
-        @param gravity  m/s^2; may be zero
-        Cost: O(bodies)."""
+        Cost: O(bodies).
+
+        Args:
+            gravity: m/s^2; may be zero"""
         gravity_ = value_of(gravity, low.Vec3)
         check(low.gphys_solver_set_gravity(self._handle, gravity_.address))
 
     def set_substeps(self, substeps: int) -> None:
-        """Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
-        error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
-        by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
-        al. 1985): twice the time, a seventh of the error.
-        @param substeps  1 .. 1000
-        Cost: O(1)."""
+        """Change the number of substeps of a step. More substeps: smaller errors, proportionally more
+        time. The error of motion goes with the square of their length. Ropes that move calmly - in a
+        substep no link turns by half a radian, or would swing by one if its ends were pushed - make
+        each in two stages (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
+        Cost: O(1).
+
+        Args:
+            substeps: 1 .. 1000"""
         check(low.gphys_solver_set_substeps(self._handle, substeps))
 
     def add_particles(self, positions: ArrayLike, desc: low.BodyDesc | None = None) -> int:
         """Add a body of particles without constraints.
-        @param desc       NULL: the defaults
-        @param positions  metres; count elements, count >= 1
-        @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-        Cost: O(count)."""
+        Cost: O(elements).
+
+        Args:
+            desc: None: the defaults
+            positions: metres
+
+        Raises:
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
         desc_ = value_of(desc, low.BodyDesc)
         positions_ = array_of(positions, low.vec3_dtype)
         out_body = ctypes.c_uint32()
@@ -789,11 +913,15 @@ class Solver(Object):
 
     def add_rope(self, positions: ArrayLike, link_length: float = 0, desc: low.BodyDesc | None = None) -> int:
         """Add a rope through the given points, one particle at each.
-        @param desc         NULL: the defaults
-        @param positions    metres; count elements, count >= 2
-        @param link_length  rest length of each link in metres; 0: as placed
-        @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-        Cost: O(count)."""
+        Cost: O(elements).
+
+        Args:
+            desc: None: the defaults
+            positions: metres
+            link_length: rest length of each link in metres; 0: as placed
+
+        Raises:
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
         desc_ = value_of(desc, low.BodyDesc)
         positions_ = array_of(positions, low.vec3_dtype)
         out_body = ctypes.c_uint32()
@@ -804,12 +932,16 @@ class Solver(Object):
     def add_cloth(self, corner: low.Vec3 | Sequence, edge_u: low.Vec3 | Sequence, edge_v: low.Vec3 | Sequence, columns: int, rows: int, desc: low.BodyDesc | None = None) -> int:
         """Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
         corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-        @param desc           NULL: the defaults
-        @param corner         metres
-        @param edge_u, edge_v metres, from the corner along a row and along a column
-        @param columns, rows  >= 2
-        @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-        Cost: O(columns * rows)."""
+        Cost: O(columns * rows).
+
+        Args:
+            desc: None: the defaults
+            corner: metres
+            edge_u, edge_v: metres, from the corner along a row and along a column
+            columns, rows: >= 2
+
+        Raises:
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
         desc_ = value_of(desc, low.BodyDesc)
         corner_ = value_of(corner, low.Vec3)
         edge_u_ = value_of(edge_u, low.Vec3)
@@ -820,11 +952,15 @@ class Solver(Object):
 
     def add_cloth_mesh(self, mesh: Mesh | None, transform: low.Transform | None = None, desc: low.BodyDesc | None = None) -> int:
         """Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-        with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-        @param desc       NULL: the defaults
-        @param transform  places the mesh; NULL is the identity
-        @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-        Cost: O(n log n)."""
+        with CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
+        Cost: O(n log n).
+
+        Args:
+            desc: None: the defaults
+            transform: places the mesh; None is the identity
+
+        Raises:
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
         desc_ = value_of(desc, low.BodyDesc)
         transform_ = value_of(transform, low.Transform)
         out_body = ctypes.c_uint32()
@@ -832,192 +968,238 @@ class Solver(Object):
         return out_body.value
 
     def remove_body(self, body: int) -> None:
-        """Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
-        last step are no longer listed.
+        """Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave
+        in the last step are no longer listed.
         Cost: O(particles + constraints of the body), and O(joints of the solver)."""
         check(low.gphys_solver_remove_body(self._handle, body))
 
     def get_bodies(self) -> np.ndarray:
-        """Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies)."""
+        """Ids of all bodies, ascending.
+        Cost: O(bodies)."""
         return list_of(low.gphys_solver_get_bodies, (self._handle,), "<u4")
 
     def get_sleeping(self) -> np.ndarray:
-        """Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
-        A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
-        sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
-        keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
-        wakes in the step before which a model came, went or moved as near as it could come in a step at
-        50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-        its state, of gravity or of the origin. Cost: O(bodies)."""
+        """Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+        sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by
+        more than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs
+        it no more than a look for models nearby. It wakes in the step before which a model came, went
+        or moved as near as it could come in a step at 50 m/s, or one that it is attached to did, or the
+        scene was exchanged; and at once by any change of its state, of gravity or of the origin.
+        Cost: O(bodies)."""
         return list_of(low.gphys_solver_get_sleeping, (self._handle,), "<u4")
 
     def wake(self, body: int) -> None:
         """Wake a body; its time of rest begins again.
-        @param body  0: all
-        Cost: O(1) a body."""
+        Cost: O(1) a body.
+
+        Args:
+            body: 0: all"""
         check(low.gphys_solver_wake(self._handle, body))
 
     def get_body_info(self, body: int) -> low.BodyInfo:
-        """What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
-        it allocates."""
+        """What a body is made of and how it is solved.
+        Cost: O(1); after a change of constraints O(particles), and it allocates."""
         out_info = low.BodyInfo()
         check(low.gphys_solver_get_body_info(self._handle, body, ctypes.byref(out_info)))
         return out_info
 
     def get_triangles(self, body: int) -> np.ndarray:
-        """Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
-        *out_total counts numbers, not triangles; it is 0 for other bodies.
+        """Particle numbers of a cloth's triangles, three each, for drawing.
         Cost: O(triangles)."""
         return list_of(low.gphys_solver_get_triangles, (self._handle, body,), "<u4")
 
     def get_positions(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
         """Where the particles are, metres.
-        @param first, count   the particles first .. first + count - 1; a range beyond the body is
-                              GPHYS_ERROR_INVALID_ARGUMENT
-        @param out_positions  count elements
-        Cost: O(count)."""
+        Cost: O(count).
+
+        Args:
+            first, count: the particles first .. first + count - 1; a range beyond the body is
+                ERROR_INVALID_ARGUMENT"""
         out_ = result_array(out, count, low.vec3_dtype)
         check(low.gphys_solver_get_positions(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
 
     def set_positions(self, body: int, first: int, positions: ArrayLike) -> None:
-        """Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
-        @param first, count  as in gphys_solver_get_positions
-        @param positions     metres; a stride of 0 moves all to one place
-        Cost: O(count)."""
+        """Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+        body.
+        Cost: O(elements).
+
+        Args:
+            first: as in Solver.get_positions
+            positions: metres"""
         positions_ = array_of(positions, low.vec3_dtype)
         count = common_length(positions_)
         check(low.gphys_solver_set_positions(self._handle, body, first, count, positions_.address, positions_.stride))
 
     def get_velocities(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
         """How fast the particles are, m/s.
-        @param first, count    as in gphys_solver_get_positions
-        @param out_velocities  count elements; 0 of what is pinned
-        Cost: O(count)."""
+        Cost: O(count).
+
+        Args:
+            first, count: as in Solver.get_positions
+
+        Returns:
+            0 of what is pinned."""
         out_ = result_array(out, count, low.vec3_dtype)
         check(low.gphys_solver_get_velocities(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
 
     def set_velocities(self, body: int, first: int, velocities: ArrayLike) -> None:
-        """Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
-        @param first, count  as in gphys_solver_get_positions
-        @param velocities    m/s; a stride of 0 gives all the same
-        Cost: O(count)."""
+        """Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles
+        keep 0.
+        Cost: O(elements).
+
+        Args:
+            first: as in Solver.get_positions
+            velocities: m/s"""
         velocities_ = array_of(velocities, low.vec3_dtype)
         count = common_length(velocities_)
         check(low.gphys_solver_set_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
 
     def get_masses(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
         """Masses of particles, kg. That of a pinned particle is what it has when it is released.
-        @param first, count  as in gphys_solver_get_positions
-        @param out_masses    count elements
-        Cost: O(count)."""
+        Cost: O(count).
+
+        Args:
+            first, count: as in Solver.get_positions"""
         out_ = result_array(out, count, "<f4")
         check(low.gphys_solver_get_masses(self._handle, body, first, count, out_.address, out_.stride))
         return out_.array
 
     def set_masses(self, body: int, first: int, masses: ArrayLike) -> None:
-        """Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
-        Wakes the body.
-        @param first, count  as in gphys_solver_get_positions
-        @param masses        kg, > 0; a stride of 0 gives all the same
-        Cost: O(count)."""
+        """Change the masses of particles. A pinned particle keeps its mass for the time when it is
+        released. Wakes the body.
+        Cost: O(elements).
+
+        Args:
+            first: as in Solver.get_positions
+            masses: kg, > 0"""
         masses_ = array_of(masses, "<f4")
         count = common_length(masses_)
         check(low.gphys_solver_set_masses(self._handle, body, first, count, masses_.address, masses_.stride))
 
     def set_radii(self, body: int, first: int, radii: ArrayLike) -> None:
         """Change the collision radii of particles. Wakes the body.
-        @param first, count  as in gphys_solver_get_positions
-        @param radii         metres, >= 0; a stride of 0 gives all the same
-        Cost: O(count)."""
+        Cost: O(elements).
+
+        Args:
+            first: as in Solver.get_positions
+            radii: metres, >= 0"""
         radii_ = array_of(radii, "<f4")
         count = common_length(radii_)
         check(low.gphys_solver_set_radii(self._handle, body, first, count, radii_.address, radii_.stride))
 
     def set_forces(self, body: int, first: int, forces: ArrayLike) -> None:
-        """Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
-        @param first, count  as in gphys_solver_get_positions
-        @param forces        newtons; a stride of 0 gives all the same
-        Cost: O(count)."""
+        """Set the forces that act on particles beside gravity, from now on until set again. Wakes the
+        body.
+        Cost: O(elements).
+
+        Args:
+            first: as in Solver.get_positions
+            forces: newtons"""
         forces_ = array_of(forces, low.vec3_dtype)
         count = common_length(forces_)
         check(low.gphys_solver_set_forces(self._handle, body, first, count, forces_.address, forces_.stride))
 
     def set_pinned(self, body: int, first: int, count: int, pinned: int) -> None:
         """Pin or release particles. A pinned particle stays where it is put and moves only by
-        gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
-        @param first, count  as in gphys_solver_get_positions
-        @param pinned        1: pin; 0: release
-        Cost: O(count)."""
+        Solver.set_positions; its speed is 0. Both pinning and releasing end an attachment.
+        Cost: O(count).
+
+        Args:
+            first, count: as in Solver.get_positions
+            pinned: True: pin; False: release"""
         check(low.gphys_solver_set_pinned(self._handle, body, first, count, pinned))
 
     def attach(self, scene: Scene | None, body: int, particle: int, model: int, local_point: low.Vec3 | None = None) -> None:
         """Fix a particle to a model: it follows the model's transform in each step, and is released when
         the model is gone. Steps must then be given this scene.
-        @param scene        of the same origin as the solver; not modified
-        @param local_point  metres, in the model's coordinates; NULL: where the particle is now
-        @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Args:
+            scene: of the same origin as the solver; not modified
+            local_point: metres, in the model's coordinates; None: where the particle is now
+
+        Raises:
+            InvalidArgument: for a particle that does not exist"""
         local_point_ = value_of(local_point, low.Vec3)
         check(low.gphys_solver_attach(self._handle, handle_of(scene, Scene), body, particle, model, local_point_.address))
 
     def detach(self, body: int, particle: int) -> None:
         """Release an attached particle.
-        @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
-        Cost: O(1)."""
+        Cost: O(1).
+
+        Raises:
+            InvalidArgument: if it is not attached, or does not exist"""
         check(low.gphys_solver_detach(self._handle, body, particle))
 
     def add_distance(self, body: int, particle_a: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
         """Hold two different particles of a body at a distance.
-        @param rest_length  metres, >= 0; negative: the present distance
-        @param compliance   metres per newton, >= 0; 0 is rigid
-        @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
-                GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
-        Cost: O(1); the next step plans the body again, O(constraints)."""
+        Cost: O(1); the next step plans the body again, O(constraints).
+
+        Args:
+            rest_length: metres, >= 0; negative: the present distance
+            compliance: metres per newton, >= 0; 0 is rigid
+
+        Raises:
+            InvalidArgument: for a particle that does not exist or twice the same one
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 constraints of a body"""
         out_constraint = ctypes.c_uint32()
         check(low.gphys_solver_add_distance(self._handle, body, particle_a, particle_b, rest_length, compliance, ctypes.byref(out_constraint)))
         return out_constraint.value
 
     def add_max_distance(self, body: int, particle_a: int, particle_b: int, max_length: float, compliance: float = 0) -> int:
-        """Keep two different particles of a body from being further apart than a length, like a string between
-        them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
-        rigid, the speed at which the particles part is lost and no other.
-        @param max_length  metres, >= 0; negative: the present distance
-        @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
-        @return as gphys_solver_add_distance
-        It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-        strained only when it is too long. Cost: as gphys_solver_add_distance."""
+        """Keep two different particles of a body from being further apart than a length, like a string
+        between them: it pulls and never pushes. While it is slack it does nothing; when it becomes
+        taut, and is rigid, the speed at which the particles part is lost and no other.
+        Fails as Solver.add_distance.
+        It is a constraint like others: listed with max_length as its rest_length, removed as they are,
+        and strained only when it is too long.
+        Cost: as Solver.add_distance.
+
+        Args:
+            max_length: metres, >= 0; negative: the present distance
+            compliance: metres per newton, >= 0, of what it yields beyond that; 0 is rigid"""
         out_constraint = ctypes.c_uint32()
         check(low.gphys_solver_add_max_distance(self._handle, body, particle_a, particle_b, max_length, compliance, ctypes.byref(out_constraint)))
         return out_constraint.value
 
     def set_constraint_damping(self, body: int, constraint: int, damping: float) -> None:
-        """Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-        its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
+        """Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+        beside its tension; one of Solver.add_max_distance never pushes. The decay depends on time, not
         on steps. Rigid constraints have nothing to damp.
-        @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-        @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
-        Cost: as gphys_solver_add_distance."""
+        Cost: as Solver.add_distance.
+
+        Args:
+            damping: N s/m, >= 0; 0, which every constraint begins with: none
+
+        Raises:
+            InvalidId: for a body or constraint that does not exist"""
         check(low.gphys_solver_set_constraint_damping(self._handle, body, constraint, damping))
 
     def set_volume(self, body: int, rest_volume: float, compliance: float = 0) -> None:
-        """Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
-        it again changes it, which inflates a body.
-        @param rest_volume  m^3, > 0; negative: the present volume
-        @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
-                            which keeps its volume; INFINITY: none, which ends the constraint
-        @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
-                not all turned the same way, or face inward when the present volume is asked for
-        Cost: O(triangles) in each substep, twice."""
+        """Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+        setting it again changes it, which inflates a body.
+        Cost: O(triangles) in each substep, twice.
+
+        Args:
+            rest_volume: m^3, > 0; negative: the present volume
+            compliance: m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as
+                water, which keeps its volume; INFINITY: none, which ends the constraint
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the triangles do not close (each side is that of two
+                triangles), are not all turned the same way, or face inward when the present volume is
+                asked for"""
         check(low.gphys_solver_set_volume(self._handle, body, rest_volume, compliance))
 
     def get_volume(self, body: int) -> tuple[float, float]:
-        """The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
-        held at the end of the last step: above 0 it pushes outward.
-        @param out_volume, out_pressure  may be NULL
-        @return GPHYS_ERROR_UNSUPPORTED if none is held
-        Cost: O(triangles)."""
+        """The volume held by Solver.set_volume, m^3, as it is, and the pressure in pascals with which it
+        was held at the end of the last step: above 0 it pushes outward.
+        Cost: O(triangles).
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if none is held"""
         out_volume = ctypes.c_float()
         out_pressure = ctypes.c_float()
         check(low.gphys_solver_get_volume(self._handle, body, ctypes.byref(out_volume), ctypes.byref(out_pressure)))
@@ -1025,74 +1207,91 @@ class Solver(Object):
 
     def remove_constraint(self, body: int, constraint: int) -> None:
         """End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-        @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
-        Cost: as gphys_solver_add_distance."""
+        Cost: as Solver.add_distance.
+
+        Raises:
+            InvalidId: for a body or constraint that does not exist, or no longer"""
         check(low.gphys_solver_remove_constraint(self._handle, body, constraint))
 
     def get_constraints(self, body: int) -> np.ndarray:
-        """All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+        """All constraints of a body, those of its builder included, by id.
         Cost: O(constraints)."""
         return list_of(low.gphys_solver_get_constraints, (self._handle, body,), low.constraint_info_dtype)
 
     def join(self, body_a: int, particle_a: int, body_b: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
-        """Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-        equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-        system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-        particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-        one thread and fall asleep and wake together. A joint goes with either body.
-        @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-                            as far apart are drawn there within a step, and get the speed of that.
-        @param compliance   metres per newton, >= 0; 0 is rigid
-        @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-                gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-        Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-        of a rope that is not joined."""
+        """Hold a particle of one body and a particle of another at a distance. Both are moved, by forces
+        that are equal and opposite; either may be pinned or attached. Joined ropes and free particles
+        are solved as one system, as stiff as one rope; a joined particle of cloth has all that hangs on
+        it for inertia. Free particles of a joined body fly by the time scheme of ropes, no longer
+        exactly. Joined bodies are moved by one thread and fall asleep and wake together. A joint goes
+        with either body.
+        Cost: the next step plans all joined ropes again. A link of them takes some three times as long
+        as one of a rope that is not joined.
+
+        Args:
+            rest_length: metres; 0: at the same place; negative: the present distance. Particles that
+                are not as far apart are drawn there within a step, and get the speed of that.
+            compliance: metres per newton, >= 0; 0 is rigid
+
+        Raises:
+            InvalidArgument: for a particle that does not exist or twice the same body (see
+                Solver.add_distance)
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 joints"""
         out_joint = ctypes.c_uint32()
         check(low.gphys_solver_join(self._handle, body_a, particle_a, body_b, particle_b, rest_length, compliance, ctypes.byref(out_joint)))
         return out_joint.value
 
     def unjoin(self, joint: int) -> None:
         """End a joint. Wakes both bodies.
-        @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
-        Cost: as gphys_solver_join."""
+        Cost: as Solver.join.
+
+        Raises:
+            InvalidId: for a joint that does not exist, or no longer"""
         check(low.gphys_solver_unjoin(self._handle, joint))
 
     def get_joints(self, body: int) -> np.ndarray:
-        """Joints of a body, by id. Kept when too many: the lowest.
-        @param body  0: of all bodies
-        Cost: O(joints of the solver)."""
+        """Joints of a body, by id.
+        Cost: O(joints of the solver).
+
+        Args:
+            body: 0: of all bodies"""
         return list_of(low.gphys_solver_get_joints, (self._handle, body,), low.joint_info_dtype)
 
     def step(self, scene: Scene | None, dt: float) -> None:
-        """Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
-        takes more where they would be longer than 25 ms.
-        @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-        @param dt     seconds, 1e-6 .. 0.5
+        """Simulate dt seconds in the set number of substeps, or as many as the error targets ask for;
+        cloth takes more where they would be longer than 25 ms.
         Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
         through particles. May allocate.
-        Cost: O(particles + constraints) a substep, and a scene query for particles near models."""
+        Cost: O(particles + constraints) a substep, and a scene query for particles near models.
+
+        Args:
+            scene: to collide with and to follow attachments; None: none. Not modified.
+            dt: seconds, 1e-6 .. 0.5"""
         check(low.gphys_solver_step(self._handle, handle_of(scene, Scene), dt))
 
     def advance(self, scene: Scene | None, frame_time: float) -> tuple[int, float]:
         """Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
         frame, so the motion does not depend on the frame rate.
-        @param frame_time    seconds, >= 0
-        @param out_steps     steps made; may be NULL
-        @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
-        Cost: that of the steps made."""
+        Cost: that of the steps made.
+
+        Args:
+            frame_time: seconds, >= 0
+
+        Returns:
+            steps made. 0 <= fraction of a step still owed < 1, to blend drawings."""
         out_steps = ctypes.c_uint32()
         out_leftover = ctypes.c_float()
         check(low.gphys_solver_advance(self._handle, handle_of(scene, Scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
         return out_steps.value, out_leftover.value
 
     def get_substeps(self, body: int) -> int:
-        """The substeps that a body took in the last step; 0 before its first.
-        With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
-        their length follows from what the last step measured, the largest strain of its rigid constraints
-        and the local error of the time scheme, both of which go with its square. It is at
-        most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-        target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-        met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+        """The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain
+        or tolerance set, each body takes as many as its own motion needs: their length follows from
+        what the last step measured, the largest strain of its rigid constraints and the local error of
+        the time scheme, both of which go with its square. It is at most quartered and grows by at most
+        an eighth from one step to the next, so a sudden blow exceeds a target for a few steps, one of
+        strain only where links of cloth cannot be relaxed below it. What cannot be met takes
+        max_substeps. Where positions jump, by contacts, the error is that of the jump.
         Cost: O(1)."""
         out_substeps = ctypes.c_uint32()
         check(low.gphys_solver_get_substeps(self._handle, body, ctypes.byref(out_substeps)))
@@ -1100,51 +1299,59 @@ class Solver(Object):
 
     def get_stats(self, body: int) -> low.SolverStats:
         """Counts, strain and energy of a body at present.
-        @param body  0: all bodies together
-        Cost: O(particles + constraints)."""
+        Cost: O(particles + constraints).
+
+        Args:
+            body: 0: all bodies together"""
         out_stats = low.SolverStats()
         check(low.gphys_solver_get_stats(self._handle, body, ctypes.byref(out_stats)))
         return out_stats
 
     def get_contacts(self) -> np.ndarray:
-        """Contacts of the last step by body, particle, model. Kept when too many: the first.
+        """Contacts of the last step by body, particle, model.
         Cost: O(contacts)."""
         return list_of(low.gphys_solver_get_contacts, (self._handle,), low.contact_dtype)
 
     def get_impulses(self) -> np.ndarray:
-        """Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-        which they fell asleep. Kept when too many: the lowest models.
-        Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
-        cloth that touches several models at once gives to the one that it touches most. Models have no mass
-        here; a body of yours much lighter than what hangs from it should be moved in small steps.
+        """Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the
+        step in which they fell asleep. Divided by dt they are mean forces: what lies on a model presses
+        it with its weight. A particle of cloth that touches several models at once gives to the one
+        that it touches most. Models have no mass here; a body of yours much lighter than what hangs
+        from it should be moved in small steps.
         Cost: O(models touched); no allocation. The same bits for any number of workers."""
         return list_of(low.gphys_solver_get_impulses, (self._handle,), low.impulse_dtype)
 
     def get_snapshot(self) -> np.ndarray:
-        """Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
-        that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
-        @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
-                          for the same release of the library and machines of the same byte order; it may
-                          be stored, but not changed.
-        @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
-        Cost: O(particles + constraints), some 50 words for each."""
+        """Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+        impulses, time that Solver.advance still owes. The scene, workers and allocator are not in it.
+        Cost: O(particles + constraints), some 50 words for each.
+
+        Returns:
+            the snapshot. It is for the same release of the library and machines of the same byte order;
+                it may be stored, but not changed.
+
+        Raises:
+            Error, status ERROR_CAPACITY: beyond 2^32 - 1 words"""
         return list_of(low.gphys_solver_get_snapshot, (self._handle,), "<u4")
 
     def restore(self, words: ArrayLike) -> None:
-        """Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-        time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
-        too, is as it was.
-        @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
-                byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
-        Cost: as gphys_solver_get_snapshot; allocates."""
+        """Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of
+        the time of the snapshot. Steps go on with the same bits as they did then, provided that the
+        scene, too, is as it was. On an error the solver is as before.
+        Cost: as Solver.get_snapshot; allocates.
+
+        Raises:
+            InvalidArgument: for words that are no snapshot, damaged, of another version or byte order
+            OutOfMemory: if there is no room for it"""
         words_ = array_of(words, "<u4")
         count = common_length(words_)
         check(low.gphys_solver_restore(self._handle, words_.address, count))
 
     def get_hash(self) -> np.ndarray:
         """A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
-        different ones differ with near certainty (not against an adversary). Compare it between machines
-        that simulate the same, to see when they part. Cost: O(particles + constraints)."""
+        different ones differ with near certainty (not against an adversary). Compare it between
+        machines that simulate the same, to see when they part.
+        Cost: O(particles + constraints)."""
         out_hash = np.empty(2, "<u4")
         check(low.gphys_solver_get_hash(self._handle, out_hash.ctypes.data))
         return out_hash
@@ -1155,28 +1362,34 @@ Shape = Union[low.Sphere, low.Capsule, low.Aabb, low.Obb, low.Plane, low.Triangl
 
 def validate(shape: Shape) -> None:
     """Whether the shape fulfils the ranges beside its struct.
-    @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
-    Cost: O(1)."""
+    Cost: O(1).
+
+    Raises:
+        InvalidArgument: and the error's message names the field"""
     type_, shape_ = shape_of(shape)
     check(low.gphys_shape_validate(type_, shape_.address))
 
 
 def bounds(shape: Shape) -> low.Aabb | None:
     """The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
-    @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
-            and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
-    Cost: O(1), for a mesh too."""
+    Cost: O(1), for a mesh too.
+
+    Returns:
+        None for a plane, a ray without end (or with one beyond all floats) and a frustum that
+            extends to infinity; for an empty mesh or frustum."""
     type_, shape_ = shape_of(shape)
     out_bounds = low.Aabb()
     return out_bounds if found(low.gphys_shape_bounds(type_, shape_.address, ctypes.byref(out_bounds))) else None
 
 
 def contains(shape: Shape, point: low.Vec3 | Sequence, tolerance: float = 0) -> bool:
-    """Whether the point is within tolerance metres of the shape (solid or surface).
-    With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-    axes are those of its rotation in double precision).
-    @param tolerance  >= 0
-    @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh."""
+    """Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0
+    the answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of
+    its rotation in double precision).
+    Cost: O(1); O(log n) expected for a mesh.
+
+    Args:
+        tolerance: metres, >= 0"""
     type_, shape_ = shape_of(shape)
     point_ = value_of(point, low.Vec3)
     out_contains = ctypes.c_int32()
@@ -1185,11 +1398,11 @@ def contains(shape: Shape, point: low.Vec3 | Sequence, tolerance: float = 0) -> 
 
 
 def contains_batch(shape: Shape, points: ArrayLike, tolerance: float = 0, *, out: np.ndarray | None = None) -> np.ndarray:
-    """Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
-    @param points        a stride of 0 asks for one point count times
-    @param tolerance     metres, >= 0, for all points
-    @param out_contains  count elements, each 0 or 1
-    Cost: that of count single calls."""
+    """Whether each of the points is within tolerance metres of one shape, as gamephys.contains.
+    Cost: that of as many single calls.
+
+    Args:
+        tolerance: metres, >= 0, for all points"""
     type_, shape_ = shape_of(shape)
     points_ = array_of(points, low.vec3_dtype)
     count = common_length(points_)
@@ -1201,10 +1414,12 @@ def contains_batch(shape: Shape, points: ArrayLike, tolerance: float = 0, *, out
 def closest_point(shape: Shape, point: low.Vec3 | Sequence) -> low.Nearest | None:
     """The point of the shape that is closest to the given point: the point itself inside a solid.
     Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
-    coordinate difference. If several are equally close, one of them,
-    always the same. For a ray, t is limited by t_max.
-    @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
-    Cost: O(1); O(log n) expected for a mesh."""
+    coordinate difference. If several are equally close, one of them, always the same. For a ray, t
+    is limited by t_max.
+    Cost: O(1); O(log n) expected for a mesh.
+
+    Returns:
+        None only for an empty mesh or an empty frustum."""
     type_, shape_ = shape_of(shape)
     point_ = value_of(point, low.Vec3)
     out_nearest = low.Nearest()
@@ -1212,11 +1427,9 @@ def closest_point(shape: Shape, point: low.Vec3 | Sequence) -> low.Nearest | Non
 
 
 def closest_point_batch(shape: Shape, points: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-    """The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
+    """The points of one shape that are closest to each of the points, as gamephys.closest_point. An
     element for which there is none gets distance INFINITY.
-    @param points       a stride of 0 asks for one point count times
-    @param out_nearest  count elements
-    Cost: that of count single calls."""
+    Cost: that of as many single calls."""
     type_, shape_ = shape_of(shape)
     points_ = array_of(points, low.vec3_dtype)
     count = common_length(points_)
@@ -1228,8 +1441,10 @@ def closest_point_batch(shape: Shape, points: ArrayLike, *, out: np.ndarray | No
 def segment_closest_points(a: low.Segment | Sequence, b: low.Segment | Sequence) -> tuple[low.Vec3, low.Vec3, float]:
     """The closest points of two segments and their distance. Parallel segments have many: the first
     along a, always the same.
-    @param out_a, out_b, out_distance  each may be NULL; metres
-    Cost: O(1)."""
+    Cost: O(1).
+
+    Returns:
+        metres."""
     a_ = value_of(a, low.Segment)
     b_ = value_of(b, low.Segment)
     out_a = low.Vec3()
@@ -1241,12 +1456,14 @@ def segment_closest_points(a: low.Segment | Sequence, b: low.Segment | Sequence)
 
 def overlaps(a: Shape, b: Shape) -> bool:
     """Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
-    triangle, frustum and mesh, in either order.
-    A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
-    Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
-    precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
-    @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
-    Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh."""
+    triangle, frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a
+    closed mesh does not overlap it. Exact between AABBs, planes, triangles, meshes and frusta;
+    other pairs are decided in double precision and may err only where the gap is below 2^-40 of the
+    largest coordinate difference.
+    Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for a ray or segment (see gamephys.segment_test)"""
     a_type_, a_ = shape_of(a)
     b_type_, b_ = shape_of(b)
     out_overlaps = ctypes.c_int32()
@@ -1255,12 +1472,15 @@ def overlaps(a: Shape, b: Shape) -> bool:
 
 
 def overlaps_batch(a: ArrayLike, b: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-    """Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
-    @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
-                         needs 0
-    @param out_overlaps  count elements, each 0 or 1
-    @return GPHYS_ERROR_UNSUPPORTED for rays and segments
-    Cost: that of count single calls."""
+    """Whether the shapes of each of the pairs overlap, as gamephys.overlaps: pair i is a[i] against
+    b[i].
+    Cost: that of as many single calls.
+
+    Args:
+        a, b: shapes of one type each
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for rays and segments"""
     a_type_, a_ = shapes_of(a)
     b_type_, b_ = shapes_of(b)
     count = common_length(a_, b_)
@@ -1271,10 +1491,14 @@ def overlaps_batch(a: ArrayLike, b: ArrayLike, *, out: np.ndarray | None = None)
 
 def classify_plane(shape: Shape, plane: low.Plane | Sequence) -> tuple[int, float]:
     """Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-    @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
-                                behind, 0 when crossing; may be NULL
-    @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-    Cost: O(1)."""
+    Cost: O(1).
+
+    Returns:
+        metres, of the shape's nearest point to the plane: > 0 in front, < 0 behind, 0 when
+            crossing.
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for other types of shapes"""
     type_, shape_ = shape_of(shape)
     plane_ = value_of(plane, low.Plane)
     out_side = ctypes.c_int32()
@@ -1284,10 +1508,12 @@ def classify_plane(shape: Shape, plane: low.Plane | Sequence) -> tuple[int, floa
 
 
 def classify_frustum(shape: Shape, frustum: low.Frustum | Sequence) -> int:
-    """Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
-    that no point is shared, inside that the frustum holds the whole shape.
-    @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
-    Cost: O(1)."""
+    """Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that
+    no point is shared, inside that the frustum holds the whole shape.
+    Cost: O(1).
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for other types of shapes"""
     type_, shape_ = shape_of(shape)
     frustum_ = value_of(frustum, low.Frustum)
     out_side = ctypes.c_int32()
@@ -1297,13 +1523,18 @@ def classify_frustum(shape: Shape, frustum: low.Frustum | Sequence) -> int:
 
 def raycast(shape: Shape, ray: low.Ray | Sequence) -> low.Hit | None:
     """First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
-    Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
-    shared edge or vertex always meets one of the triangles there.
-    Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
-    and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
-    smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-    @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-    Cost: O(1); O(log n) expected for a mesh."""
+    Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a shared
+    edge or vertex always meets one of the triangles there. Error: t within 1 ulp. No false miss and
+    no false hit at all for spheres, triangles, meshes, AABBs and planes; for capsules none but
+    within 2^-48 of the distance. An OBB is met where one larger or smaller by 2^-40 of the distance
+    would be. docs/accuracy.md has the bounds of all functions.
+    Cost: O(1); O(log n) expected for a mesh.
+
+    Returns:
+        None if nothing is found.
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
     type_, shape_ = shape_of(shape)
     ray_ = value_of(ray, low.Ray)
     out_hit = low.Hit()
@@ -1311,12 +1542,13 @@ def raycast(shape: Shape, ray: low.Ray | Sequence) -> low.Hit | None:
 
 
 def raycast_batch(shape: Shape, rays: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
-    """First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
-    t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
-    @param rays      a stride of 0 casts one ray count times
-    @param out_hits  count elements
-    @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-    Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way."""
+    """First hits of the rays with one shape, as gamephys.raycast. A ray that hits nothing gets t =
+    INFINITY, triangle = NO_TRIANGLE and zeros in its hits element.
+    Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same
+    way.
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
     type_, shape_ = shape_of(shape)
     rays_ = array_of(rays, low.ray_dtype)
     count = common_length(rays_)
@@ -1326,11 +1558,16 @@ def raycast_batch(shape: Shape, rays: ArrayLike, *, out: np.ndarray | None = Non
 
 
 def segment_test(shape: Shape, segment: low.Segment | Sequence) -> low.Hit | None:
-    """First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
-    A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
+    """First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+    segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
     then is met from no direction, the normal is zero.
-    @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-    Cost: as gphys_shape_raycast."""
+    Cost: as gamephys.raycast.
+
+    Returns:
+        None if nothing is found.
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
     type_, shape_ = shape_of(shape)
     segment_ = value_of(segment, low.Segment)
     out_hit = low.Hit()
@@ -1340,14 +1577,21 @@ def segment_test(shape: Shape, segment: low.Segment | Sequence) -> low.Hit | Non
 def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence) -> low.Hit | None:
     """First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
     triangle, frustum or mesh.
-    @param displacement  metres; may be zero
-    @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
-                    the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
-                    and where the centre itself is in a solid, the normal is opposite to the
-                    displacement (zero if that is zero).
-    @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
     Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-    Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh."""
+    Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected
+    for a mesh.
+
+    Args:
+        displacement: metres; may be zero
+
+    Returns:
+        t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+            the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself
+            is in a solid, the normal is opposite to the displacement (zero if that is zero). None
+            if nothing is found.
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""
     type_, shape_ = shape_of(shape)
     sphere_ = value_of(sphere, low.Sphere)
     displacement_ = value_of(displacement, low.Vec3)
@@ -1358,8 +1602,10 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.
 def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
     """The eight corners, each the intersection of three planes: near then far, each in the order
     left-bottom, right-bottom, right-top, left-top.
-    @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
-    Cost: O(1)."""
+    Cost: O(1).
+
+    Returns:
+        None if three planes do not meet in a point (infinite far plane)."""
     frustum_ = value_of(frustum, low.Frustum)
     out_corners = np.empty(8, low.vec3_dtype)
     return out_corners if found(low.gphys_frustum_corners(frustum_.address, out_corners.ctypes.data)) else None
@@ -1367,10 +1613,14 @@ def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
 
 def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, reverse_z: int) -> low.Frustum:
     """The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-    origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
-    @param reverse_z  0: near has the low depth; 1: near has the high depth
-    @return GPHYS_ERROR_SINGULAR if the matrix has no volume
-    Cost: O(1)."""
+    origin (0, 0, 0). A camera knows its frustum better: Camera.get_frustum.
+    Cost: O(1).
+
+    Args:
+        reverse_z: False: near has the low depth; True: near has the high depth
+
+    Raises:
+        Error, status ERROR_SINGULAR: if the matrix has no volume"""
     view_projection_ = value_of(view_projection, low.Mat4)
     out_frustum = low.Frustum()
     check(low.gphys_frustum_from_matrix(view_projection_.address, depth_range, reverse_z, ctypes.byref(out_frustum)))
@@ -1379,12 +1629,17 @@ def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, 
 
 def mesh_check(vertices: ArrayLike, indices: ArrayLike) -> low.MeshReport:
     """Examine arrays without building anything. Allocates while it runs.
-    @param vertices       vertex_count elements of 3 floats, metres
-    @param vertex_stride  bytes between vertices, at least 12
-    @param indices        index_count numbers, three for each triangle
-    @param out_report     what was found; indices out of range and bad vertices are counted, not refused
-    @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
-    Cost: O(n log n)."""
+    Cost: O(n log n).
+
+    Args:
+        vertices: elements of 3 floats, metres
+        indices: numbers, three for each triangle
+
+    Returns:
+        what was found; indices out of range and bad vertices are counted, not refused.
+
+    Raises:
+        InvalidArgument: for an index_count that is no multiple of 3"""
     vertices_ = array_of(vertices, "<f4", 3)
     indices_ = array_of(indices, "<u4")
     out_report = low.MeshReport()

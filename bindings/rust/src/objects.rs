@@ -175,12 +175,12 @@ impl Drop for Mesh {
 impl Mesh {
     /// Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
     /// segments or points that they are, and counted in the report. 0 triangles are allowed.
-    /// * `desc`: may be NULL
-    ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for an index out of range, an index_count that is no
-    /// multiple of 3 or a bad vertex; `gphys_mesh_check` tells which.
     ///
     /// Cost: O(n log n), about 1 us per triangle.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: for an index out of range, an index_count that is no multiple of
+    ///   3 or a bad vertex; `mesh_check` tells which
     pub fn new<'a>(vertices: impl Into<Batch<'a, Vec3>>, indices: &[u32], desc: Option<&MeshDesc>) -> Result<Mesh> {
         let vertices = vertices.into();
         let indices = Batch::from(indices);
@@ -189,7 +189,7 @@ impl Mesh {
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
     }
 
-    /// What the mesh was built from: the report that `gphys_mesh_check` makes of its arrays.
+    /// What the mesh was built from: the report that `mesh_check` makes of its arrays.
     ///
     /// Cost: O(1).
     pub fn get_report(&self) -> Result<MeshReport> {
@@ -198,15 +198,14 @@ impl Mesh {
         Ok(out_report)
     }
 
-    /// Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+    /// Copy the vertices out, in metres and in their original order.
     ///
     /// Cost: O(vertices).
     pub fn get_vertices(&self) -> Result<Vec<Vec3>> {
         list(|out_vertices, capacity, total| unsafe { sys::gphys_mesh_get_vertices(self.handle.as_ptr(), out_vertices, capacity, total) })
     }
 
-    /// Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
-    /// *out_total counts indices, not triangles.
+    /// Copy the indices out, three for each triangle, in their original order.
     ///
     /// Cost: O(n).
     pub fn get_indices(&self) -> Result<Vec<u32>> {
@@ -214,9 +213,6 @@ impl Mesh {
     }
 
     /// All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-    /// Kept when the array is too small: the first ones.
-    ///
-    /// Returns `GPHYS_OK` (also for 0 hits)
     ///
     /// Cost: O(log n + k) expected.
     pub fn raycast_all(&self, ray: &Ray) -> Result<Vec<Hit>> {
@@ -224,7 +220,6 @@ impl Mesh {
     }
 
     /// Whether a ray hits anything; cheaper than the closest hit.
-    /// * `out_hit`: 0 or 1
     ///
     /// Cost: O(log n) expected.
     pub fn raycast_any(&self, ray: &Ray) -> Result<bool> {
@@ -234,23 +229,26 @@ impl Mesh {
     }
 
     /// Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-    /// ascending. Kept when the array is too small: the lowest.
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` for other types of shapes
+    /// ascending.
     ///
     /// Cost: O(log n + k) expected.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for other types of shapes
     pub fn overlap(&self, shape: &dyn Shape) -> Result<Vec<u32>> {
         list(|out_triangles, capacity, total| unsafe { sys::gphys_mesh_overlap(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), out_triangles, capacity, total) })
     }
 
-    /// How the mesh's octree is made up. Cost: O(nodes).
+    /// How the mesh's octree is made up.
+    ///
+    /// Cost: O(nodes).
     pub fn get_octree_stats(&self) -> Result<OctreeStats> {
         let mut out_stats = OctreeStats::default();
         check(unsafe { sys::gphys_mesh_get_octree_stats(self.handle.as_ptr(), &mut out_stats) })?;
         Ok(out_stats)
     }
 
-    /// Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+    /// Boxes of the mesh's octree, each parent before its children.
     ///
     /// Cost: O(nodes).
     pub fn get_octree_boxes(&self) -> Result<Vec<OctreeBox>> {
@@ -276,42 +274,47 @@ impl Drop for Scene {
 }
 
 impl Scene {
-    /// Create a scene without models.
-    /// With a worker_count of n, all batch queries of the scene (`gphys_camera_pick_batch` too), and
-    /// adding and moving many models, share their work among n threads; the results have the same bits
-    /// for every n. Without a task_runner n - 1 threads are started here and joined by
-    /// `gphys_scene_destroy`. They serve one call at a time: others that come meanwhile do their own
-    /// work. They take no signals but faults, and the floating-point settings of the thread that
+    /// Create a scene without models. With a worker_count of n, all batch queries of the scene
+    /// (`Camera::pick_batch` too), and adding and moving many models, share their work among n threads; the
+    /// results have the same bits for every n. Without a task_runner n - 1 threads are started here and
+    /// joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
+    /// their own work. They take no signals but faults, and the floating-point settings of the thread that
     /// created them. In a child of fork they are gone: calls there run on one thread, as they do on a
     /// platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-    /// * `desc`: NULL: the defaults
-    ///
-    /// Returns `GPHYS_ERROR_OUT_OF_MEMORY` also if the threads cannot be started; `GPHYS_ERROR_CAPACITY` if
-    /// reserve_models is above 2^24 - 1
     ///
     /// Cost: O(reserve_models), and that of starting the threads.
+    ///
+    /// * `desc`: None: the defaults
+    ///
+    /// # Errors
+    /// * `Status::ERROR_OUT_OF_MEMORY`: also if the threads cannot be started
+    /// * `Status::ERROR_CAPACITY`: if reserve_models is above 2^24 - 1
     pub fn new(desc: Option<&SceneDesc>) -> Result<Scene> {
         let mut made = null_mut();
         check(unsafe { sys::gphys_scene_create(pointer(desc), &mut made) })?;
         Ok(Scene { handle: NonNull::new(made).expect("a created object") })
     }
 
-    /// Move the point of the world that all coordinates of the scene count from, those that it is given
-    /// and those that it returns. Models stay where they are in the world: the positions of those without
-    /// a parent become what they are from there, kept in double precision and rounded to float32 once,
+    /// Move the point of the world that all coordinates of the scene count from, those that it is given and
+    /// those that it returns. Models stay where they are in the world: the positions of those without a
+    /// parent become what they are from there, kept in double precision and rounded to float32 once,
     /// however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     /// and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
-    /// * `origin`: x, y, z in the world, within `GPHYS_MAX_COORDINATE`; before the first call 0 0 0
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` also if a model would leave the range of coordinates
+    /// Cost: that of `Scene::set_transforms` of all models, and 24 bytes a model from the first call on.
+    /// Queries cost nothing more.
     ///
-    /// Cost: that of `gphys_scene_set_transforms` of all models, and 24 bytes a model from the first call
-    /// on. Queries cost nothing more.
+    /// * `origin`: x, y, z in the world, within `MAX_COORDINATE`; before the first call 0 0 0
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: also if a model would leave the range of coordinates
     pub fn set_origin(&mut self, origin: &[f64; 3]) -> Result<()> {
         check(unsafe { sys::gphys_scene_set_origin(self.handle.as_ptr(), origin.as_ptr()) })
     }
 
-    /// Where in the world the scene's coordinates count from. Cost: O(1).
+    /// Where in the world the scene's coordinates count from.
+    ///
+    /// Cost: O(1).
     pub fn get_origin(&self) -> Result<[f64; 3]> {
         let mut out_origin = [f64::default(); 3];
         check(unsafe { sys::gphys_scene_get_origin(self.handle.as_ptr(), out_origin.as_mut_ptr()) })?;
@@ -319,30 +322,33 @@ impl Scene {
     }
 
     /// Add a model.
-    /// * `type`: sphere, capsule, AABB, OBB, plane, triangle or mesh
-    /// * `shape`: in the model's own coordinates
-    /// * `transform`: local; NULL is the identity
-    /// * `desc`: NULL: no parent, layer 1, tag 0
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` for another type, `GPHYS_ERROR_INVALID_ID` for a stale parent,
-    /// `GPHYS_ERROR_CAPACITY`
     ///
     /// Cost: O(log n) amortised.
+    ///
+    /// * `shape`: sphere, capsule, AABB, OBB, plane, triangle or mesh
+    /// * `shape`: in the model's own coordinates
+    /// * `transform`: local; None is the identity
+    /// * `desc`: None: no parent, layer 1, tag 0
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for another type
+    /// * `Status::ERROR_INVALID_ID`: for a stale parent
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 models
     pub fn add(&mut self, shape: &dyn Shape, transform: Option<&Transform>, desc: Option<&ModelDesc>) -> Result<ModelId> {
         let mut out_model = ModelId::default();
         check(unsafe { sys::gphys_scene_add(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), pointer(transform), pointer(desc), &mut out_model) })?;
         Ok(out_model)
     }
 
-    /// Add count models of one type, all or none, as `gphys_scene_add` does one.
-    /// * `shapes`: in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
-    /// * `transforms`: local; a stride of 0 shares one; NULL is the identity
-    /// * `desc`: for all; NULL: no parent, layer 1, tag 0
-    /// * `out_models`: count elements
+    /// Add the models of one type, all or none, as `Scene::add` does one.
+    /// Fails as `Scene::add`.
     ///
-    /// Returns as `gphys_scene_add`
+    /// Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their number
+    /// is of the order of n.
     ///
-    /// Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
+    /// * `shapes`: in the models' own coordinates
+    /// * `transforms`: local; None is the identity
+    /// * `desc`: for all; None: no parent, layer 1, tag 0
     pub fn add_batch<'a>(&mut self, shapes: impl Into<Shapes<'a>>, transforms: impl Into<Batch<'a, Transform>>, desc: Option<&ModelDesc>, out_models: &mut [ModelId]) -> Result<()> {
         let shapes = shapes.into();
         let transforms = transforms.into();
@@ -360,31 +366,40 @@ impl Scene {
     }
 
     /// Remove models, all or none.
-    /// * `models`: count ids; one that stands twice is `GPHYS_ERROR_INVALID_ID`
     ///
-    /// Cost: that of count calls of `gphys_scene_remove`.
+    /// Cost: that of as many calls of `Scene::remove`.
+    ///
+    /// * `models`: the ids; one that stands twice is `Status::ERROR_INVALID_ID`
     pub fn remove_batch(&mut self, models: &[ModelId]) -> Result<()> {
         let models = Batch::from(models);
         let count = common_length(&[models.length])?;
         check(unsafe { sys::gphys_scene_remove_batch(self.handle.as_ptr(), models.data, count) })
     }
 
-    /// Remove a model and all its descendants. Cost: O(log n) amortised for each.
+    /// Remove a model and all its descendants.
+    ///
+    /// Cost: O(log n) amortised for each.
     pub fn remove_subtree(&mut self, model: ModelId) -> Result<()> {
         check(unsafe { sys::gphys_scene_remove_subtree(self.handle.as_ptr(), model) })
     }
 
-    /// Remove all models. Ids given out before stay invalid. Cost: O(n).
+    /// Remove all models. Ids given out before stay invalid.
+    ///
+    /// Cost: O(n).
     pub fn clear(&mut self) -> Result<()> {
         check(unsafe { sys::gphys_scene_clear(self.handle.as_ptr()) })
     }
 
-    /// Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
+    /// Ids of all models, ascending.
+    ///
+    /// Cost: O(n).
     pub fn get_models(&self) -> Result<Vec<ModelId>> {
         list(|out_models, capacity, total| unsafe { sys::gphys_scene_get_models(self.handle.as_ptr(), out_models, capacity, total) })
     }
 
-    /// Kind, parent, layers, tag and number of children of a model. Cost: O(1).
+    /// Kind, parent, layers, tag and number of children of a model.
+    ///
+    /// Cost: O(1).
     pub fn get_info(&self, model: ModelId) -> Result<ModelInfo> {
         let mut out_info = ModelInfo::default();
         check(unsafe { sys::gphys_scene_get_info(self.handle.as_ptr(), model, &mut out_info) })?;
@@ -394,9 +409,9 @@ impl Scene {
     /// World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
     /// of its sizes wider. That of an empty mesh is its position.
     ///
-    /// Returns `GPHYS_UNBOUNDED` for a plane
-    ///
     /// Cost: O(1).
+    ///
+    /// Returns `None` for a plane.
     pub fn get_bounds(&self, model: ModelId) -> Result<Option<Aabb>> {
         let mut out_bounds = Aabb::default();
         Ok(found(unsafe { sys::gphys_scene_get_bounds(self.handle.as_ptr(), model, &mut out_bounds) })?.then_some(out_bounds))
@@ -404,9 +419,9 @@ impl Scene {
 
     /// World box of all bounded models. Planes are left out.
     ///
-    /// Returns `GPHYS_NO_HIT` if there are none
-    ///
     /// Cost: O(1).
+    ///
+    /// Returns `None` if there are none.
     pub fn get_scene_bounds(&self) -> Result<Option<Aabb>> {
         let mut out_bounds = Aabb::default();
         Ok(found(unsafe { sys::gphys_scene_get_scene_bounds(self.handle.as_ptr(), &mut out_bounds) })?.then_some(out_bounds))
@@ -414,49 +429,56 @@ impl Scene {
 
     /// Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
     /// affected.
-    /// * `layers`: any mask; 0: no query sees it
     ///
     /// Cost: O(1).
+    ///
+    /// * `layers`: any mask; 0: no query sees it
     pub fn set_layers(&mut self, model: ModelId, layers: u32) -> Result<()> {
         check(unsafe { sys::gphys_scene_set_layers(self.handle.as_ptr(), model, layers) })
     }
 
     /// Change the number that a model's hits report beside its id. Children are not affected.
-    /// * `tag`: any number of the caller's
     ///
     /// Cost: O(1).
+    ///
+    /// * `tag`: any number of the caller's
     pub fn set_tag(&mut self, model: ModelId, tag: u32) -> Result<()> {
         check(unsafe { sys::gphys_scene_set_tag(self.handle.as_ptr(), model, tag) })
     }
 
     /// Hang a model below another one, or below none (0).
-    /// * `keep_world`: 0: the local transform is kept, the model jumps; 1: the local transform is
+    ///
+    /// Cost: O(depth of the tree of models), and as `Scene::set_transform` for what moves.
+    ///
+    /// * `keep_world`: false: the local transform is kept, the model jumps; true: the local transform is
     ///   changed so that the world transform stays (within float32 rounding)
     ///
-    /// Returns `GPHYS_ERROR_CYCLE` if parent is the model or one of its descendants
-    ///
-    /// Cost: O(depth of the tree of models), and as `gphys_scene_set_transform` for what moves.
+    /// # Errors
+    /// * `Status::ERROR_CYCLE`: if parent is the model or one of its descendants
     pub fn set_parent(&mut self, model: ModelId, parent: ModelId, keep_world: bool) -> Result<()> {
         let keep_world = i32::from(keep_world);
         check(unsafe { sys::gphys_scene_set_parent(self.handle.as_ptr(), model, parent, keep_world) })
     }
 
     /// Set a model's local transform. Descendants follow.
-    /// * `transform`: relative to the parent; scale > 0
-    ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` also if it, or a descendant, would leave the range of the world
     ///
     /// Cost: O(log n) for each model that moves.
+    ///
+    /// * `transform`: relative to the parent; scale > 0
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: also if it, or a descendant, would leave the range of the world
     pub fn set_transform(&mut self, model: ModelId, transform: &Transform) -> Result<()> {
         check(unsafe { sys::gphys_scene_set_transform(self.handle.as_ptr(), model, transform) })
     }
 
     /// Set the local transforms of many models, all or none; a model that stands twice gets the last.
     /// Descendants follow.
-    /// * `models`: count ids
-    /// * `transforms`: as in `gphys_scene_set_transform`; a stride of 0 gives all the same
     ///
     /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+    ///
+    /// * `models`: the ids
+    /// * `transforms`: as in `Scene::set_transform`
     pub fn set_transforms<'a>(&mut self, models: &[ModelId], transforms: impl Into<Batch<'a, Transform>>) -> Result<()> {
         let models = Batch::from(models);
         let transforms = transforms.into();
@@ -464,11 +486,11 @@ impl Scene {
         check(unsafe { sys::gphys_scene_set_transforms(self.handle.as_ptr(), models.data, transforms.data, transforms.stride, count) })
     }
 
-    /// Local transforms of count models, as they were set: relative to the parent.
-    /// * `models`: count ids; one may stand twice
-    /// * `out_transforms`: count elements
+    /// Local transforms of the models, as they were set: relative to the parent.
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `models`: the ids; one may stand twice
     pub fn get_transforms<'a>(&self, models: &[ModelId], out_transforms: impl Into<BatchMut<'a, Transform>>) -> Result<()> {
         let models = Batch::from(models);
         let out_transforms = out_transforms.into();
@@ -477,12 +499,12 @@ impl Scene {
         check(unsafe { sys::gphys_scene_get_transforms(self.handle.as_ptr(), models.data, count, out_transforms.data, out_transforms.stride) })
     }
 
-    /// World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+    /// World transforms of the models: those of all ancestors applied, rounded to float32. What queries
     /// answer is exact with respect to these.
-    /// * `models`: count ids; one may stand twice
-    /// * `out_transforms`: count elements
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `models`: the ids; one may stand twice
     pub fn get_world_transforms<'a>(&self, models: &[ModelId], out_transforms: impl Into<BatchMut<'a, Transform>>) -> Result<()> {
         let models = Batch::from(models);
         let out_transforms = out_transforms.into();
@@ -491,22 +513,20 @@ impl Scene {
         check(unsafe { sys::gphys_scene_get_world_transforms(self.handle.as_ptr(), models.data, count, out_transforms.data, out_transforms.stride) })
     }
 
-    /// Closest model on a ray; the fields are exact as in `gphys_shape_raycast`.
-    ///
-    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    /// Closest model on a ray; the fields are exact as in `raycast`.
     ///
     /// Cost: O(log n) expected; no allocation.
+    ///
+    /// Returns `None` if nothing is found.
     pub fn raycast(&self, ray: &Ray, layers: u32) -> Result<Option<Hit>> {
         let mut out_hit = Hit::default();
         Ok(found(unsafe { sys::gphys_scene_raycast(self.handle.as_ptr(), ray, layers, &mut out_hit) })?.then_some(out_hit))
     }
 
-    /// Closest models on count rays, as `gphys_scene_raycast`; a ray that hits nothing gets model = 0 and
-    /// t = INFINITY.
-    /// * `rays`: a stride of 0 casts one ray count times
-    /// * `out_hits`: count elements
+    /// Closest models on the rays, as `Scene::raycast`; a ray that hits nothing gets model = 0 and t =
+    /// INFINITY.
     ///
-    /// Cost: at most that of count single calls; shared among workers.
+    /// Cost: at most that of as many single calls; shared among workers.
     pub fn raycast_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let rays = rays.into();
         let out_hits = out_hits.into();
@@ -516,7 +536,6 @@ impl Scene {
     }
 
     /// Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-    /// * `out_hit`: 0 or 1
     ///
     /// Cost: O(log n) expected.
     pub fn raycast_any(&self, ray: &Ray, layers: u32) -> Result<bool> {
@@ -525,11 +544,9 @@ impl Scene {
         Ok(out_hit != 0)
     }
 
-    /// Whether each of count rays meets anything, as `gphys_scene_raycast_any`.
-    /// * `rays`: a stride of 0 casts one ray count times
-    /// * `out_hits`: count elements, each 0 or 1
+    /// Whether each of the rays meets anything, as `Scene::raycast_any`.
     ///
-    /// Cost: at most that of count single calls; shared among workers.
+    /// Cost: at most that of as many single calls; shared among workers.
     pub fn raycast_any_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
         let rays = rays.into();
         let out_hits = out_hits.into();
@@ -538,45 +555,37 @@ impl Scene {
         check(unsafe { sys::gphys_scene_raycast_any_batch(self.handle.as_ptr(), rays.data, rays.stride, count, layers, out_hits.data, out_hits.stride) })
     }
 
-    /// Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-    /// the first. Cost: O(log n + k log k) expected.
+    /// Every model that a ray meets, each once with its first hit, by t, then id.
+    ///
+    /// Cost: O(log n + k log k) expected.
     pub fn raycast_all(&self, ray: &Ray, layers: u32) -> Result<Vec<Hit>> {
         list(|out_hits, capacity, total| unsafe { sys::gphys_scene_raycast_all(self.handle.as_ptr(), ray, layers, out_hits, capacity, total) })
     }
 
-    /// Every model that each of count rays meets, as `gphys_scene_raycast_all`: the hits of ray i stand at
-    /// `out_hits[out_offsets[i]]` up to out_offsets[i + 1].
-    /// * `rays`: a stride of 0 casts one ray count times
-    /// * `out_offsets`: count + 1 numbers, always complete, so that a second call can have enough
-    ///   room. Where a ray's range crosses capacity, its first hits are written.
-    ///   What stands in out_hits behind the last hit afterwards is unspecified.
+    /// Every model that each of the rays meets, as `Scene::raycast_all`: the hits of ray i stand at
+    /// `hits[offsets[i]]` up to offsets[i + 1].
     ///
-    /// Returns `GPHYS_OK`, or `GPHYS_INCOMPLETE` if `out_offsets[count]` > capacity
-    ///
-    /// Cost: that of count single calls; shared among workers.
+    /// Cost: that of as many single calls; shared among workers.
     pub fn raycast_all_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32) -> Result<Ragged<Hit>> {
         let rays = rays.into();
         let count = common_length(&[rays.length])?;
         ragged(count, |out_hits, capacity, offsets| unsafe { sys::gphys_scene_raycast_all_batch(self.handle.as_ptr(), rays.data, rays.stride, count, layers, out_hits, capacity, offsets) })
     }
 
-    /// Closest model along a segment from a to b, both included; t in 0..1. Fields as in
-    /// `gphys_shape_segment_test`.
-    ///
-    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    /// Closest model along a segment from a to b, both included; t in 0..1. Fields as in `segment_test`.
     ///
     /// Cost: O(log n) expected.
+    ///
+    /// Returns `None` if nothing is found.
     pub fn segment_test(&self, segment: &Segment, layers: u32) -> Result<Option<Hit>> {
         let mut out_hit = Hit::default();
         Ok(found(unsafe { sys::gphys_scene_segment_test(self.handle.as_ptr(), segment, layers, &mut out_hit) })?.then_some(out_hit))
     }
 
-    /// Closest models along count segments, as `gphys_scene_segment_test`; one that hits nothing gets
-    /// model = 0 and t = INFINITY.
-    /// * `segments`: a stride of 0 tests one segment count times
-    /// * `out_hits`: count elements
+    /// Closest models along the segments, as `Scene::segment_test`; one that hits nothing gets model = 0
+    /// and t = INFINITY.
     ///
-    /// Cost: that of count single calls; shared among workers.
+    /// Cost: that of as many single calls; shared among workers.
     pub fn segment_test_batch<'a>(&self, segments: impl Into<Batch<'a, Segment>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let segments = segments.into();
         let out_hits = out_hits.into();
@@ -586,57 +595,57 @@ impl Scene {
     }
 
     /// Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
-    /// `gphys_shape_overlaps`, ascending. Kept when the array is too small: the lowest.
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` for other types of shapes
+    /// `overlaps`, ascending.
     ///
     /// Cost: O(log n + k) expected.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for other types of shapes
     pub fn overlap(&self, shape: &dyn Shape, layers: u32) -> Result<Vec<ModelId>> {
         list(|out_models, capacity, total| unsafe { sys::gphys_scene_overlap(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), layers, out_models, capacity, total) })
     }
 
-    /// Ids of all models that each of count shapes of one type overlaps, as `gphys_scene_overlap`: those of shape
-    /// i stand at `out_models[out_offsets[i]]` up to out_offsets[i + 1], as in `gphys_scene_raycast_all_batch`.
-    /// * `shapes`: a stride of 0 asks for one shape count times
-    /// * `out_offsets`: count + 1 numbers, always complete
+    /// Ids of all models that each of the shapes of one type overlaps, as `Scene::overlap`: those of shape
+    /// i stand at `models[offsets[i]]` up to offsets[i + 1], as in `Scene::raycast_all_batch`.
     ///
-    /// Returns `GPHYS_OK`, or `GPHYS_INCOMPLETE` if `out_offsets[count]` > capacity; `GPHYS_ERROR_UNSUPPORTED` as there
+    /// Cost: at most that of as many single calls; shared among workers.
     ///
-    /// Cost: at most that of count single calls; shared among workers.
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: as there
     pub fn overlap_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, layers: u32) -> Result<Ragged<ModelId>> {
         let shapes = shapes.into();
         let count = common_length(&[shapes.length])?;
         ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_overlap_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, layers, out_models, capacity, offsets) })
     }
 
-    /// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-    /// own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
-    /// per cent more are listed, which `gphys_scene_overlap` sorts out by testing the shapes. Kept when
-    /// too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-    /// as scratch memory to order them. Cost: O(log n + k) expected.
+    /// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
+    /// box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
+    /// more are listed, which `Scene::overlap` sorts out by testing the shapes.
+    ///
+    /// Cost: O(log n + k) expected.
     pub fn cull(&self, frustum: &Frustum, layers: u32) -> Result<Vec<ModelId>> {
         list(|out_models, capacity, total| unsafe { sys::gphys_scene_cull(self.handle.as_ptr(), frustum, layers, out_models, capacity, total) })
     }
 
     /// The model nearest to a point, and its closest point.
-    /// * `max_distance`: >= 0, INFINITY allowed; a model at exactly this distance counts
-    ///
-    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
     ///
     /// Cost: O(log n) expected.
+    ///
+    /// * `max_distance`: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+    ///
+    /// Returns `None` if nothing is found.
     pub fn nearest(&self, point: impl Into<Vec3>, max_distance: f32, layers: u32) -> Result<Option<Nearest>> {
         let point = &point.into();
         let mut out_nearest = Nearest::default();
         Ok(found(unsafe { sys::gphys_scene_nearest(self.handle.as_ptr(), point, max_distance, layers, &mut out_nearest) })?.then_some(out_nearest))
     }
 
-    /// The models nearest to count points, as `gphys_scene_nearest`; a point with none gets model = 0 and
-    /// distance = INFINITY.
-    /// * `points`: a stride of 0 asks for one point count times
-    /// * `max_distance`: metres, >= 0, INFINITY allowed, for all points
-    /// * `out_nearest`: count elements
+    /// The models nearest to the points, as `Scene::nearest`; a point with none gets model = 0 and distance
+    /// = INFINITY.
     ///
-    /// Cost: that of count single calls; shared among workers.
+    /// Cost: that of as many single calls; shared among workers.
+    ///
+    /// * `max_distance`: metres, >= 0, INFINITY allowed, for all points
     pub fn nearest_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, max_distance: f32, layers: u32, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
         let points = points.into();
         let out_nearest = out_nearest.into();
@@ -645,26 +654,26 @@ impl Scene {
         check(unsafe { sys::gphys_scene_nearest_batch(self.handle.as_ptr(), points.data, points.stride, count, max_distance, layers, out_nearest.data, out_nearest.stride) })
     }
 
-    /// First model that a sphere touches while it moves by displacement; t in 0..1.
-    /// Fields as in `gphys_shape_sweep_sphere`.
-    /// * `displacement`: metres; may be zero
-    ///
-    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    /// First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+    /// `sweep_sphere`.
     ///
     /// Cost: O(log n + k) expected, k the models that the swept box touches.
+    ///
+    /// * `displacement`: metres; may be zero
+    ///
+    /// Returns `None` if nothing is found.
     pub fn sweep_sphere(&self, sphere: &Sphere, displacement: impl Into<Vec3>, layers: u32) -> Result<Option<Hit>> {
         let displacement = &displacement.into();
         let mut out_hit = Hit::default();
         Ok(found(unsafe { sys::gphys_scene_sweep_sphere(self.handle.as_ptr(), sphere, displacement, layers, &mut out_hit) })?.then_some(out_hit))
     }
 
-    /// First models that count spheres touch while each moves by its displacement, as
-    /// `gphys_scene_sweep_sphere`; one that touches nothing gets model = 0 and t = INFINITY.
-    /// * `spheres`: a stride of 0 takes one sphere throughout
-    /// * `displacements`: metres; a stride of 0 moves all alike
-    /// * `out_hits`: count elements
+    /// First models that the spheres touch while each moves by its displacement, as `Scene::sweep_sphere`;
+    /// one that touches nothing gets model = 0 and t = INFINITY.
     ///
-    /// Cost: that of count single calls; shared among workers.
+    /// Cost: that of as many single calls; shared among workers.
+    ///
+    /// * `displacements`: metres
     pub fn sweep_sphere_batch<'a>(&self, spheres: impl Into<Batch<'a, Sphere>>, displacements: impl Into<Batch<'a, Vec3>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let spheres = spheres.into();
         let displacements = displacements.into();
@@ -674,26 +683,29 @@ impl Scene {
         check(unsafe { sys::gphys_scene_sweep_sphere_batch(self.handle.as_ptr(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, layers, out_hits.data, out_hits.stride) })
     }
 
-    /// How the scene's octree is made up. Cost: O(nodes).
+    /// How the scene's octree is made up.
+    ///
+    /// Cost: O(nodes).
     pub fn get_octree_stats(&self) -> Result<OctreeStats> {
         let mut out_stats = OctreeStats::default();
         check(unsafe { sys::gphys_scene_get_octree_stats(self.handle.as_ptr(), &mut out_stats) })?;
         Ok(out_stats)
     }
 
-    /// Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+    /// Boxes of the scene's octree, each parent before its children.
     ///
     /// Cost: O(nodes).
     pub fn get_octree_boxes(&self) -> Result<Vec<OctreeBox>> {
         list(|out_boxes, capacity, total| unsafe { sys::gphys_scene_get_octree_boxes(self.handle.as_ptr(), out_boxes, capacity, total) })
     }
 
-    /// Check the scene's own structure: every model once in the tree, every box around its content,
-    /// parents and children in agreement, free slots free. For tests.
-    ///
-    /// Returns `GPHYS_OK`, or `GPHYS_ERROR_INTERNAL` and `gphys_last_error()` says what is wrong
+    /// Check the scene's own structure: every model once in the tree, every box around its content, parents
+    /// and children in agreement, free slots free. For tests.
     ///
     /// Cost: O(n).
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INTERNAL`: and the error's message says what is wrong
     pub fn validate(&self) -> Result<()> {
         check(unsafe { sys::gphys_scene_validate(self.handle.as_ptr()) })
     }
@@ -717,27 +729,31 @@ impl Drop for Camera {
 }
 
 impl Camera {
-    /// Create a camera with the defaults above.
-    /// * `desc`: NULL: the defaults
+    /// Create a camera that stands at the origin, with the projection and the viewport of its desc.
     ///
     /// Cost: O(1).
+    ///
+    /// * `desc`: None: the defaults
     pub fn new(desc: Option<&CameraDesc>) -> Result<Camera> {
         let mut made = null_mut();
         check(unsafe { sys::gphys_camera_create(pointer(desc), &mut made) })?;
         Ok(Camera { handle: NonNull::new(made).expect("a created object") })
     }
 
-    /// Move the point of the world that the camera's coordinates count from; see `gphys_scene_set_origin`.
-    /// The camera and the target of its orbit stay where they are in the world. Picking and culling need a
-    /// scene of the same origin, else they return `GPHYS_ERROR_INVALID_ARGUMENT`.
-    /// * `origin`: x, y, z in the world, metres, within `GPHYS_MAX_COORDINATE`
+    /// Move the point of the world that the camera's coordinates count from; see `Scene::set_origin`. The
+    /// camera and the target of its orbit stay where they are in the world. Picking and culling need a
+    /// scene of the same origin, else they fail with `Status::ERROR_INVALID_ARGUMENT`.
     ///
     /// Cost: O(1).
+    ///
+    /// * `origin`: x, y, z in the world, metres, within `MAX_COORDINATE`
     pub fn set_origin(&mut self, origin: &[f64; 3]) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_origin(self.handle.as_ptr(), origin.as_ptr()) })
     }
 
-    /// Where in the world the camera's coordinates count from, metres. Cost: O(1).
+    /// Where in the world the camera's coordinates count from, metres.
+    ///
+    /// Cost: O(1).
     pub fn get_origin(&self) -> Result<[f64; 3]> {
         let mut out_origin = [f64::default(); 3];
         check(unsafe { sys::gphys_camera_get_origin(self.handle.as_ptr(), out_origin.as_mut_ptr()) })?;
@@ -745,49 +761,54 @@ impl Camera {
     }
 
     /// See with a perspective projection; what is further away is smaller.
+    ///
+    /// Cost: O(1).
+    ///
     /// * `fov_y`: full vertical angle in radians, 1e-6 <= fov_y < pi
     /// * `near_distance`: metres, > 0
     /// * `far_distance`: metres, > near_distance; INFINITY allowed
-    ///
-    /// Cost: O(1).
     pub fn set_perspective(&mut self, fov_y: f32, near_distance: f32, far_distance: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_perspective(self.handle.as_ptr(), fov_y, near_distance, far_distance) })
     }
 
     /// See with an orthographic projection; the distance changes no size.
-    /// * `height`: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
-    /// * `near_distance, far_distance`: metres; far at least 1e-6 above near, which may be negative
     ///
     /// Cost: O(1).
+    ///
+    /// * `height`: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    /// * `near_distance`, `far_distance`: metres; far at least 1e-6 above near, which may be negative
     pub fn set_orthographic(&mut self, height: f32, near_distance: f32, far_distance: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_orthographic(self.handle.as_ptr(), height, near_distance, far_distance) })
     }
 
     /// See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-    /// another library's). It is not changed by `gphys_camera_set_viewport`.
-    ///
-    /// Returns `GPHYS_ERROR_SINGULAR` if it has no inverse, or is too close to such a matrix to tell;
-    /// `GPHYS_ERROR_INVALID_ARGUMENT` if a plane other than far lies at infinity, as it does when
-    /// the matrix is for another depth range
+    /// another library's). It is not changed by `Camera::set_viewport`.
     ///
     /// Cost: O(1).
+    ///
+    /// # Errors
+    /// * `Status::ERROR_SINGULAR`: if it has no inverse, or is too close to such a matrix to tell
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if a plane other than far lies at infinity, as it does when the
+    ///   matrix is for another depth range
     pub fn set_projection(&mut self, projection: &Mat4) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_projection(self.handle.as_ptr(), projection) })
     }
 
     /// The viewport was resized. Perspective keeps fov_y, orthographic its height.
-    /// * `width, height`: pixels, 1e-3 .. 1e6
     ///
     /// Cost: O(1).
+    ///
+    /// * `width`, `height`: pixels, 1e-3 .. 1e6
     pub fn set_viewport(&mut self, width: f32, height: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_viewport(self.handle.as_ptr(), width, height) })
     }
 
     /// Place the camera.
-    /// * `position`: metres, of its centre
-    /// * `rotation`: from its own axes to those of the world
     ///
     /// Cost: O(1).
+    ///
+    /// * `position`: metres, of its centre
+    /// * `rotation`: from its own axes to those of the world
     pub fn set_transform(&mut self, position: impl Into<Vec3>, rotation: impl Into<Quat>) -> Result<()> {
         let position = &position.into();
         let rotation = &rotation.into();
@@ -797,10 +818,11 @@ impl Camera {
     /// Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
     /// kept, then up), so that a matrix which drifted is corrected.
     ///
-    /// Returns `GPHYS_ERROR_SINGULAR` if the axes do not span space, `GPHYS_ERROR_INVALID_ARGUMENT` if
-    /// they mirror or the last row is not 0 0 0 1
-    ///
     /// Cost: O(1).
+    ///
+    /// # Errors
+    /// * `Status::ERROR_SINGULAR`: if the axes do not span space
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if they mirror or the last row is not 0 0 0 1
     pub fn set_world_matrix(&mut self, world: &Mat4) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_world_matrix(self.handle.as_ptr(), world) })
     }
@@ -808,9 +830,10 @@ impl Camera {
     /// Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
     /// chosen in its place, always the same for the same input.
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` if eye equals target or up is zero
-    ///
     /// Cost: O(1).
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if eye equals target or up is zero
     pub fn look_at(&mut self, eye: impl Into<Vec3>, target: impl Into<Vec3>, up: impl Into<Vec3>) -> Result<()> {
         let eye = &eye.into();
         let target = &target.into();
@@ -818,7 +841,9 @@ impl Camera {
         check(unsafe { sys::gphys_camera_look_at(self.handle.as_ptr(), eye, target, up) })
     }
 
-    /// Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
+    /// Where the camera stands, in metres, and how it is turned, rounded to float32.
+    ///
+    /// Cost: O(1).
     pub fn get_transform(&self) -> Result<(Vec3, Quat)> {
         let mut out_position = Vec3::default();
         let mut out_rotation = Quat::default();
@@ -826,7 +851,9 @@ impl Camera {
         Ok((out_position, out_rotation))
     }
 
-    /// The matrix from camera to world. Cost: O(1).
+    /// The matrix from camera to world.
+    ///
+    /// Cost: O(1).
     pub fn get_world_matrix(&self) -> Result<Mat4> {
         let mut out_world = Mat4::default();
         check(unsafe { sys::gphys_camera_get_world_matrix(self.handle.as_ptr(), &mut out_world) })?;
@@ -834,38 +861,47 @@ impl Camera {
     }
 
     /// The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-    /// through them. Cost: O(1).
+    /// through them.
+    ///
+    /// Cost: O(1).
     pub fn get_view_matrix(&self) -> Result<Mat4> {
         let mut out_view = Mat4::default();
         check(unsafe { sys::gphys_camera_get_view_matrix(self.handle.as_ptr(), &mut out_view) })?;
         Ok(out_view)
     }
 
-    /// The matrix from camera to clip space. Cost: O(1).
+    /// The matrix from camera to clip space.
+    ///
+    /// Cost: O(1).
     pub fn get_projection_matrix(&self) -> Result<Mat4> {
         let mut out_projection = Mat4::default();
         check(unsafe { sys::gphys_camera_get_projection_matrix(self.handle.as_ptr(), &mut out_projection) })?;
         Ok(out_projection)
     }
 
-    /// Projection * view, multiplied in double precision and rounded once. Cost: O(1).
+    /// Projection * view, multiplied in double precision and rounded once.
+    ///
+    /// Cost: O(1).
     pub fn get_view_projection_matrix(&self) -> Result<Mat4> {
         let mut out_view_projection = Mat4::default();
         check(unsafe { sys::gphys_camera_get_view_projection_matrix(self.handle.as_ptr(), &mut out_view_projection) })?;
         Ok(out_view_projection)
     }
 
-    /// Start orbiting with these settings; places the camera at once and drops pending input. An angle
-    /// or a distance outside its limits is brought inside. Cost: O(1).
+    /// Start orbiting with these settings; places the camera at once and drops pending input. An angle or a
+    /// distance outside its limits is brought inside.
+    ///
+    /// Cost: O(1).
     pub fn set_orbit(&mut self, orbit: &Orbit) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_orbit(self.handle.as_ptr(), orbit) })
     }
 
     /// The present settings, angles and distance of the orbit.
     ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` if the camera was never set to orbit
-    ///
     /// Cost: O(1).
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the camera was never set to orbit
     pub fn get_orbit(&self) -> Result<Orbit> {
         let mut out_orbit = Orbit::default();
         check(unsafe { sys::gphys_camera_get_orbit(self.handle.as_ptr(), &mut out_orbit) })?;
@@ -873,48 +909,55 @@ impl Camera {
     }
 
     /// Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
-    /// * `units_x, units_y`: finite, any size
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` if the camera was never set to orbit
     ///
     /// Cost: O(1).
+    ///
+    /// * `units_x`, `units_y`: finite, any size
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the camera was never set to orbit
     pub fn orbit_rotate(&mut self, units_x: f32, units_y: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_orbit_rotate(self.handle.as_ptr(), units_x, units_y) })
     }
 
     /// Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
-    /// * `units`: finite, any size
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` if the camera was never set to orbit
     ///
     /// Cost: O(1).
+    ///
+    /// * `units`: finite, any size
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the camera was never set to orbit
     pub fn orbit_zoom(&mut self, units: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_orbit_zoom(self.handle.as_ptr(), units) })
     }
 
     /// Add input to the orbit: move the target to the camera's right and up, as the last update left them,
     /// by units times metres_per_unit.
-    /// * `units_right, units_up`: finite, any size
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` if the camera was never set to orbit
     ///
     /// Cost: O(1).
+    ///
+    /// * `units_right`, `units_up`: finite, any size
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the camera was never set to orbit
     pub fn orbit_pan(&mut self, units_right: f32, units_up: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_orbit_pan(self.handle.as_ptr(), units_right, units_up) })
     }
 
-    /// Apply the input since the last update, within the limits, and place the camera. Angles are
-    /// wrapped to -pi .. pi in constant time.
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` if the camera was never set to orbit
+    /// Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
+    /// to -pi .. pi in constant time.
     ///
     /// Cost: O(1).
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the camera was never set to orbit
     pub fn orbit_update(&mut self) -> Result<()> {
         check(unsafe { sys::gphys_camera_orbit_update(self.handle.as_ptr()) })
     }
 
-    /// The seen volume, with origin at the camera's position and planes from its parameters: each
-    /// number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    /// The seen volume, with origin at the camera's position and planes from its parameters: each number
+    /// within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
     ///
     /// Cost: O(1).
     pub fn get_frustum(&self) -> Result<Frustum> {
@@ -923,35 +966,35 @@ impl Camera {
         Ok(out_frustum)
     }
 
-    /// World positions of the corners of the seen volume, in the order of `gphys_frustum_corners`.
-    ///
-    /// Returns `GPHYS_UNBOUNDED` with an infinite far plane
+    /// World positions of the corners of the seen volume, in the order of `frustum_corners`.
     ///
     /// Cost: O(1).
+    ///
+    /// Returns `None` with an infinite far plane.
     pub fn get_corners(&self) -> Result<Option<[Vec3; 8]>> {
         let mut out_corners = [Vec3::default(); 8];
         Ok(found(unsafe { sys::gphys_camera_get_corners(self.handle.as_ptr(), out_corners.as_mut_ptr()) })?.then_some(out_corners))
     }
 
-    /// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
-    /// z is the depth in the camera's range.
-    ///
-    /// Returns `GPHYS_NO_HIT` if the point is not in front of the camera's centre (no image), or its
-    /// image lies beyond the range of coordinates
+    /// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+    /// viewport; z is the depth in the camera's range.
     ///
     /// Cost: O(1).
+    ///
+    /// Returns `None` if the point is not in front of the camera's centre (no image), or its image lies
+    /// beyond the range of coordinates.
     pub fn project(&self, point: impl Into<Vec3>) -> Result<Option<Vec3>> {
         let point = &point.into();
         let mut out_pixel = Vec3::default();
         Ok(found(unsafe { sys::gphys_camera_project(self.handle.as_ptr(), point, &mut out_pixel) })?.then_some(out_pixel))
     }
 
-    /// Pixels of count world points, as `gphys_camera_project`; a point without an image gets
-    /// x = y = z = INFINITY.
-    /// * `points`: metres; a stride of 0 projects one point count times
-    /// * `out_pixels`: count elements
+    /// Pixels of count world points, as `Camera::project`; a point without an image gets x = y = z =
+    /// INFINITY.
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `points`: metres
     pub fn project_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, out_pixels: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
         let points = points.into();
         let out_pixels = out_pixels.into();
@@ -960,24 +1003,24 @@ impl Camera {
         check(unsafe { sys::gphys_camera_project_batch(self.handle.as_ptr(), points.data, points.stride, count, out_pixels.data, out_pixels.stride) })
     }
 
-    /// Pixel and depth to world point: the inverse of `gphys_camera_project`.
-    ///
-    /// Returns `GPHYS_UNBOUNDED` for the depth of an infinite far plane, and for points beyond that or
-    /// beyond the range of coordinates
+    /// Pixel and depth to world point: the inverse of `Camera::project`.
     ///
     /// Cost: O(1).
+    ///
+    /// Returns `None` for the depth of an infinite far plane, and for points beyond that or beyond the
+    /// range of coordinates.
     pub fn unproject(&self, pixel: impl Into<Vec3>) -> Result<Option<Vec3>> {
         let pixel = &pixel.into();
         let mut out_point = Vec3::default();
         Ok(found(unsafe { sys::gphys_camera_unproject(self.handle.as_ptr(), pixel, &mut out_point) })?.then_some(out_point))
     }
 
-    /// World points of count pixels with depth, as `gphys_camera_unproject`; one at infinity gets
-    /// x = y = z = INFINITY.
-    /// * `pixels`: x, y in pixels, z the depth; a stride of 0 takes one pixel count times
-    /// * `out_points`: count elements
+    /// World points of the pixels with depth, as `Camera::unproject`; one at infinity gets x = y = z =
+    /// INFINITY.
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `pixels`: x, y in pixels, z the depth
     pub fn unproject_batch<'a>(&self, pixels: impl Into<Batch<'a, Vec3>>, out_points: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
         let pixels = pixels.into();
         let out_points = out_points.into();
@@ -986,52 +1029,51 @@ impl Camera {
         check(unsafe { sys::gphys_camera_unproject_batch(self.handle.as_ptr(), pixels.data, pixels.stride, count, out_points.data, out_points.stride) })
     }
 
-    /// The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
-    /// on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
-    /// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-    /// near as half an ulp of a direction can be; `gphys_camera_pick` is not so limited.
-    /// For perspective the stretch before the near plane is part of the ray.
-    /// * `pixel_x, pixel_y`: pixels; may lie outside the viewport
-    ///
-    /// Returns `GPHYS_UNBOUNDED` if the line of sight does not meet the near plane (user projections)
+    /// The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
+    /// the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
+    /// image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
+    /// half an ulp of a direction can be; `Camera::pick` is not so limited. For perspective the stretch
+    /// before the near plane is part of the ray.
     ///
     /// Cost: O(1).
+    ///
+    /// * `pixel_x`, `pixel_y`: pixels; may lie outside the viewport
+    ///
+    /// Returns `None` if the line of sight does not meet the near plane (user projections).
     pub fn pick_ray(&self, pixel_x: f32, pixel_y: f32) -> Result<Option<Ray>> {
         let mut out_ray = Ray::default();
         Ok(found(unsafe { sys::gphys_camera_pick_ray(self.handle.as_ptr(), pixel_x, pixel_y, &mut out_ray) })?.then_some(out_ray))
     }
 
-    /// Rays for a rectangle of pixel centres, as `gphys_camera_pick_ray`, row by row.
-    /// * `x, y, width, height`: pixels; width * height rays, fewer than 2^32
-    /// * `out_rays`: width * height elements
-    ///
-    /// Returns `GPHYS_UNBOUNDED` if the line of sight of a pixel does not meet the near plane
+    /// Rays for a rectangle of pixel centres, as `Camera::pick_ray`, row by row.
     ///
     /// Cost: O(width * height).
+    ///
+    /// * `x`, `y`, `width`, `height`: pixels; width * height rays, fewer than 2^32
     pub fn pick_rays<'a>(&self, x: u32, y: u32, width: u32, height: u32, out_rays: impl Into<BatchMut<'a, Ray>>) -> Result<()> {
         let out_rays = out_rays.into();
         out_rays.require(u64::from(width) * u64::from(height))?;
         check(unsafe { sys::gphys_camera_pick_rays(self.handle.as_ptr(), x, y, width, height, out_rays.data, out_rays.stride) })
     }
 
-    /// The model under a pixel: the first hit of `gphys_camera_pick_ray`, before that is rounded to
-    /// float32; t is in metres.
-    /// * `pixel_x, pixel_y`: pixels; may lie outside the viewport
-    ///
-    /// Returns `GPHYS_OK` or `GPHYS_NO_HIT`
+    /// The model under a pixel: the first hit of `Camera::pick_ray`, before that is rounded to float32; t
+    /// is in metres.
     ///
     /// Cost: O(log n) expected.
+    ///
+    /// * `pixel_x`, `pixel_y`: pixels; may lie outside the viewport
+    ///
+    /// Returns `None` if nothing is found.
     pub fn pick(&self, scene: &Scene, pixel_x: f32, pixel_y: f32, layers: u32) -> Result<Option<Hit>> {
         let mut out_hit = Hit::default();
         Ok(found(unsafe { sys::gphys_camera_pick(self.handle.as_ptr(), scene.handle.as_ptr(), pixel_x, pixel_y, layers, &mut out_hit) })?.then_some(out_hit))
     }
 
-    /// The models under count pixels, as `gphys_camera_pick`; a pixel without one gets model = 0 and
-    /// t = INFINITY.
-    /// * `pixels`: x, y pairs of floats; a stride of 0 takes one pixel count times
-    /// * `out_hits`: count elements
+    /// The models under the pixels, as `Camera::pick`; a pixel without one gets model = 0 and t = INFINITY.
     ///
-    /// Cost: at most that of count single calls; shared among the scene's workers.
+    /// Cost: at most that of as many single calls; shared among the scene's workers.
+    ///
+    /// * `pixels`: x, y pairs of floats
     pub fn pick_batch<'a>(&self, scene: &Scene, pixels: impl Into<Batch<'a, [f32; 2]>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
         let pixels = pixels.into();
         let out_hits = out_hits.into();
@@ -1041,17 +1083,19 @@ impl Camera {
     }
 
     /// Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    /// rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
-    /// * `x0, y0, x1, y1`: pixels, opposite corners in any order; may lie outside the viewport
-    ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` if the rectangle has no area
+    /// rectangle, between near and far plane; exact shapes, ascending.
     ///
     /// Cost: O(log n + k) expected.
+    ///
+    /// * `x0`, `y0`, `x1`, `y1`: pixels, opposite corners in any order; may lie outside the viewport
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if the rectangle has no area
     pub fn pick_rectangle(&self, scene: &Scene, x0: f32, y0: f32, x1: f32, y1: f32, layers: u32) -> Result<Vec<ModelId>> {
         list(|out_models, capacity, total| unsafe { sys::gphys_camera_pick_rectangle(self.handle.as_ptr(), scene.handle.as_ptr(), x0, y0, x1, y1, layers, out_models, capacity, total) })
     }
 
-    /// Ids of the models to draw: `gphys_scene_cull` with the camera's frustum. Kept when too many: the lowest.
+    /// Ids of the models to draw: `Scene::cull` with the camera's frustum.
     ///
     /// Cost: O(log n + k) expected.
     pub fn cull(&self, scene: &Scene, layers: u32) -> Result<Vec<ModelId>> {
@@ -1077,14 +1121,15 @@ impl Drop for Solver {
 }
 
 impl Solver {
-    /// Create a solver without bodies.
-    /// With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
-    /// every n. Threads are started, joined and lost as those of `gphys_scene_create`.
-    /// * `desc`: NULL: the defaults
-    ///
-    /// Returns `GPHYS_ERROR_OUT_OF_MEMORY` also if the threads cannot be started
+    /// Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
+    /// results have the same bits for every n. Threads are started, joined and lost as those of `Scene`.
     ///
     /// Cost: O(1), and that of starting the threads.
+    ///
+    /// * `desc`: None: the defaults
+    ///
+    /// # Errors
+    /// * `Status::ERROR_OUT_OF_MEMORY`: also if the threads cannot be started
     pub fn new(desc: Option<&SolverDesc>) -> Result<Solver> {
         let mut made = null_mut();
         check(unsafe { sys::gphys_solver_create(pointer(desc), &mut made) })?;
@@ -1092,19 +1137,23 @@ impl Solver {
     }
 
     /// Move the point of the world that the coordinates of all particles count from; see
-    /// `gphys_scene_set_origin`. Particles stay where they are in the world and keep moving as they do. A
-    /// step and an attachment need a scene of the same origin, else they return
-    /// `GPHYS_ERROR_INVALID_ARGUMENT`.
-    /// * `origin`: x, y, z in the world, metres, within `GPHYS_MAX_COORDINATE`
-    ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` also if a particle would leave the range of coordinates
+    /// `Scene::set_origin`. Particles stay where they are in the world and keep moving as they do. A step
+    /// and an attachment need a scene of the same origin, else they fail with
+    /// `Status::ERROR_INVALID_ARGUMENT`.
     ///
     /// Cost: O(particles).
+    ///
+    /// * `origin`: x, y, z in the world, metres, within `MAX_COORDINATE`
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: also if a particle would leave the range of coordinates
     pub fn set_origin(&mut self, origin: &[f64; 3]) -> Result<()> {
         check(unsafe { sys::gphys_solver_set_origin(self.handle.as_ptr(), origin.as_ptr()) })
     }
 
-    /// Where in the world the particles' coordinates count from, metres. Cost: O(1).
+    /// Where in the world the particles' coordinates count from, metres.
+    ///
+    /// Cost: O(1).
     pub fn get_origin(&self) -> Result<[f64; 3]> {
         let mut out_origin = [f64::default(); 3];
         check(unsafe { sys::gphys_solver_get_origin(self.handle.as_ptr(), out_origin.as_mut_ptr()) })?;
@@ -1112,32 +1161,36 @@ impl Solver {
     }
 
     /// Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
-    /// * `gravity`: m/s^2; may be zero
     ///
     /// Cost: O(bodies).
+    ///
+    /// * `gravity`: m/s^2; may be zero
     pub fn set_gravity(&mut self, gravity: impl Into<Vec3>) -> Result<()> {
         let gravity = &gravity.into();
         check(unsafe { sys::gphys_solver_set_gravity(self.handle.as_ptr(), gravity) })
     }
 
-    /// Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
-    /// error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
-    /// by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
-    /// al. 1985): twice the time, a seventh of the error.
-    /// * `substeps`: 1 .. 1000
+    /// Change the number of substeps of a step. More substeps: smaller errors, proportionally more time.
+    /// The error of motion goes with the square of their length. Ropes that move calmly - in a substep no
+    /// link turns by half a radian, or would swing by one if its ends were pushed - make each in two stages
+    /// (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
     ///
     /// Cost: O(1).
+    ///
+    /// * `substeps`: 1 .. 1000
     pub fn set_substeps(&mut self, substeps: u32) -> Result<()> {
         check(unsafe { sys::gphys_solver_set_substeps(self.handle.as_ptr(), substeps) })
     }
 
     /// Add a body of particles without constraints.
-    /// * `desc`: NULL: the defaults
-    /// * `positions`: metres; count elements, count >= 1
     ///
-    /// Returns `GPHYS_ERROR_CAPACITY` beyond 2^24 - 1 particles or bodies
+    /// Cost: O(elements).
     ///
-    /// Cost: O(count).
+    /// * `desc`: None: the defaults
+    /// * `positions`: metres
+    ///
+    /// # Errors
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or bodies
     pub fn add_particles<'a>(&mut self, positions: impl Into<Batch<'a, Vec3>>, desc: Option<&BodyDesc>) -> Result<BodyId> {
         let positions = positions.into();
         let count = common_length(&[positions.length])?;
@@ -1147,13 +1200,15 @@ impl Solver {
     }
 
     /// Add a rope through the given points, one particle at each.
-    /// * `desc`: NULL: the defaults
-    /// * `positions`: metres; count elements, count >= 2
+    ///
+    /// Cost: O(elements).
+    ///
+    /// * `desc`: None: the defaults
+    /// * `positions`: metres
     /// * `link_length`: rest length of each link in metres; 0: as placed
     ///
-    /// Returns `GPHYS_ERROR_CAPACITY` beyond 2^24 - 1 particles or bodies
-    ///
-    /// Cost: O(count).
+    /// # Errors
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or bodies
     pub fn add_rope<'a>(&mut self, positions: impl Into<Batch<'a, Vec3>>, link_length: f32, desc: Option<&BodyDesc>) -> Result<BodyId> {
         let positions = positions.into();
         let count = common_length(&[positions.length])?;
@@ -1164,14 +1219,16 @@ impl Solver {
 
     /// Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
     /// corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-    /// * `desc`: NULL: the defaults
-    /// * `corner`: metres
-    ///   @param edge_u, edge_v metres, from the corner along a row and along a column
-    /// * `columns, rows`: >= 2
-    ///
-    /// Returns `GPHYS_ERROR_CAPACITY` beyond 2^24 - 1 particles or bodies
     ///
     /// Cost: O(columns * rows).
+    ///
+    /// * `desc`: None: the defaults
+    /// * `corner`: metres
+    /// * `edge_u`, `edge_v`: metres, from the corner along a row and along a column
+    /// * `columns`, `rows`: >= 2
+    ///
+    /// # Errors
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or bodies
     pub fn add_cloth(&mut self, corner: impl Into<Vec3>, edge_u: impl Into<Vec3>, edge_v: impl Into<Vec3>, columns: u32, rows: u32, desc: Option<&BodyDesc>) -> Result<BodyId> {
         let corner = &corner.into();
         let edge_u = &edge_u.into();
@@ -1181,62 +1238,68 @@ impl Solver {
         Ok(out_body)
     }
 
-    /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    /// with `GPHYS_CLOTH_BEND` one across each inner edge. Vertices at the same place stay separate.
-    /// * `desc`: NULL: the defaults
-    /// * `transform`: places the mesh; NULL is the identity
-    ///
-    /// Returns `GPHYS_ERROR_CAPACITY` beyond 2^24 - 1 particles or bodies
+    /// Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
+    /// `CLOTH_BEND` one across each inner edge. Vertices at the same place stay separate.
     ///
     /// Cost: O(n log n).
+    ///
+    /// * `desc`: None: the defaults
+    /// * `transform`: places the mesh; None is the identity
+    ///
+    /// # Errors
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or bodies
     pub fn add_cloth_mesh(&mut self, mesh: &Mesh, transform: Option<&Transform>, desc: Option<&BodyDesc>) -> Result<BodyId> {
         let mut out_body = BodyId::default();
         check(unsafe { sys::gphys_solver_add_cloth_mesh(self.handle.as_ptr(), pointer(desc), mesh.handle.as_ptr(), pointer(transform), &mut out_body) })?;
         Ok(out_body)
     }
 
-    /// Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
-    /// last step are no longer listed.
+    /// Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
+    /// the last step are no longer listed.
     ///
     /// Cost: O(particles + constraints of the body), and O(joints of the solver).
     pub fn remove_body(&mut self, body: BodyId) -> Result<()> {
         check(unsafe { sys::gphys_solver_remove_body(self.handle.as_ptr(), body) })
     }
 
-    /// Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
+    /// Ids of all bodies, ascending.
+    ///
+    /// Cost: O(bodies).
     pub fn get_bodies(&self) -> Result<Vec<BodyId>> {
         list(|out_bodies, capacity, total| unsafe { sys::gphys_solver_get_bodies(self.handle.as_ptr(), out_bodies, capacity, total) })
     }
 
-    /// Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
-    /// A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
-    /// sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
-    /// keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
-    /// wakes in the step before which a model came, went or moved as near as it could come in a step at
-    /// 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-    /// its state, of gravity or of the origin. Cost: O(bodies).
+    /// Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+    /// sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
+    /// than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
+    /// more than a look for models nearby. It wakes in the step before which a model came, went or moved as
+    /// near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
+    /// exchanged; and at once by any change of its state, of gravity or of the origin.
+    ///
+    /// Cost: O(bodies).
     pub fn get_sleeping(&self) -> Result<Vec<BodyId>> {
         list(|out_bodies, capacity, total| unsafe { sys::gphys_solver_get_sleeping(self.handle.as_ptr(), out_bodies, capacity, total) })
     }
 
     /// Wake a body; its time of rest begins again.
-    /// * `body`: 0: all
     ///
     /// Cost: O(1) a body.
+    ///
+    /// * `body`: 0: all
     pub fn wake(&mut self, body: BodyId) -> Result<()> {
         check(unsafe { sys::gphys_solver_wake(self.handle.as_ptr(), body) })
     }
 
-    /// What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
-    /// it allocates.
+    /// What a body is made of and how it is solved.
+    ///
+    /// Cost: O(1); after a change of constraints O(particles), and it allocates.
     pub fn get_body_info(&self, body: BodyId) -> Result<BodyInfo> {
         let mut out_info = BodyInfo::default();
         check(unsafe { sys::gphys_solver_get_body_info(self.handle.as_ptr(), body, &mut out_info) })?;
         Ok(out_info)
     }
 
-    /// Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
-    /// *out_total counts numbers, not triangles; it is 0 for other bodies.
+    /// Particle numbers of a cloth's triangles, three each, for drawing.
     ///
     /// Cost: O(triangles).
     pub fn get_triangles(&self, body: BodyId) -> Result<Vec<u32>> {
@@ -1244,22 +1307,24 @@ impl Solver {
     }
 
     /// Where the particles are, metres.
-    /// * `first, count`: the particles first .. first + count - 1; a range beyond the body is
-    ///   `GPHYS_ERROR_INVALID_ARGUMENT`
-    /// * `out_positions`: count elements
     ///
     /// Cost: O(count).
+    ///
+    /// * `first`, `count`: the particles first .. first + count - 1; a range beyond the body is
+    ///   `Status::ERROR_INVALID_ARGUMENT`
     pub fn get_positions<'a>(&self, body: BodyId, first: u32, out_positions: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
         let out_positions = out_positions.into();
         let count = out_positions.count()?;
         check(unsafe { sys::gphys_solver_get_positions(self.handle.as_ptr(), body, first, count, out_positions.data, out_positions.stride) })
     }
 
-    /// Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
-    /// * `first, count`: as in `gphys_solver_get_positions`
-    /// * `positions`: metres; a stride of 0 moves all to one place
+    /// Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+    /// body.
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `first`: as in `Solver::get_positions`
+    /// * `positions`: metres
     pub fn set_positions<'a>(&mut self, body: BodyId, first: u32, positions: impl Into<Batch<'a, Vec3>>) -> Result<()> {
         let positions = positions.into();
         let count = common_length(&[positions.length])?;
@@ -1267,10 +1332,12 @@ impl Solver {
     }
 
     /// How fast the particles are, m/s.
-    /// * `first, count`: as in `gphys_solver_get_positions`
-    /// * `out_velocities`: count elements; 0 of what is pinned
     ///
     /// Cost: O(count).
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
+    ///
+    /// Returns 0 of what is pinned.
     pub fn get_velocities<'a>(&self, body: BodyId, first: u32, out_velocities: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
         let out_velocities = out_velocities.into();
         let count = out_velocities.count()?;
@@ -1278,10 +1345,11 @@ impl Solver {
     }
 
     /// Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
-    /// * `first, count`: as in `gphys_solver_get_positions`
-    /// * `velocities`: m/s; a stride of 0 gives all the same
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `first`: as in `Solver::get_positions`
+    /// * `velocities`: m/s
     pub fn set_velocities<'a>(&mut self, body: BodyId, first: u32, velocities: impl Into<Batch<'a, Vec3>>) -> Result<()> {
         let velocities = velocities.into();
         let count = common_length(&[velocities.length])?;
@@ -1289,10 +1357,10 @@ impl Solver {
     }
 
     /// Masses of particles, kg. That of a pinned particle is what it has when it is released.
-    /// * `first, count`: as in `gphys_solver_get_positions`
-    /// * `out_masses`: count elements
     ///
     /// Cost: O(count).
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
     pub fn get_masses<'a>(&self, body: BodyId, first: u32, out_masses: impl Into<BatchMut<'a, f32>>) -> Result<()> {
         let out_masses = out_masses.into();
         let count = out_masses.count()?;
@@ -1301,10 +1369,11 @@ impl Solver {
 
     /// Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
     /// Wakes the body.
-    /// * `first, count`: as in `gphys_solver_get_positions`
-    /// * `masses`: kg, > 0; a stride of 0 gives all the same
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `first`: as in `Solver::get_positions`
+    /// * `masses`: kg, > 0
     pub fn set_masses<'a>(&mut self, body: BodyId, first: u32, masses: impl Into<Batch<'a, f32>>) -> Result<()> {
         let masses = masses.into();
         let count = common_length(&[masses.length])?;
@@ -1312,10 +1381,11 @@ impl Solver {
     }
 
     /// Change the collision radii of particles. Wakes the body.
-    /// * `first, count`: as in `gphys_solver_get_positions`
-    /// * `radii`: metres, >= 0; a stride of 0 gives all the same
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `first`: as in `Solver::get_positions`
+    /// * `radii`: metres, >= 0
     pub fn set_radii<'a>(&mut self, body: BodyId, first: u32, radii: impl Into<Batch<'a, f32>>) -> Result<()> {
         let radii = radii.into();
         let count = common_length(&[radii.length])?;
@@ -1323,10 +1393,11 @@ impl Solver {
     }
 
     /// Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
-    /// * `first, count`: as in `gphys_solver_get_positions`
-    /// * `forces`: newtons; a stride of 0 gives all the same
     ///
-    /// Cost: O(count).
+    /// Cost: O(elements).
+    ///
+    /// * `first`: as in `Solver::get_positions`
+    /// * `forces`: newtons
     pub fn set_forces<'a>(&mut self, body: BodyId, first: u32, forces: impl Into<Batch<'a, Vec3>>) -> Result<()> {
         let forces = forces.into();
         let count = common_length(&[forces.length])?;
@@ -1334,45 +1405,51 @@ impl Solver {
     }
 
     /// Pin or release particles. A pinned particle stays where it is put and moves only by
-    /// `gphys_solver_set_positions`; its speed is 0. Both pinning and releasing end an attachment.
-    /// * `first, count`: as in `gphys_solver_get_positions`
-    /// * `pinned`: 1: pin; 0: release
+    /// `Solver::set_positions`; its speed is 0. Both pinning and releasing end an attachment.
     ///
     /// Cost: O(count).
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
+    /// * `pinned`: true: pin; false: release
     pub fn set_pinned(&mut self, body: BodyId, first: u32, count: u32, pinned: bool) -> Result<()> {
         let pinned = i32::from(pinned);
         check(unsafe { sys::gphys_solver_set_pinned(self.handle.as_ptr(), body, first, count, pinned) })
     }
 
-    /// Fix a particle to a model: it follows the model's transform in each step, and is released when
-    /// the model is gone. Steps must then be given this scene.
-    /// * `scene`: of the same origin as the solver; not modified
-    /// * `local_point`: metres, in the model's coordinates; NULL: where the particle is now
-    ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for a particle that does not exist
+    /// Fix a particle to a model: it follows the model's transform in each step, and is released when the
+    /// model is gone. Steps must then be given this scene.
     ///
     /// Cost: O(1).
+    ///
+    /// * `scene`: of the same origin as the solver; not modified
+    /// * `local_point`: metres, in the model's coordinates; None: where the particle is now
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: for a particle that does not exist
     pub fn attach(&mut self, scene: &Scene, body: BodyId, particle: u32, model: ModelId, local_point: Option<&Vec3>) -> Result<()> {
         check(unsafe { sys::gphys_solver_attach(self.handle.as_ptr(), scene.handle.as_ptr(), body, particle, model, pointer(local_point)) })
     }
 
     /// Release an attached particle.
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` if it is not attached, or does not exist
-    ///
     /// Cost: O(1).
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if it is not attached, or does not exist
     pub fn detach(&mut self, body: BodyId, particle: u32) -> Result<()> {
         check(unsafe { sys::gphys_solver_detach(self.handle.as_ptr(), body, particle) })
     }
 
     /// Hold two different particles of a body at a distance.
+    ///
+    /// Cost: O(1); the next step plans the body again, O(constraints).
+    ///
     /// * `rest_length`: metres, >= 0; negative: the present distance
     /// * `compliance`: metres per newton, >= 0; 0 is rigid
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for a particle that does not exist or twice the same one;
-    /// `GPHYS_ERROR_CAPACITY` beyond 2^24 - 1 constraints of a body
-    ///
-    /// Cost: O(1); the next step plans the body again, O(constraints).
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: for a particle that does not exist or twice the same one
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 constraints of a body
     pub fn add_distance(&mut self, body: BodyId, particle_a: u32, particle_b: u32, rest_length: f32, compliance: f32) -> Result<ConstraintId> {
         let mut out_constraint = ConstraintId::default();
         check(unsafe { sys::gphys_solver_add_distance(self.handle.as_ptr(), body, particle_a, particle_b, rest_length, compliance, &mut out_constraint) })?;
@@ -1382,51 +1459,57 @@ impl Solver {
     /// Keep two different particles of a body from being further apart than a length, like a string between
     /// them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
     /// rigid, the speed at which the particles part is lost and no other.
+    /// Fails as `Solver::add_distance`.
+    /// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
+    /// strained only when it is too long.
+    ///
+    /// Cost: as `Solver::add_distance`.
+    ///
     /// * `max_length`: metres, >= 0; negative: the present distance
     /// * `compliance`: metres per newton, >= 0, of what it yields beyond that; 0 is rigid
-    ///
-    /// Returns as `gphys_solver_add_distance`
-    /// It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-    /// strained only when it is too long. Cost: as `gphys_solver_add_distance`.
     pub fn add_max_distance(&mut self, body: BodyId, particle_a: u32, particle_b: u32, max_length: f32, compliance: f32) -> Result<ConstraintId> {
         let mut out_constraint = ConstraintId::default();
         check(unsafe { sys::gphys_solver_add_max_distance(self.handle.as_ptr(), body, particle_a, particle_b, max_length, compliance, &mut out_constraint) })?;
         Ok(out_constraint)
     }
 
-    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-    /// its tension; one of `gphys_solver_add_max_distance` never pushes. The decay depends on time, not
+    /// Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+    /// beside its tension; one of `Solver::add_max_distance` never pushes. The decay depends on time, not
     /// on steps. Rigid constraints have nothing to damp.
+    ///
+    /// Cost: as `Solver::add_distance`.
+    ///
     /// * `damping`: N s/m, >= 0; 0, which every constraint begins with: none
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ID` for a body or constraint that does not exist
-    ///
-    /// Cost: as `gphys_solver_add_distance`.
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ID`: for a body or constraint that does not exist
     pub fn set_constraint_damping(&mut self, body: BodyId, constraint: ConstraintId, damping: f32) -> Result<()> {
         check(unsafe { sys::gphys_solver_set_constraint_damping(self.handle.as_ptr(), body, constraint, damping) })
     }
 
-    /// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
-    /// it again changes it, which inflates a body.
+    /// Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+    /// setting it again changes it, which inflates a body.
+    ///
+    /// Cost: O(triangles) in each substep, twice.
+    ///
     /// * `rest_volume`: m^3, > 0; negative: the present volume
     /// * `compliance`: m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
     ///   which keeps its volume; INFINITY: none, which ends the constraint
     ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` if the triangles do not close (each side is that of two triangles), are
-    /// not all turned the same way, or face inward when the present volume is asked for
-    ///
-    /// Cost: O(triangles) in each substep, twice.
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the triangles do not close (each side is that of two triangles),
+    ///   are not all turned the same way, or face inward when the present volume is asked for
     pub fn set_volume(&mut self, body: BodyId, rest_volume: f32, compliance: f32) -> Result<()> {
         check(unsafe { sys::gphys_solver_set_volume(self.handle.as_ptr(), body, rest_volume, compliance) })
     }
 
-    /// The volume held by `gphys_solver_set_volume`, m^3, as it is, and the pressure in pascals with which it was
-    /// held at the end of the last step: above 0 it pushes outward.
-    /// * `out_volume, out_pressure`: may be NULL
-    ///
-    /// Returns `GPHYS_ERROR_UNSUPPORTED` if none is held
+    /// The volume held by `Solver::set_volume`, m^3, as it is, and the pressure in pascals with which it
+    /// was held at the end of the last step: above 0 it pushes outward.
     ///
     /// Cost: O(triangles).
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if none is held
     pub fn get_volume(&self, body: BodyId) -> Result<(f32, f32)> {
         let mut out_volume = f32::default();
         let mut out_pressure = f32::default();
@@ -1436,34 +1519,38 @@ impl Solver {
 
     /// End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ID` for a body or constraint that does not exist, or no longer
+    /// Cost: as `Solver::add_distance`.
     ///
-    /// Cost: as `gphys_solver_add_distance`.
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ID`: for a body or constraint that does not exist, or no longer
     pub fn remove_constraint(&mut self, body: BodyId, constraint: ConstraintId) -> Result<()> {
         check(unsafe { sys::gphys_solver_remove_constraint(self.handle.as_ptr(), body, constraint) })
     }
 
-    /// All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    /// All constraints of a body, those of its builder included, by id.
     ///
     /// Cost: O(constraints).
     pub fn get_constraints(&self, body: BodyId) -> Result<Vec<ConstraintInfo>> {
         list(|out_constraints, capacity, total| unsafe { sys::gphys_solver_get_constraints(self.handle.as_ptr(), body, out_constraints, capacity, total) })
     }
 
-    /// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-    /// equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-    /// system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-    /// particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-    /// one thread and fall asleep and wake together. A joint goes with either body.
-    /// * `rest_length`: metres; 0: at the same place; negative: the present distance. Particles that are not
-    ///   as far apart are drawn there within a step, and get the speed of that.
+    /// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
+    /// are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
+    /// as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
+    /// inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
+    /// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+    ///
+    /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+    /// one of a rope that is not joined.
+    ///
+    /// * `rest_length`: metres; 0: at the same place; negative: the present distance. Particles that are
+    ///   not as far apart are drawn there within a step, and get the speed of that.
     /// * `compliance`: metres per newton, >= 0; 0 is rigid
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for a particle that does not exist or twice the same body (see
-    /// `gphys_solver_add_distance`); `GPHYS_ERROR_CAPACITY` beyond 2^24 - 1 joints
-    ///
-    /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-    /// of a rope that is not joined.
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: for a particle that does not exist or twice the same body (see
+    ///   `Solver::add_distance`)
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 joints
     pub fn join(&mut self, body_a: BodyId, particle_a: u32, body_b: BodyId, particle_b: u32, rest_length: f32, compliance: f32) -> Result<JointId> {
         let mut out_joint = JointId::default();
         check(unsafe { sys::gphys_solver_join(self.handle.as_ptr(), body_a, particle_a, body_b, particle_b, rest_length, compliance, &mut out_joint) })?;
@@ -1472,40 +1559,44 @@ impl Solver {
 
     /// End a joint. Wakes both bodies.
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ID` for a joint that does not exist, or no longer
+    /// Cost: as `Solver::join`.
     ///
-    /// Cost: as `gphys_solver_join`.
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ID`: for a joint that does not exist, or no longer
     pub fn unjoin(&mut self, joint: JointId) -> Result<()> {
         check(unsafe { sys::gphys_solver_unjoin(self.handle.as_ptr(), joint) })
     }
 
-    /// Joints of a body, by id. Kept when too many: the lowest.
-    /// * `body`: 0: of all bodies
+    /// Joints of a body, by id.
     ///
     /// Cost: O(joints of the solver).
+    ///
+    /// * `body`: 0: of all bodies
     pub fn get_joints(&self, body: BodyId) -> Result<Vec<JointInfo>> {
         list(|out_joints, capacity, total| unsafe { sys::gphys_solver_get_joints(self.handle.as_ptr(), body, out_joints, capacity, total) })
     }
 
     /// Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     /// takes more where they would be longer than 25 ms.
-    /// * `scene`: to collide with and to follow attachments; NULL: none. Not modified.
-    /// * `dt`: seconds, 1e-6 .. 0.5
-    ///   Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
-    ///   through particles. May allocate.
+    /// Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
+    /// through particles. May allocate.
     ///
     /// Cost: O(particles + constraints) a substep, and a scene query for particles near models.
+    ///
+    /// * `scene`: to collide with and to follow attachments; None: none. Not modified.
+    /// * `dt`: seconds, 1e-6 .. 0.5
     pub fn step(&mut self, scene: Option<&Scene>, dt: f32) -> Result<()> {
         check(unsafe { sys::gphys_solver_step(self.handle.as_ptr(), scene.map_or(null_mut(), |o| o.handle.as_ptr()), dt) })
     }
 
-    /// Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-    /// frame, so the motion does not depend on the frame rate.
-    /// * `frame_time`: seconds, >= 0
-    /// * `out_steps`: steps made; may be NULL
-    /// * `out_leftover`: 0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    /// Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
+    /// so the motion does not depend on the frame rate.
     ///
     /// Cost: that of the steps made.
+    ///
+    /// * `frame_time`: seconds, >= 0
+    ///
+    /// Returns steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
     pub fn advance(&mut self, scene: Option<&Scene>, frame_time: f32) -> Result<(u32, f32)> {
         let mut out_steps = u32::default();
         let mut out_leftover = f32::default();
@@ -1513,13 +1604,13 @@ impl Solver {
         Ok((out_steps, out_leftover))
     }
 
-    /// The substeps that a body took in the last step; 0 before its first.
-    /// With `gphys_solver_desc`.max_strain or tolerance set, each body takes as many as its own motion needs:
-    /// their length follows from what the last step measured, the largest strain of its rigid constraints
-    /// and the local error of the time scheme, both of which go with its square. It is at
-    /// most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-    /// target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-    /// met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    /// The substeps that a body took in the last step; 0 before its first. With `SolverDesc`.max_strain or
+    /// tolerance set, each body takes as many as its own motion needs: their length follows from what the
+    /// last step measured, the largest strain of its rigid constraints and the local error of the time
+    /// scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
+    /// from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
+    /// where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
+    /// positions jump, by contacts, the error is that of the jump.
     ///
     /// Cost: O(1).
     pub fn get_substeps(&self, body: BodyId) -> Result<u32> {
@@ -1529,16 +1620,17 @@ impl Solver {
     }
 
     /// Counts, strain and energy of a body at present.
-    /// * `body`: 0: all bodies together
     ///
     /// Cost: O(particles + constraints).
+    ///
+    /// * `body`: 0: all bodies together
     pub fn get_stats(&self, body: BodyId) -> Result<SolverStats> {
         let mut out_stats = SolverStats::default();
         check(unsafe { sys::gphys_solver_get_stats(self.handle.as_ptr(), body, &mut out_stats) })?;
         Ok(out_stats)
     }
 
-    /// Contacts of the last step by body, particle, model. Kept when too many: the first.
+    /// Contacts of the last step by body, particle, model.
     ///
     /// Cost: O(contacts).
     pub fn get_contacts(&self) -> Result<Vec<Contact>> {
@@ -1546,37 +1638,40 @@ impl Solver {
     }
 
     /// Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-    /// which they fell asleep. Kept when too many: the lowest models.
-    /// Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
-    /// cloth that touches several models at once gives to the one that it touches most. Models have no mass
-    /// here; a body of yours much lighter than what hangs from it should be moved in small steps.
+    /// which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
+    /// weight. A particle of cloth that touches several models at once gives to the one that it touches
+    /// most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+    /// in small steps.
     ///
     /// Cost: O(models touched); no allocation. The same bits for any number of workers.
     pub fn get_impulses(&self) -> Result<Vec<Impulse>> {
         list(|out_impulses, capacity, total| unsafe { sys::gphys_solver_get_impulses(self.handle.as_ptr(), out_impulses, capacity, total) })
     }
 
-    /// Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
-    /// that `gphys_solver_advance` still owes. The scene, workers and allocator are not in it.
-    /// * `out_words`: the snapshot; written as a whole, or not at all when capacity is too small. It is
-    ///   for the same release of the library and machines of the same byte order; it may
-    ///   be stored, but not changed.
-    ///
-    /// Returns `GPHYS_INCOMPLETE` when *out_total > capacity; `GPHYS_ERROR_CAPACITY` beyond 2^32 - 1 words
+    /// Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+    /// impulses, time that `Solver::advance` still owes. The scene, workers and allocator are not in it.
     ///
     /// Cost: O(particles + constraints), some 50 words for each.
+    ///
+    /// Returns the snapshot. It is for the same release of the library and machines of the same byte order;
+    /// it may be stored, but not changed.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_CAPACITY`: beyond 2^32 - 1 words
     pub fn get_snapshot(&self) -> Result<Vec<u32>> {
         list(|out_words, capacity, total| unsafe { sys::gphys_solver_get_snapshot(self.handle.as_ptr(), out_words, capacity, total) })
     }
 
     /// Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-    /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
-    /// too, is as it was.
+    /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
+    /// is as it was. On an error the solver is as before.
     ///
-    /// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for words that are no snapshot, damaged, of another version or
-    /// byte order; `GPHYS_ERROR_OUT_OF_MEMORY`. Either way the solver is as before.
+    /// Cost: as `Solver::get_snapshot`; allocates.
     ///
-    /// Cost: as `gphys_solver_get_snapshot`; allocates.
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: for words that are no snapshot, damaged, of another version or
+    ///   byte order
+    /// * `Status::ERROR_OUT_OF_MEMORY`: if there is no room for it
     pub fn restore(&mut self, words: &[u32]) -> Result<()> {
         let words = Batch::from(words);
         let count = common_length(&[words.length])?;
@@ -1585,7 +1680,9 @@ impl Solver {
 
     /// A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
     /// different ones differ with near certainty (not against an adversary). Compare it between machines
-    /// that simulate the same, to see when they part. Cost: O(particles + constraints).
+    /// that simulate the same, to see when they part.
+    ///
+    /// Cost: O(particles + constraints).
     pub fn get_hash(&self) -> Result<[u32; 2]> {
         let mut out_hash = [u32::default(); 2];
         check(unsafe { sys::gphys_solver_get_hash(self.handle.as_ptr(), out_hash.as_mut_ptr()) })?;
@@ -1596,29 +1693,32 @@ impl Solver {
 
 /// Whether the shape fulfils the ranges beside its struct.
 ///
-/// Returns `GPHYS_OK`, or `GPHYS_ERROR_INVALID_ARGUMENT` and `gphys_last_error()` names the field.
-///
 /// Cost: O(1).
+///
+/// # Errors
+/// * `Status::ERROR_INVALID_ARGUMENT`: and the error's message names the field
 pub fn validate(shape: &dyn Shape) -> Result<()> {
     check(unsafe { sys::gphys_shape_validate(shape.shape_type(), shape.pointer()) })
 }
 
 /// The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
 ///
-/// Returns `GPHYS_OK`; `GPHYS_UNBOUNDED` for a plane, a ray without end (or with one beyond all floats)
-/// and a frustum that extends to infinity; `GPHYS_NO_HIT` for an empty mesh or frustum
-///
 /// Cost: O(1), for a mesh too.
+///
+/// Returns `None` for a plane, a ray without end (or with one beyond all floats) and a frustum that
+/// extends to infinity; for an empty mesh or frustum.
 pub fn bounds(shape: &dyn Shape) -> Result<Option<Aabb>> {
     let mut out_bounds = Aabb::default();
     Ok(found(unsafe { sys::gphys_shape_bounds(shape.shape_type(), shape.pointer(), &mut out_bounds) })?.then_some(out_bounds))
 }
 
-/// Whether the point is within tolerance metres of the shape (solid or surface).
-/// With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-/// axes are those of its rotation in double precision).
-/// * `tolerance`: >= 0
-/// * `out_contains`: 0 or 1. Cost: O(1); O(log n) expected for a mesh.
+/// Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
+/// answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
+/// rotation in double precision).
+///
+/// Cost: O(1); O(log n) expected for a mesh.
+///
+/// * `tolerance`: metres, >= 0
 pub fn contains(shape: &dyn Shape, point: impl Into<Vec3>, tolerance: f32) -> Result<bool> {
     let point = &point.into();
     let mut out_contains = i32::default();
@@ -1626,12 +1726,11 @@ pub fn contains(shape: &dyn Shape, point: impl Into<Vec3>, tolerance: f32) -> Re
     Ok(out_contains != 0)
 }
 
-/// Whether each of count points is within tolerance metres of one shape, as `gphys_shape_contains`.
-/// * `points`: a stride of 0 asks for one point count times
-/// * `tolerance`: metres, >= 0, for all points
-/// * `out_contains`: count elements, each 0 or 1
+/// Whether each of the points is within tolerance metres of one shape, as `contains`.
 ///
-/// Cost: that of count single calls.
+/// Cost: that of as many single calls.
+///
+/// * `tolerance`: metres, >= 0, for all points
 pub fn contains_batch<'a>(shape: &dyn Shape, points: impl Into<Batch<'a, Vec3>>, tolerance: f32, out_contains: impl Into<BatchMut<'a, i32>>) -> Result<()> {
     let points = points.into();
     let out_contains = out_contains.into();
@@ -1640,27 +1739,24 @@ pub fn contains_batch<'a>(shape: &dyn Shape, points: impl Into<Batch<'a, Vec3>>,
     check(unsafe { sys::gphys_shape_contains_batch(shape.shape_type(), shape.pointer(), points.data, points.stride, count, tolerance, out_contains.data, out_contains.stride) })
 }
 
-/// The point of the shape that is closest to the given point: the point itself inside a solid.
-///
-/// Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
-/// coordinate difference. If several are equally close, one of them,
-/// always the same. For a ray, t is limited by t_max.
-///
-/// Returns `GPHYS_NO_HIT` only for an empty mesh or an empty frustum.
+/// The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
+/// ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
+/// difference. If several are equally close, one of them, always the same. For a ray, t is limited by
+/// t_max.
 ///
 /// Cost: O(1); O(log n) expected for a mesh.
+///
+/// Returns `None` only for an empty mesh or an empty frustum.
 pub fn closest_point(shape: &dyn Shape, point: impl Into<Vec3>) -> Result<Option<Nearest>> {
     let point = &point.into();
     let mut out_nearest = Nearest::default();
     Ok(found(unsafe { sys::gphys_shape_closest_point(shape.shape_type(), shape.pointer(), point, &mut out_nearest) })?.then_some(out_nearest))
 }
 
-/// The points of one shape that are closest to each of count points, as `gphys_shape_closest_point`. An
-/// element for which there is none gets distance INFINITY.
-/// * `points`: a stride of 0 asks for one point count times
-/// * `out_nearest`: count elements
+/// The points of one shape that are closest to each of the points, as `closest_point`. An element for
+/// which there is none gets distance INFINITY.
 ///
-/// Cost: that of count single calls.
+/// Cost: that of as many single calls.
 pub fn closest_point_batch<'a>(shape: &dyn Shape, points: impl Into<Batch<'a, Vec3>>, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
     let points = points.into();
     let out_nearest = out_nearest.into();
@@ -1669,11 +1765,12 @@ pub fn closest_point_batch<'a>(shape: &dyn Shape, points: impl Into<Batch<'a, Ve
     check(unsafe { sys::gphys_shape_closest_point_batch(shape.shape_type(), shape.pointer(), points.data, points.stride, count, out_nearest.data, out_nearest.stride) })
 }
 
-/// The closest points of two segments and their distance. Parallel segments have many: the first
-/// along a, always the same.
-/// * `out_a, out_b, out_distance`: each may be NULL; metres
+/// The closest points of two segments and their distance. Parallel segments have many: the first along
+/// a, always the same.
 ///
 /// Cost: O(1).
+///
+/// Returns metres.
 pub fn segment_closest_points(a: &Segment, b: &Segment) -> Result<(Vec3, Vec3, f32)> {
     let mut out_a = Vec3::default();
     let mut out_b = Vec3::default();
@@ -1682,29 +1779,30 @@ pub fn segment_closest_points(a: &Segment, b: &Segment) -> Result<(Vec3, Vec3, f
     Ok((out_a, out_b, out_distance))
 }
 
-/// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
-/// triangle, frustum and mesh, in either order.
-/// A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
-/// Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
-/// precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
-///
-/// Returns `GPHYS_ERROR_UNSUPPORTED` for a ray or segment (see `gphys_shape_segment_test`).
+/// Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
+/// frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
+/// not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
+/// in double precision and may err only where the gap is below 2^-40 of the largest coordinate
+/// difference.
 ///
 /// Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for a ray or segment (see `segment_test`)
 pub fn overlaps(a: &dyn Shape, b: &dyn Shape) -> Result<bool> {
     let mut out_overlaps = i32::default();
     check(unsafe { sys::gphys_shape_overlaps(a.shape_type(), a.pointer(), b.shape_type(), b.pointer(), &mut out_overlaps) })?;
     Ok(out_overlaps != 0)
 }
 
-/// Whether the shapes of each of count pairs overlap, as `gphys_shape_overlaps`: pair i is `a[i]` against `b[i]`.
-/// * `a, b`: arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
-///   needs 0
-/// * `out_overlaps`: count elements, each 0 or 1
+/// Whether the shapes of each of the pairs overlap, as `overlaps`: pair i is `a[i]` against `b[i]`.
 ///
-/// Returns `GPHYS_ERROR_UNSUPPORTED` for rays and segments
+/// Cost: that of as many single calls.
 ///
-/// Cost: that of count single calls.
+/// * `a`, `b`: shapes of one type each
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for rays and segments
 pub fn overlaps_batch<'a>(a: impl Into<Shapes<'a>>, b: impl Into<Shapes<'a>>, out_overlaps: impl Into<BatchMut<'a, i32>>) -> Result<()> {
     let a = a.into();
     let b = b.into();
@@ -1715,12 +1813,14 @@ pub fn overlaps_batch<'a>(a: impl Into<Shapes<'a>>, b: impl Into<Shapes<'a>>, ou
 }
 
 /// Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-/// * `out_signed_distance`: metres, of the shape's nearest point to the plane: > 0 in front, < 0
-///   behind, 0 when crossing; may be NULL
-///
-/// Returns `GPHYS_ERROR_UNSUPPORTED` for other types of shapes
 ///
 /// Cost: O(1).
+///
+/// Returns metres, of the shape's nearest point to the plane: > 0 in front, < 0 behind, 0 when
+/// crossing.
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for other types of shapes
 pub fn classify_plane(shape: &dyn Shape, plane: &Plane) -> Result<(Side, f32)> {
     let mut out_side = Side::default();
     let mut out_signed_distance = f32::default();
@@ -1728,42 +1828,44 @@ pub fn classify_plane(shape: &dyn Shape, plane: &Plane) -> Result<(Side, f32)> {
     Ok((out_side, out_signed_distance))
 }
 
-/// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
-/// that no point is shared, inside that the frustum holds the whole shape.
-///
-/// Returns `GPHYS_ERROR_UNSUPPORTED` for other types of shapes
+/// Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that no
+/// point is shared, inside that the frustum holds the whole shape.
 ///
 /// Cost: O(1).
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for other types of shapes
 pub fn classify_frustum(shape: &dyn Shape, frustum: &Frustum) -> Result<Side> {
     let mut out_side = Side::default();
     check(unsafe { sys::gphys_shape_classify_frustum(shape.shape_type(), shape.pointer(), frustum, &mut out_side) })?;
     Ok(out_side)
 }
 
-/// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
-/// Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
-/// shared edge or vertex always meets one of the triangles there.
-///
-/// Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
-/// and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
-/// smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-///
-/// Returns `GPHYS_OK` or `GPHYS_NO_HIT`; `GPHYS_ERROR_UNSUPPORTED` for a ray or a segment as the shape
+/// First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
+/// and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
+/// always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
+/// all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
+/// distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+/// docs/accuracy.md has the bounds of all functions.
 ///
 /// Cost: O(1); O(log n) expected for a mesh.
+///
+/// Returns `None` if nothing is found.
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape
 pub fn raycast(shape: &dyn Shape, ray: &Ray) -> Result<Option<Hit>> {
     let mut out_hit = Hit::default();
     Ok(found(unsafe { sys::gphys_shape_raycast(shape.shape_type(), shape.pointer(), ray, &mut out_hit) })?.then_some(out_hit))
 }
 
-/// First hits of count rays with one shape, as `gphys_shape_raycast`. A ray that hits nothing gets
-/// t = INFINITY, triangle = `GPHYS_NO_TRIANGLE` and zeros in its out_hits element.
-/// * `rays`: a stride of 0 casts one ray count times
-/// * `out_hits`: count elements
+/// First hits of the rays with one shape, as `raycast`. A ray that hits nothing gets t = INFINITY,
+/// triangle = `NO_TRIANGLE` and zeros in its hits element.
 ///
-/// Returns `GPHYS_OK`, whether rays hit or not; `GPHYS_ERROR_UNSUPPORTED` for a ray or a segment as the shape
+/// Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
 ///
-/// Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape
 pub fn raycast_batch<'a>(shape: &dyn Shape, rays: impl Into<Batch<'a, Ray>>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
     let rays = rays.into();
     let out_hits = out_hits.into();
@@ -1772,13 +1874,16 @@ pub fn raycast_batch<'a>(shape: &dyn Shape, rays: impl Into<Batch<'a, Ray>>, out
     check(unsafe { sys::gphys_shape_raycast_batch(shape.shape_type(), shape.pointer(), rays.data, rays.stride, count, out_hits.data, out_hits.stride) })
 }
 
-/// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
-/// A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
-/// then is met from no direction, the normal is zero.
+/// First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+/// segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
+/// met from no direction, the normal is zero.
 ///
-/// Returns `GPHYS_OK` or `GPHYS_NO_HIT`; `GPHYS_ERROR_UNSUPPORTED` for a ray or a segment as the shape
+/// Cost: as `raycast`.
 ///
-/// Cost: as `gphys_shape_raycast`.
+/// Returns `None` if nothing is found.
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape
 pub fn segment_test(shape: &dyn Shape, segment: &Segment) -> Result<Option<Hit>> {
     let mut out_hit = Hit::default();
     Ok(found(unsafe { sys::gphys_shape_segment_test(shape.shape_type(), shape.pointer(), segment, &mut out_hit) })?.then_some(out_hit))
@@ -1786,17 +1891,21 @@ pub fn segment_test(shape: &dyn Shape, segment: &Segment) -> Result<Option<Hit>>
 
 /// First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
 /// triangle, frustum or mesh.
-/// * `displacement`: metres; may be zero
-/// * `out_hit`: t in 0..1 of the displacement; point: of contact, on the shape; normal: from
-///   the point to the sphere's centre. Already overlapping: t = 0, `GPHYS_HIT_INSIDE`,
-///   and where the centre itself is in a solid, the normal is opposite to the
-///   displacement (zero if that is zero).
-///
-/// Returns `GPHYS_OK` or `GPHYS_NO_HIT`; `GPHYS_ERROR_UNSUPPORTED` for a ray or a segment as the shape
 ///
 /// Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
 ///
-/// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
+/// Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
+/// mesh.
+///
+/// * `displacement`: metres; may be zero
+///
+/// Returns t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+/// the sphere's centre. Already overlapping: t = 0, `HIT_INSIDE`, and where the centre itself is in a
+/// solid, the normal is opposite to the displacement (zero if that is zero). `None` if nothing is
+/// found.
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape
 pub fn sweep_sphere(shape: &dyn Shape, sphere: &Sphere, displacement: impl Into<Vec3>) -> Result<Option<Hit>> {
     let displacement = &displacement.into();
     let mut out_hit = Hit::default();
@@ -1806,21 +1915,23 @@ pub fn sweep_sphere(shape: &dyn Shape, sphere: &Sphere, displacement: impl Into<
 /// The eight corners, each the intersection of three planes: near then far, each in the order
 /// left-bottom, right-bottom, right-top, left-top.
 ///
-/// Returns `GPHYS_UNBOUNDED` if three planes do not meet in a point (infinite far plane)
-///
 /// Cost: O(1).
+///
+/// Returns `None` if three planes do not meet in a point (infinite far plane).
 pub fn frustum_corners(frustum: &Frustum) -> Result<Option<[Vec3; 8]>> {
     let mut out_corners = [Vec3::default(); 8];
     Ok(found(unsafe { sys::gphys_frustum_corners(frustum, out_corners.as_mut_ptr()) })?.then_some(out_corners))
 }
 
 /// The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-/// origin (0, 0, 0). A camera knows its frustum better: `gphys_camera_get_frustum`.
-/// * `reverse_z`: 0: near has the low depth; 1: near has the high depth
-///
-/// Returns `GPHYS_ERROR_SINGULAR` if the matrix has no volume
+/// origin (0, 0, 0). A camera knows its frustum better: `Camera::get_frustum`.
 ///
 /// Cost: O(1).
+///
+/// * `reverse_z`: false: near has the low depth; true: near has the high depth
+///
+/// # Errors
+/// * `Status::ERROR_SINGULAR`: if the matrix has no volume
 pub fn frustum_from_matrix(view_projection: &Mat4, depth_range: DepthRange, reverse_z: bool) -> Result<Frustum> {
     let reverse_z = i32::from(reverse_z);
     let mut out_frustum = Frustum::default();
@@ -1829,14 +1940,16 @@ pub fn frustum_from_matrix(view_projection: &Mat4, depth_range: DepthRange, reve
 }
 
 /// Examine arrays without building anything. Allocates while it runs.
-/// * `vertices`: vertex_count elements of 3 floats, metres
-/// * `vertex_stride`: bytes between vertices, at least 12
-/// * `indices`: index_count numbers, three for each triangle
-/// * `out_report`: what was found; indices out of range and bad vertices are counted, not refused
-///
-/// Returns `GPHYS_ERROR_INVALID_ARGUMENT` for an index_count that is no multiple of 3
 ///
 /// Cost: O(n log n).
+///
+/// * `vertices`: elements of 3 floats, metres
+/// * `indices`: numbers, three for each triangle
+///
+/// Returns what was found; indices out of range and bad vertices are counted, not refused.
+///
+/// # Errors
+/// * `Status::ERROR_INVALID_ARGUMENT`: for an index_count that is no multiple of 3
 pub fn mesh_check<'a>(vertices: impl Into<Batch<'a, Vec3>>, indices: &[u32]) -> Result<MeshReport> {
     let vertices = vertices.into();
     let indices = Batch::from(indices);

@@ -51,25 +51,25 @@ pub const HIT_BACK: u32 = 2;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ShapeType(pub i32);
 impl ShapeType {
-    /// `gphys_sphere`
+    /// `Sphere`
     pub const SPHERE: ShapeType = ShapeType(1);
-    /// `gphys_capsule`
+    /// `Capsule`
     pub const CAPSULE: ShapeType = ShapeType(2);
-    /// `gphys_aabb`
+    /// `Aabb`
     pub const AABB: ShapeType = ShapeType(3);
-    /// `gphys_obb`
+    /// `Obb`
     pub const OBB: ShapeType = ShapeType(4);
-    /// `gphys_plane`
+    /// `Plane`
     pub const PLANE: ShapeType = ShapeType(5);
-    /// `gphys_triangle`
+    /// `Triangle`
     pub const TRIANGLE: ShapeType = ShapeType(6);
-    /// `gphys_frustum`
+    /// `Frustum`
     pub const FRUSTUM: ShapeType = ShapeType(7);
-    /// `gphys_mesh`: the handle itself
+    /// `Mesh`: the handle itself
     pub const MESH: ShapeType = ShapeType(8);
-    /// `gphys_ray`
+    /// `Ray`
     pub const RAY: ShapeType = ShapeType(16);
-    /// `gphys_segment`
+    /// `Segment`
     pub const SEGMENT: ShapeType = ShapeType(17);
 }
 
@@ -166,7 +166,7 @@ pub type Task = Option<unsafe extern "C" fn(*mut c_void, u32)>;
 
 /// Memory functions for one object and everything in it. Both are called on the thread that calls
 /// the library, possibly from several threads if the objects that share it are used so.
-/// allocate returns NULL on failure (reported as `GPHYS_ERROR_OUT_OF_MEMORY`, nothing changed);
+/// allocate returns None on failure (reported as `Status::ERROR_OUT_OF_MEMORY`, nothing changed);
 /// release gets the same size and alignment again. The struct is copied at creation.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -304,7 +304,7 @@ pub struct Triangle {
 }
 
 /// The points x with dot(`planes[i]`.normal, x - origin) >= `planes[i]`.distance for all six planes,
-/// which look inward, in the order of `gphys_frustum_plane`. Distances count from origin, so that a
+/// which look inward, in the order of frustum_plane. Distances count from origin, so that a
 /// frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -327,13 +327,13 @@ pub struct Hit {
     pub point: Vec3,
     /// unit, against the motion: dot(normal, direction) <= 0
     pub normal: Vec3,
-    /// index within a mesh, else `GPHYS_NO_TRIANGLE`
+    /// index within a mesh, else `NO_TRIANGLE`
     pub triangle: u32,
     /// barycentric weights of b and c of a triangle, else 0
     pub u: f32,
     /// barycentric weights of b and c of a triangle, else 0
     pub v: f32,
-    /// `GPHYS_HIT_`...
+    /// hit values
     pub flags: u32,
 }
 
@@ -341,14 +341,14 @@ pub struct Hit {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Nearest {
-    /// as in `gphys_hit`
+    /// as in `Hit`
     pub model: u32,
     pub tag: u32,
     /// equal to the query point when that is inside a solid
     pub point: Vec3,
     /// 0 inside a solid
     pub distance: f32,
-    /// index within a mesh, else `GPHYS_NO_TRIANGLE`
+    /// index within a mesh, else `NO_TRIANGLE`
     pub triangle: u32,
 }
 
@@ -359,12 +359,12 @@ pub struct MeshReport {
     pub triangle_count: u32,
     /// triangles of exactly zero area
     pub degenerate_count: u32,
-    /// index of the first, or `GPHYS_NO_TRIANGLE`
+    /// index of the first, or `NO_TRIANGLE`
     pub first_degenerate: u32,
     /// triangles with an index >= vertex_count
     pub out_of_range_count: u32,
     pub first_out_of_range: u32,
-    /// vertices that are not finite or beyond `GPHYS_MAX_COORDINATE`
+    /// vertices that are not finite or beyond `MAX_COORDINATE`
     pub bad_vertex_count: u32,
     /// or 0xffffffff
     pub first_bad_vertex: u32,
@@ -376,7 +376,7 @@ pub struct MeshReport {
 #[derive(Clone, Copy, Debug)]
 pub struct MeshDesc {
     pub struct_size: Size<MeshDesc>,
-    /// NULL: the C++ runtime's
+    /// None: the C++ runtime's
     pub allocator: Hook<Allocator>,
 }
 
@@ -415,11 +415,11 @@ pub struct OctreeBox {
 #[derive(Clone, Copy, Debug)]
 pub struct SceneDesc {
     pub struct_size: Size<SceneDesc>,
-    /// NULL: the C++ runtime's
+    /// None: the C++ runtime's
     pub allocator: Hook<Allocator>,
     /// models to make room for at once; 0
     pub reserve_models: u32,
-    /// whose threads worker_count counts; NULL: the scene's own
+    /// whose threads worker_count counts; None: the scene's own
     pub task_runner: Hook<TaskRunner>,
     /// threads for one call, its own included, at most 1024; 0 and 1: that alone
     pub worker_count: u32,
@@ -456,7 +456,7 @@ pub struct ModelInfo {
 #[derive(Clone, Copy, Debug)]
 pub struct CameraDesc {
     pub struct_size: Size<CameraDesc>,
-    /// NULL: the C++ runtime's
+    /// None: the C++ runtime's
     pub allocator: Hook<Allocator>,
     pub handedness: Handedness,
     pub depth_range: DepthRange,
@@ -487,9 +487,9 @@ pub struct Orbit {
     /// perpendicular to up (+Z for up = +Y), yaw > 0 to the right of
     /// it; pitch > 0 looks down
     pub pitch: f32,
-    /// of `gphys_camera_orbit_rotate`
+    /// of `Camera::orbit_rotate`
     pub radians_per_unit: f32,
-    /// of `gphys_camera_orbit_zoom` and _pan
+    /// of `Camera::orbit_zoom` and _pan
     pub metres_per_unit: f32,
     /// 0 < min <= max; max INFINITY allowed
     pub min_distance: f32,
@@ -505,27 +505,27 @@ pub struct Orbit {
 #[derive(Clone, Copy, Debug)]
 pub struct SolverDesc {
     pub struct_size: Size<SolverDesc>,
-    /// NULL: the C++ runtime's
+    /// None: the C++ runtime's
     pub allocator: Hook<Allocator>,
     /// m/s^2; default (0, -9.81, 0)
     pub gravity: Vec3,
     /// of one step, 1 .. 1000; default 8; with targets: of the first
     pub substeps: u32,
-    /// seconds simulated by each step of `gphys_solver_advance`; 1/60
+    /// seconds simulated by each step of `Solver::advance`; 1/60
     pub fixed_step: f32,
     /// most steps of one advance; time beyond is dropped; 8
     pub max_steps: u32,
-    /// whose threads worker_count counts; NULL: the solver's own
+    /// whose threads worker_count counts; None: the solver's own
     pub task_runner: Hook<TaskRunner>,
     /// threads for one step, its own included, at most 1024; 0 and 1: that alone
     pub worker_count: u32,
-    /// m/s, see `gphys_solver_get_sleeping`; 0: bodies never sleep; default 0
+    /// m/s, see `Solver::get_sleeping`; 0: bodies never sleep; default 0
     pub sleep_speed: f32,
     /// of rigid constraints, |length / rest length - 1|; default 0.01
     pub sleep_strain: f32,
     /// seconds; default 0.5
     pub sleep_time: f32,
-    /// target of rigid constraints, see `gphys_solver_get_substeps`; 0: none; default 0
+    /// target of rigid constraints, see `Solver::get_substeps`; 0: none; default 0
     pub max_strain: f32,
     /// target of positions: metres of error that a second of motion adds; 0: none; default 0
     pub tolerance: f32,
@@ -552,9 +552,9 @@ pub struct BodyDesc {
     pub restitution: f32,
     /// of stretch, metres per newton, >= 0; 0 is inextensible; default 0
     pub compliance: f32,
-    /// of `GPHYS_CLOTH_BEND` constraints, m/N; default 0.001
+    /// of `CLOTH_BEND` constraints, m/N; default 0.001
     pub bend_compliance: f32,
-    /// `GPHYS_CLOTH_`...; default SHEAR | BEND
+    /// cloth values; default SHEAR | BEND
     pub cloth_flags: u32,
     /// mask of the models it collides with; 0: none; default all
     pub layers: u32,

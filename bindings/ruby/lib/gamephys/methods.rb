@@ -11,17 +11,16 @@ module Gamephys
 
     # Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
     # segments or points that they are, and counted in the report. 0 triangles are allowed.
-    # @param desc  may be NULL
-    # @return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
-    #         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
     # Cost: O(n log n), about 1 us per triangle.
+    # @raise [InvalidArgument] for an index out of range, an index_count that is no multiple of 3 or a bad
+    #     vertex; Gamephys.mesh_check tells which
     def initialize(vertices, indices, **desc)
       vertices = Low.array(Float32, vertices, 3)
       indices = Low.array(UInt32, indices)
       own(Pointer) { |made| Low.gphys_mesh_create(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), vertices.pointer, vertices.stride, vertices.count, indices.pointer, indices.count, made) }
     end
 
-    # What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+    # What the mesh was built from: the report that Gamephys.mesh_check makes of its arrays.
     # Cost: O(1).
     def get_report
       out_report = MeshReport.room
@@ -29,29 +28,25 @@ module Gamephys
       MeshReport.unpack(out_report)
     end
 
-    # Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+    # Copy the vertices out, in metres and in their original order.
     # Cost: O(vertices).
     def get_vertices
       Low.list(Vec3) { |out, capacity, total| Low.gphys_mesh_get_vertices(opened, out, capacity, total) }
     end
 
-    # Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
-    # *out_total counts indices, not triangles.
+    # Copy the indices out, three for each triangle, in their original order.
     # Cost: O(n).
     def get_indices
       Low.list(UInt32) { |out, capacity, total| Low.gphys_mesh_get_indices(opened, out, capacity, total) }
     end
 
     # All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-    # Kept when the array is too small: the first ones.
-    # @return GPHYS_OK (also for 0 hits)
     # Cost: O(log n + k) expected.
     def raycast_all(ray)
       Low.list(Hit) { |out, capacity, total| Low.gphys_mesh_raycast_all(opened, Ray.pack(ray), out, capacity, total) }
     end
 
     # Whether a ray hits anything; cheaper than the closest hit.
-    # @param out_hit  0 or 1
     # Cost: O(log n) expected.
     def raycast_any?(ray)
       out_hit = Int32.room
@@ -60,21 +55,22 @@ module Gamephys
     end
 
     # Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-    # ascending. Kept when the array is too small: the lowest.
-    # @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    # ascending.
     # Cost: O(log n + k) expected.
+    # @raise [Error] for other types of shapes (ERROR_UNSUPPORTED)
     def overlap(shape)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_mesh_overlap(opened, Low.kind(shape), Low.shape(shape), out, capacity, total) }
     end
 
-    # How the mesh's octree is made up. Cost: O(nodes).
+    # How the mesh's octree is made up.
+    # Cost: O(nodes).
     def get_octree_stats
       out_stats = OctreeStats.room
       Low.check(Low.gphys_mesh_get_octree_stats(opened, out_stats))
       OctreeStats.unpack(out_stats)
     end
 
-    # Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+    # Boxes of the mesh's octree, each parent before its children.
     # Cost: O(nodes).
     def get_octree_boxes
       Low.list(OctreeBox) { |out, capacity, total| Low.gphys_mesh_get_octree_boxes(opened, out, capacity, total) }
@@ -86,37 +82,37 @@ module Gamephys
       def self.release(pointer) = Low.gphys_scene_destroy(pointer)
     end
 
-    # Create a scene without models.
-    # With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
-    # adding and moving many models, share their work among n threads; the results have the same bits
-    # for every n. Without a task_runner n - 1 threads are started here and joined by
-    # gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
-    # work. They take no signals but faults, and the floating-point settings of the thread that
+    # Create a scene without models. With a worker_count of n, all batch queries of the scene
+    # (Camera#pick_batch too), and adding and moving many models, share their work among n threads; the
+    # results have the same bits for every n. Without a task_runner n - 1 threads are started here and
+    # joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
+    # their own work. They take no signals but faults, and the floating-point settings of the thread that
     # created them. In a child of fork they are gone: calls there run on one thread, as they do on a
     # platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
-    # @param desc  NULL: the defaults
-    # @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
-    #         reserve_models is above 2^24 - 1
     # Cost: O(reserve_models), and that of starting the threads.
+    # @param desc nil: the defaults
+    # @raise [OutOfMemory] also if the threads cannot be started
+    # @raise [Error] if reserve_models is above 2^24 - 1 (ERROR_CAPACITY)
     def initialize(**desc)
       own(Pointer) { |made| Low.gphys_scene_create(Low.desc(Low::SceneDesc, :gphys_scene_desc_init, desc), made) }
     end
 
-    # Move the point of the world that all coordinates of the scene count from, those that it is given
-    # and those that it returns. Models stay where they are in the world: the positions of those without
-    # a parent become what they are from there, kept in double precision and rounded to float32 once,
+    # Move the point of the world that all coordinates of the scene count from, those that it is given and
+    # those that it returns. Models stay where they are in the world: the positions of those without a
+    # parent become what they are from there, kept in double precision and rounded to float32 once,
     # however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
     # and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
-    # @param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
-    # @return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
-    # Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
-    # on. Queries cost nothing more.
+    # Cost: that of Scene#set_transforms of all models, and 24 bytes a model from the first call on.
+    # Queries cost nothing more.
+    # @param origin x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
+    # @raise [InvalidArgument] also if a model would leave the range of coordinates
     def set_origin(origin)
       Low.check(Low.gphys_scene_set_origin(opened, Float64.pack_all(origin, 3)))
       nil
     end
 
-    # Where in the world the scene's coordinates count from. Cost: O(1).
+    # Where in the world the scene's coordinates count from.
+    # Cost: O(1).
     def get_origin
       out_origin = Float64.room(3)
       Low.check(Low.gphys_scene_get_origin(opened, out_origin))
@@ -124,26 +120,27 @@ module Gamephys
     end
 
     # Add a model.
-    # @param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
-    # @param shape      in the model's own coordinates
-    # @param transform  local; NULL is the identity
-    # @param desc       NULL: no parent, layer 1, tag 0
-    # @return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
-    #         GPHYS_ERROR_CAPACITY
     # Cost: O(log n) amortised.
+    # @param shape sphere, capsule, AABB, OBB, plane, triangle or mesh
+    # @param shape in the model's own coordinates
+    # @param transform local; nil is the identity
+    # @param desc nil: no parent, layer 1, tag 0
+    # @raise [Error] for another type (ERROR_UNSUPPORTED)
+    # @raise [InvalidId] for a stale parent
+    # @raise [Error] beyond 2^24 - 1 models (ERROR_CAPACITY)
     def add(shape, transform = nil, **desc)
       out_model = UInt32.room
       Low.check(Low.gphys_scene_add(opened, Low.kind(shape), Low.shape(shape), transform && Transform.pack(transform), Low.desc(Low::ModelDesc, :gphys_model_desc_init, desc), out_model))
       UInt32.unpack(out_model)
     end
 
-    # Add count models of one type, all or none, as gphys_scene_add does one.
-    # @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
-    # @param transforms  local; a stride of 0 shares one; NULL is the identity
-    # @param desc        for all; NULL: no parent, layer 1, tag 0
-    # @param out_models  count elements
-    # @return as gphys_scene_add
-    # Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
+    # Add the models of one type, all or none, as Scene#add does one.
+    # Fails as Scene#add.
+    # Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their number
+    # is of the order of n.
+    # @param shapes in the models' own coordinates
+    # @param transforms local; nil is the identity
+    # @param desc for all; nil: no parent, layer 1, tag 0
     def add_batch(shapes, transforms = nil, out: nil, **desc)
       shapes = Low.shapes(shapes)
       transforms = Low.array(Transform, transforms)
@@ -161,8 +158,8 @@ module Gamephys
     end
 
     # Remove models, all or none.
-    # @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
-    # Cost: that of count calls of gphys_scene_remove.
+    # Cost: that of as many calls of Scene#remove.
+    # @param models the ids; one that stands twice is ERROR_INVALID_ID
     def remove_batch(models)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -170,31 +167,34 @@ module Gamephys
       nil
     end
 
-    # Remove a model and all its descendants. Cost: O(log n) amortised for each.
+    # Remove a model and all its descendants.
+    # Cost: O(log n) amortised for each.
     def remove_subtree(model)
       Low.check(Low.gphys_scene_remove_subtree(opened, model))
       nil
     end
 
-    # Remove all models. Ids given out before stay invalid. Cost: O(n).
+    # Remove all models. Ids given out before stay invalid.
+    # Cost: O(n).
     def clear
       Low.check(Low.gphys_scene_clear(opened))
       nil
     end
 
     # Whether an id names a model of this scene.
-    # @return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
     # Cost: O(1).
     def has?(model)
       Low.answered(Low.gphys_scene_has(opened, model), ERROR_INVALID_ID)
     end
 
-    # Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
+    # Ids of all models, ascending.
+    # Cost: O(n).
     def get_models
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_models(opened, out, capacity, total) }
     end
 
-    # Kind, parent, layers, tag and number of children of a model. Cost: O(1).
+    # Kind, parent, layers, tag and number of children of a model.
+    # Cost: O(1).
     def get_info(model)
       out_info = ModelInfo.room
       Low.check(Low.gphys_scene_get_info(opened, model, out_info))
@@ -203,16 +203,16 @@ module Gamephys
 
     # World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
     # of its sizes wider. That of an empty mesh is its position.
-    # @return GPHYS_UNBOUNDED for a plane
     # Cost: O(1).
+    # @return nil for a plane.
     def get_bounds(model)
       out_bounds = Aabb.room
       Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_bounds(opened, model, out_bounds))
     end
 
     # World box of all bounded models. Planes are left out.
-    # @return GPHYS_NO_HIT if there are none
     # Cost: O(1).
+    # @return nil if there are none.
     def get_scene_bounds
       out_bounds = Aabb.room
       Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_scene_bounds(opened, out_bounds))
@@ -220,35 +220,35 @@ module Gamephys
 
     # Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
     # affected.
-    # @param layers  any mask; 0: no query sees it
     # Cost: O(1).
+    # @param layers any mask; 0: no query sees it
     def set_layers(model, layers)
       Low.check(Low.gphys_scene_set_layers(opened, model, layers))
       nil
     end
 
     # Change the number that a model's hits report beside its id. Children are not affected.
-    # @param tag  any number of the caller's
     # Cost: O(1).
+    # @param tag any number of the caller's
     def set_tag(model, tag)
       Low.check(Low.gphys_scene_set_tag(opened, model, tag))
       nil
     end
 
     # Hang a model below another one, or below none (0).
-    # @param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
-    #                    changed so that the world transform stays (within float32 rounding)
-    # @return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
-    # Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
+    # Cost: O(depth of the tree of models), and as Scene#set_transform for what moves.
+    # @param keep_world 0: the local transform is kept, the model jumps; 1: the local transform is changed
+    #     so that the world transform stays (within float32 rounding)
+    # @raise [Error] if parent is the model or one of its descendants (ERROR_CYCLE)
     def set_parent(model, parent, keep_world)
       Low.check(Low.gphys_scene_set_parent(opened, model, parent, Low.flag(keep_world)))
       nil
     end
 
     # Set a model's local transform. Descendants follow.
-    # @param transform  relative to the parent; scale > 0
-    # @return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
     # Cost: O(log n) for each model that moves.
+    # @param transform relative to the parent; scale > 0
+    # @raise [InvalidArgument] also if it, or a descendant, would leave the range of the world
     def set_transform(model, transform)
       Low.check(Low.gphys_scene_set_transform(opened, model, Transform.pack(transform)))
       nil
@@ -256,9 +256,9 @@ module Gamephys
 
     # Set the local transforms of many models, all or none; a model that stands twice gets the last.
     # Descendants follow.
-    # @param models      count ids
-    # @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
     # Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
+    # @param models the ids
+    # @param transforms as in Scene#set_transform
     def set_transforms(models, transforms)
       models = Low.array(UInt32, models)
       transforms = Low.array(Transform, transforms)
@@ -267,10 +267,9 @@ module Gamephys
       nil
     end
 
-    # Local transforms of count models, as they were set: relative to the parent.
-    # @param models          count ids; one may stand twice
-    # @param out_transforms  count elements
-    # Cost: O(count).
+    # Local transforms of the models, as they were set: relative to the parent.
+    # Cost: O(elements).
+    # @param models the ids; one may stand twice
     def get_transforms(models, out: nil)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -279,11 +278,10 @@ module Gamephys
       out
     end
 
-    # World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+    # World transforms of the models: those of all ancestors applied, rounded to float32. What queries
     # answer is exact with respect to these.
-    # @param models          count ids; one may stand twice
-    # @param out_transforms  count elements
-    # Cost: O(count).
+    # Cost: O(elements).
+    # @param models the ids; one may stand twice
     def get_world_transforms(models, out: nil)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -292,19 +290,17 @@ module Gamephys
       out
     end
 
-    # Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-    # @return GPHYS_OK or GPHYS_NO_HIT
+    # Closest model on a ray; the fields are exact as in Gamephys.raycast.
     # Cost: O(log n) expected; no allocation.
+    # @return nil if nothing is found.
     def raycast(ray, layers: ALL_LAYERS)
       out_hit = Hit.room
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_raycast(opened, Ray.pack(ray), layers, out_hit))
     end
 
-    # Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
-    # t = INFINITY.
-    # @param rays      a stride of 0 casts one ray count times
-    # @param out_hits  count elements
-    # Cost: at most that of count single calls; shared among workers.
+    # Closest models on the rays, as Scene#raycast; a ray that hits nothing gets model = 0 and t =
+    # INFINITY.
+    # Cost: at most that of as many single calls; shared among workers.
     def raycast_batch(rays, layers: ALL_LAYERS, out: nil)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
@@ -314,7 +310,6 @@ module Gamephys
     end
 
     # Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-    # @param out_hit  0 or 1
     # Cost: O(log n) expected.
     def raycast_any?(ray, layers: ALL_LAYERS)
       out_hit = Int32.room
@@ -322,10 +317,8 @@ module Gamephys
       Int32.unpack(out_hit) != 0
     end
 
-    # Whether each of count rays meets anything, as gphys_scene_raycast_any.
-    # @param rays      a stride of 0 casts one ray count times
-    # @param out_hits  count elements, each 0 or 1
-    # Cost: at most that of count single calls; shared among workers.
+    # Whether each of the rays meets anything, as Scene#raycast_any.
+    # Cost: at most that of as many single calls; shared among workers.
     def raycast_any_batch(rays, layers: ALL_LAYERS, out: nil)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
@@ -334,20 +327,15 @@ module Gamephys
       out
     end
 
-    # Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-    # the first. Cost: O(log n + k log k) expected.
+    # Every model that a ray meets, each once with its first hit, by t, then id.
+    # Cost: O(log n + k log k) expected.
     def raycast_all(ray, layers: ALL_LAYERS)
       Low.list(Hit) { |out, capacity, total| Low.gphys_scene_raycast_all(opened, Ray.pack(ray), layers, out, capacity, total) }
     end
 
-    # Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
-    # out_hits[out_offsets[i]] up to out_offsets[i + 1].
-    # @param rays         a stride of 0 casts one ray count times
-    # @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
-    #                     room. Where a ray's range crosses capacity, its first hits are written.
-    # What stands in out_hits behind the last hit afterwards is unspecified.
-    # @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
-    # Cost: that of count single calls; shared among workers.
+    # Every model that each of the rays meets, as Scene#raycast_all: the hits of ray i stand at
+    # hits[offsets[i]] up to offsets[i + 1].
+    # Cost: that of as many single calls; shared among workers.
     def raycast_all_batch(rays, layers: ALL_LAYERS)
       rays = Low.array(Ray, rays)
       count = Low.common(rays)
@@ -355,19 +343,17 @@ module Gamephys
     end
 
     # Closest model along a segment from a to b, both included; t in 0..1. Fields as in
-    # gphys_shape_segment_test.
-    # @return GPHYS_OK or GPHYS_NO_HIT
+    # Gamephys.segment_test.
     # Cost: O(log n) expected.
+    # @return nil if nothing is found.
     def segment_test(segment, layers: ALL_LAYERS)
       out_hit = Hit.room
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_segment_test(opened, Segment.pack(segment), layers, out_hit))
     end
 
-    # Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
-    # model = 0 and t = INFINITY.
-    # @param segments  a stride of 0 tests one segment count times
-    # @param out_hits  count elements
-    # Cost: that of count single calls; shared among workers.
+    # Closest models along the segments, as Scene#segment_test; one that hits nothing gets model = 0 and t
+    # = INFINITY.
+    # Cost: that of as many single calls; shared among workers.
     def segment_test_batch(segments, layers: ALL_LAYERS, out: nil)
       segments = Low.array(Segment, segments)
       count = Low.common(segments)
@@ -377,49 +363,44 @@ module Gamephys
     end
 
     # Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
-    # gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
-    # @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+    # Gamephys.overlaps, ascending.
     # Cost: O(log n + k) expected.
+    # @raise [Error] for other types of shapes (ERROR_UNSUPPORTED)
     def overlap(shape, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_overlap(opened, Low.kind(shape), Low.shape(shape), layers, out, capacity, total) }
     end
 
-    # Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
-    # i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
-    # @param shapes       a stride of 0 asks for one shape count times
-    # @param out_offsets  count + 1 numbers, always complete
-    # @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
-    # Cost: at most that of count single calls; shared among workers.
+    # Ids of all models that each of the shapes of one type overlaps, as Scene#overlap: those of shape i
+    # stand at models[offsets[i]] up to offsets[i + 1], as in Scene#raycast_all_batch.
+    # Cost: at most that of as many single calls; shared among workers.
+    # @raise [Error] as there (ERROR_UNSUPPORTED)
     def overlap_batch(shapes, layers: ALL_LAYERS)
       shapes = Low.shapes(shapes)
       count = Low.common(shapes)
       Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_overlap_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, layers, out, capacity, offsets) }
     end
 
-    # Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-    # own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
-    # per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
-    # too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-    # as scratch memory to order them. Cost: O(log n + k) expected.
+    # Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
+    # box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
+    # more are listed, which Scene#overlap sorts out by testing the shapes.
+    # Cost: O(log n + k) expected.
     def cull(frustum, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_cull(opened, Frustum.pack(frustum), layers, out, capacity, total) }
     end
 
     # The model nearest to a point, and its closest point.
-    # @param max_distance  >= 0, INFINITY allowed; a model at exactly this distance counts
-    # @return GPHYS_OK or GPHYS_NO_HIT
     # Cost: O(log n) expected.
+    # @param max_distance metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+    # @return nil if nothing is found.
     def nearest(point, max_distance: Float::INFINITY, layers: ALL_LAYERS)
       out_nearest = Nearest.room
       Nearest.unpack(out_nearest) if Low.found(Low.gphys_scene_nearest(opened, Vec3.pack(point), max_distance, layers, out_nearest))
     end
 
-    # The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
-    # distance = INFINITY.
-    # @param points        a stride of 0 asks for one point count times
-    # @param max_distance  metres, >= 0, INFINITY allowed, for all points
-    # @param out_nearest   count elements
-    # Cost: that of count single calls; shared among workers.
+    # The models nearest to the points, as Scene#nearest; a point with none gets model = 0 and distance =
+    # INFINITY.
+    # Cost: that of as many single calls; shared among workers.
+    # @param max_distance metres, >= 0, INFINITY allowed, for all points
     def nearest_batch(points, max_distance: Float::INFINITY, layers: ALL_LAYERS, out: nil)
       points = Low.array(Vec3, points)
       count = Low.common(points)
@@ -428,22 +409,20 @@ module Gamephys
       out
     end
 
-    # First model that a sphere touches while it moves by displacement; t in 0..1.
-    # Fields as in gphys_shape_sweep_sphere.
-    # @param displacement  metres; may be zero
-    # @return GPHYS_OK or GPHYS_NO_HIT
+    # First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+    # Gamephys.sweep_sphere.
     # Cost: O(log n + k) expected, k the models that the swept box touches.
+    # @param displacement metres; may be zero
+    # @return nil if nothing is found.
     def sweep_sphere(sphere, displacement, layers: ALL_LAYERS)
       out_hit = Hit.room
       Hit.unpack(out_hit) if Low.found(Low.gphys_scene_sweep_sphere(opened, Sphere.pack(sphere), Vec3.pack(displacement), layers, out_hit))
     end
 
-    # First models that count spheres touch while each moves by its displacement, as
-    # gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
-    # @param spheres        a stride of 0 takes one sphere throughout
-    # @param displacements  metres; a stride of 0 moves all alike
-    # @param out_hits       count elements
-    # Cost: that of count single calls; shared among workers.
+    # First models that the spheres touch while each moves by its displacement, as Scene#sweep_sphere; one
+    # that touches nothing gets model = 0 and t = INFINITY.
+    # Cost: that of as many single calls; shared among workers.
+    # @param displacements metres
     def sweep_sphere_batch(spheres, displacements, layers: ALL_LAYERS, out: nil)
       spheres = Low.array(Sphere, spheres)
       displacements = Low.array(Vec3, displacements)
@@ -453,23 +432,24 @@ module Gamephys
       out
     end
 
-    # How the scene's octree is made up. Cost: O(nodes).
+    # How the scene's octree is made up.
+    # Cost: O(nodes).
     def get_octree_stats
       out_stats = OctreeStats.room
       Low.check(Low.gphys_scene_get_octree_stats(opened, out_stats))
       OctreeStats.unpack(out_stats)
     end
 
-    # Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+    # Boxes of the scene's octree, each parent before its children.
     # Cost: O(nodes).
     def get_octree_boxes
       Low.list(OctreeBox) { |out, capacity, total| Low.gphys_scene_get_octree_boxes(opened, out, capacity, total) }
     end
 
-    # Check the scene's own structure: every model once in the tree, every box around its content,
-    # parents and children in agreement, free slots free. For tests.
-    # @return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+    # Check the scene's own structure: every model once in the tree, every box around its content, parents
+    # and children in agreement, free slots free. For tests.
     # Cost: O(n).
+    # @raise [Error] and the error's message says what is wrong (ERROR_INTERNAL)
     def validate
       Low.check(Low.gphys_scene_validate(opened))
       nil
@@ -481,24 +461,25 @@ module Gamephys
       def self.release(pointer) = Low.gphys_camera_destroy(pointer)
     end
 
-    # Create a camera with the defaults above.
-    # @param desc  NULL: the defaults
+    # Create a camera that stands at the origin, with the projection and the viewport of its desc.
     # Cost: O(1).
+    # @param desc nil: the defaults
     def initialize(**desc)
       own(Pointer) { |made| Low.gphys_camera_create(Low.desc(Low::CameraDesc, :gphys_camera_desc_init, desc), made) }
     end
 
-    # Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
-    # The camera and the target of its orbit stay where they are in the world. Picking and culling need a
-    # scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
-    # @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+    # Move the point of the world that the camera's coordinates count from; see Scene#set_origin. The
+    # camera and the target of its orbit stay where they are in the world. Picking and culling need a
+    # scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
     # Cost: O(1).
+    # @param origin x, y, z in the world, metres, within MAX_COORDINATE
     def set_origin(origin)
       Low.check(Low.gphys_camera_set_origin(opened, Float64.pack_all(origin, 3)))
       nil
     end
 
-    # Where in the world the camera's coordinates count from, metres. Cost: O(1).
+    # Where in the world the camera's coordinates count from, metres.
+    # Cost: O(1).
     def get_origin
       out_origin = Float64.room(3)
       Low.check(Low.gphys_camera_get_origin(opened, out_origin))
@@ -506,47 +487,49 @@ module Gamephys
     end
 
     # See with a perspective projection; what is further away is smaller.
-    # @param fov_y  full vertical angle in radians, 1e-6 <= fov_y < pi
-    # @param near_distance  metres, > 0
-    # @param far_distance   metres, > near_distance; INFINITY allowed
     # Cost: O(1).
+    # @param fov_y full vertical angle in radians, 1e-6 <= fov_y < pi
+    # @param near_distance metres, > 0
+    # @param far_distance metres, > near_distance; INFINITY allowed
     def set_perspective(fov_y, near_distance, far_distance)
       Low.check(Low.gphys_camera_set_perspective(opened, fov_y, near_distance, far_distance))
       nil
     end
 
     # See with an orthographic projection; the distance changes no size.
-    # @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
-    # @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
     # Cost: O(1).
+    # @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    # @param near_distance metres; far at least 1e-6 above near, which may be negative
+    # @param far_distance metres; far at least 1e-6 above near, which may be negative
     def set_orthographic(height, near_distance, far_distance)
       Low.check(Low.gphys_camera_set_orthographic(opened, height, near_distance, far_distance))
       nil
     end
 
     # See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-    # another library's). It is not changed by gphys_camera_set_viewport.
-    # @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
-    #         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
-    #         the matrix is for another depth range
+    # another library's). It is not changed by Camera#set_viewport.
     # Cost: O(1).
+    # @raise [Error] if it has no inverse, or is too close to such a matrix to tell (ERROR_SINGULAR)
+    # @raise [InvalidArgument] if a plane other than far lies at infinity, as it does when the matrix is
+    #     for another depth range
     def set_projection(projection)
       Low.check(Low.gphys_camera_set_projection(opened, Mat4.pack(projection)))
       nil
     end
 
     # The viewport was resized. Perspective keeps fov_y, orthographic its height.
-    # @param width, height  pixels, 1e-3 .. 1e6
     # Cost: O(1).
+    # @param width pixels, 1e-3 .. 1e6
+    # @param height pixels, 1e-3 .. 1e6
     def set_viewport(width, height)
       Low.check(Low.gphys_camera_set_viewport(opened, width, height))
       nil
     end
 
     # Place the camera.
-    # @param position  metres, of its centre
-    # @param rotation  from its own axes to those of the world
     # Cost: O(1).
+    # @param position metres, of its centre
+    # @param rotation from its own axes to those of the world
     def set_transform(position, rotation)
       Low.check(Low.gphys_camera_set_transform(opened, Vec3.pack(position), Quat.pack(rotation)))
       nil
@@ -554,9 +537,9 @@ module Gamephys
 
     # Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
     # kept, then up), so that a matrix which drifted is corrected.
-    # @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
-    #         they mirror or the last row is not 0 0 0 1
     # Cost: O(1).
+    # @raise [Error] if the axes do not span space (ERROR_SINGULAR)
+    # @raise [InvalidArgument] if they mirror or the last row is not 0 0 0 1
     def set_world_matrix(world)
       Low.check(Low.gphys_camera_set_world_matrix(opened, Mat4.pack(world)))
       nil
@@ -564,14 +547,15 @@ module Gamephys
 
     # Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
     # chosen in its place, always the same for the same input.
-    # @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
     # Cost: O(1).
+    # @raise [InvalidArgument] if eye equals target or up is zero
     def look_at(eye, target, up)
       Low.check(Low.gphys_camera_look_at(opened, Vec3.pack(eye), Vec3.pack(target), Vec3.pack(up)))
       nil
     end
 
-    # Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
+    # Where the camera stands, in metres, and how it is turned, rounded to float32.
+    # Cost: O(1).
     def get_transform
       out_position = Vec3.room
       out_rotation = Quat.room
@@ -579,7 +563,8 @@ module Gamephys
       [Vec3.unpack(out_position), Quat.unpack(out_rotation)]
     end
 
-    # The matrix from camera to world. Cost: O(1).
+    # The matrix from camera to world.
+    # Cost: O(1).
     def get_world_matrix
       out_world = Mat4.room
       Low.check(Low.gphys_camera_get_world_matrix(opened, out_world))
@@ -587,37 +572,41 @@ module Gamephys
     end
 
     # The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-    # through them. Cost: O(1).
+    # through them.
+    # Cost: O(1).
     def get_view_matrix
       out_view = Mat4.room
       Low.check(Low.gphys_camera_get_view_matrix(opened, out_view))
       Mat4.unpack(out_view)
     end
 
-    # The matrix from camera to clip space. Cost: O(1).
+    # The matrix from camera to clip space.
+    # Cost: O(1).
     def get_projection_matrix
       out_projection = Mat4.room
       Low.check(Low.gphys_camera_get_projection_matrix(opened, out_projection))
       Mat4.unpack(out_projection)
     end
 
-    # Projection * view, multiplied in double precision and rounded once. Cost: O(1).
+    # Projection * view, multiplied in double precision and rounded once.
+    # Cost: O(1).
     def get_view_projection_matrix
       out_view_projection = Mat4.room
       Low.check(Low.gphys_camera_get_view_projection_matrix(opened, out_view_projection))
       Mat4.unpack(out_view_projection)
     end
 
-    # Start orbiting with these settings; places the camera at once and drops pending input. An angle
-    # or a distance outside its limits is brought inside. Cost: O(1).
+    # Start orbiting with these settings; places the camera at once and drops pending input. An angle or a
+    # distance outside its limits is brought inside.
+    # Cost: O(1).
     def set_orbit(orbit)
       Low.check(Low.gphys_camera_set_orbit(opened, Orbit.pack(orbit)))
       nil
     end
 
     # The present settings, angles and distance of the orbit.
-    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
     # Cost: O(1).
+    # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
     def get_orbit
       out_orbit = Orbit.room
       Low.check(Low.gphys_camera_get_orbit(opened, out_orbit))
@@ -625,18 +614,19 @@ module Gamephys
     end
 
     # Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
-    # @param units_x, units_y  finite, any size
-    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
     # Cost: O(1).
+    # @param units_x finite, any size
+    # @param units_y finite, any size
+    # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
     def orbit_rotate(units_x, units_y)
       Low.check(Low.gphys_camera_orbit_rotate(opened, units_x, units_y))
       nil
     end
 
     # Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
-    # @param units  finite, any size
-    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
     # Cost: O(1).
+    # @param units finite, any size
+    # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
     def orbit_zoom(units)
       Low.check(Low.gphys_camera_orbit_zoom(opened, units))
       nil
@@ -644,25 +634,26 @@ module Gamephys
 
     # Add input to the orbit: move the target to the camera's right and up, as the last update left them,
     # by units times metres_per_unit.
-    # @param units_right, units_up  finite, any size
-    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
     # Cost: O(1).
+    # @param units_right finite, any size
+    # @param units_up finite, any size
+    # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
     def orbit_pan(units_right, units_up)
       Low.check(Low.gphys_camera_orbit_pan(opened, units_right, units_up))
       nil
     end
 
-    # Apply the input since the last update, within the limits, and place the camera. Angles are
-    # wrapped to -pi .. pi in constant time.
-    # @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+    # Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
+    # to -pi .. pi in constant time.
     # Cost: O(1).
+    # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
     def orbit_update
       Low.check(Low.gphys_camera_orbit_update(opened))
       nil
     end
 
-    # The seen volume, with origin at the camera's position and planes from its parameters: each
-    # number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    # The seen volume, with origin at the camera's position and planes from its parameters: each number
+    # within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
     # Cost: O(1).
     def get_frustum
       out_frustum = Frustum.room
@@ -670,29 +661,27 @@ module Gamephys
       Frustum.unpack(out_frustum)
     end
 
-    # World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
-    # @return GPHYS_UNBOUNDED with an infinite far plane
+    # World positions of the corners of the seen volume, in the order of Gamephys.frustum_corners.
     # Cost: O(1).
+    # @return nil with an infinite far plane.
     def get_corners
       out_corners = Vec3.room(8)
       Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_camera_get_corners(opened, out_corners))
     end
 
-    # World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
-    # z is the depth in the camera's range.
-    # @return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
-    #         image lies beyond the range of coordinates
+    # World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+    # viewport; z is the depth in the camera's range.
     # Cost: O(1).
+    # @return nil if the point is not in front of the camera's centre (no image), or its image lies beyond
+    #     the range of coordinates.
     def project(point)
       out_pixel = Vec3.room
       Vec3.unpack(out_pixel) if Low.found(Low.gphys_camera_project(opened, Vec3.pack(point), out_pixel))
     end
 
-    # Pixels of count world points, as gphys_camera_project; a point without an image gets
-    # x = y = z = INFINITY.
-    # @param points      metres; a stride of 0 projects one point count times
-    # @param out_pixels  count elements
-    # Cost: O(count).
+    # Pixels of count world points, as Camera#project; a point without an image gets x = y = z = INFINITY.
+    # Cost: O(elements).
+    # @param points metres
     def project_batch(points, out: nil)
       points = Low.array(Vec3, points)
       count = Low.common(points)
@@ -701,20 +690,19 @@ module Gamephys
       out
     end
 
-    # Pixel and depth to world point: the inverse of gphys_camera_project.
-    # @return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
-    #         beyond the range of coordinates
+    # Pixel and depth to world point: the inverse of Camera#project.
     # Cost: O(1).
+    # @return nil for the depth of an infinite far plane, and for points beyond that or beyond the range
+    #     of coordinates.
     def unproject(pixel)
       out_point = Vec3.room
       Vec3.unpack(out_point) if Low.found(Low.gphys_camera_unproject(opened, Vec3.pack(pixel), out_point))
     end
 
-    # World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
-    # x = y = z = INFINITY.
-    # @param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
-    # @param out_points  count elements
-    # Cost: O(count).
+    # World points of the pixels with depth, as Camera#unproject; one at infinity gets x = y = z =
+    # INFINITY.
+    # Cost: O(elements).
+    # @param pixels x, y in pixels, z the depth
     def unproject_batch(pixels, out: nil)
       pixels = Low.array(Vec3, pixels)
       count = Low.common(pixels)
@@ -723,45 +711,46 @@ module Gamephys
       out
     end
 
-    # The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
-    # on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
-    # Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-    # near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-    # For perspective the stretch before the near plane is part of the ray.
-    # @param pixel_x, pixel_y  pixels; may lie outside the viewport
-    # @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+    # The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
+    # the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
+    # image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
+    # half an ulp of a direction can be; Camera#pick is not so limited. For perspective the stretch before
+    # the near plane is part of the ray.
     # Cost: O(1).
+    # @param pixel_x pixels; may lie outside the viewport
+    # @param pixel_y pixels; may lie outside the viewport
+    # @return nil if the line of sight does not meet the near plane (user projections).
     def pick_ray(pixel_x, pixel_y)
       out_ray = Ray.room
       Ray.unpack(out_ray) if Low.found(Low.gphys_camera_pick_ray(opened, pixel_x, pixel_y, out_ray))
     end
 
-    # Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
-    # @param x, y, width, height  pixels; width * height rays, fewer than 2^32
-    # @param out_rays             width * height elements
-    # @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+    # Rays for a rectangle of pixel centres, as Camera#pick_ray, row by row.
     # Cost: O(width * height).
+    # @param x pixels; width * height rays, fewer than 2^32
+    # @param y pixels; width * height rays, fewer than 2^32
+    # @param width pixels; width * height rays, fewer than 2^32
+    # @param height pixels; width * height rays, fewer than 2^32
     def pick_rays(x, y, width, height, out: nil)
       out = Low.results(Ray, out, width * height)
       Low.check(Low.gphys_camera_pick_rays(opened, x, y, width, height, out.pointer, Ray::BYTES))
       out
     end
 
-    # The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
-    # float32; t is in metres.
-    # @param pixel_x, pixel_y  pixels; may lie outside the viewport
-    # @return GPHYS_OK or GPHYS_NO_HIT
+    # The model under a pixel: the first hit of Camera#pick_ray, before that is rounded to float32; t is
+    # in metres.
     # Cost: O(log n) expected.
+    # @param pixel_x pixels; may lie outside the viewport
+    # @param pixel_y pixels; may lie outside the viewport
+    # @return nil if nothing is found.
     def pick(scene, pixel_x, pixel_y, layers: ALL_LAYERS)
       out_hit = Hit.room
       Hit.unpack(out_hit) if Low.found(Low.gphys_camera_pick(opened, Low.opened(scene, Scene), pixel_x, pixel_y, layers, out_hit))
     end
 
-    # The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
-    # t = INFINITY.
-    # @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
-    # @param out_hits  count elements
-    # Cost: at most that of count single calls; shared among the scene's workers.
+    # The models under the pixels, as Camera#pick; a pixel without one gets model = 0 and t = INFINITY.
+    # Cost: at most that of as many single calls; shared among the scene's workers.
+    # @param pixels x, y pairs of floats
     def pick_batch(scene, pixels, layers: ALL_LAYERS, out: nil)
       pixels = Low.array(Float32, pixels, 2)
       count = Low.common(pixels)
@@ -771,15 +760,18 @@ module Gamephys
     end
 
     # Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-    # rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
-    # @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
-    # @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+    # rectangle, between near and far plane; exact shapes, ascending.
     # Cost: O(log n + k) expected.
+    # @param x0 pixels, opposite corners in any order; may lie outside the viewport
+    # @param y0 pixels, opposite corners in any order; may lie outside the viewport
+    # @param x1 pixels, opposite corners in any order; may lie outside the viewport
+    # @param y1 pixels, opposite corners in any order; may lie outside the viewport
+    # @raise [InvalidArgument] if the rectangle has no area
     def pick_rectangle(scene, x0, y0, x1, y1, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_pick_rectangle(opened, Low.opened(scene, Scene), x0, y0, x1, y1, layers, out, capacity, total) }
     end
 
-    # Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+    # Ids of the models to draw: Scene#cull with the camera's frustum.
     # Cost: O(log n + k) expected.
     def cull(scene, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_cull(opened, Low.opened(scene, Scene), layers, out, capacity, total) }
@@ -791,29 +783,28 @@ module Gamephys
       def self.release(pointer) = Low.gphys_solver_destroy(pointer)
     end
 
-    # Create a solver without bodies.
-    # With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
-    # every n. Threads are started, joined and lost as those of gphys_scene_create.
-    # @param desc  NULL: the defaults
-    # @return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+    # Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
+    # results have the same bits for every n. Threads are started, joined and lost as those of Scene.
     # Cost: O(1), and that of starting the threads.
+    # @param desc nil: the defaults
+    # @raise [OutOfMemory] also if the threads cannot be started
     def initialize(**desc)
       own(Pointer) { |made| Low.gphys_solver_create(Low.desc(Low::SolverDesc, :gphys_solver_desc_init, desc), made) }
     end
 
-    # Move the point of the world that the coordinates of all particles count from; see
-    # gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
-    # step and an attachment need a scene of the same origin, else they return
-    # GPHYS_ERROR_INVALID_ARGUMENT.
-    # @param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-    # @return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+    # Move the point of the world that the coordinates of all particles count from; see Scene#set_origin.
+    # Particles stay where they are in the world and keep moving as they do. A step and an attachment need
+    # a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
     # Cost: O(particles).
+    # @param origin x, y, z in the world, metres, within MAX_COORDINATE
+    # @raise [InvalidArgument] also if a particle would leave the range of coordinates
     def set_origin(origin)
       Low.check(Low.gphys_solver_set_origin(opened, Float64.pack_all(origin, 3)))
       nil
     end
 
-    # Where in the world the particles' coordinates count from, metres. Cost: O(1).
+    # Where in the world the particles' coordinates count from, metres.
+    # Cost: O(1).
     def get_origin
       out_origin = Float64.room(3)
       Low.check(Low.gphys_solver_get_origin(opened, out_origin))
@@ -821,29 +812,29 @@ module Gamephys
     end
 
     # Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
-    # @param gravity  m/s^2; may be zero
     # Cost: O(bodies).
+    # @param gravity m/s^2; may be zero
     def set_gravity(gravity)
       Low.check(Low.gphys_solver_set_gravity(opened, Vec3.pack(gravity)))
       nil
     end
 
-    # Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
-    # error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
-    # by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
-    # al. 1985): twice the time, a seventh of the error.
-    # @param substeps  1 .. 1000
+    # Change the number of substeps of a step. More substeps: smaller errors, proportionally more time.
+    # The error of motion goes with the square of their length. Ropes that move calmly - in a substep no
+    # link turns by half a radian, or would swing by one if its ends were pushed - make each in two stages
+    # (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
     # Cost: O(1).
+    # @param substeps 1 .. 1000
     def set_substeps(substeps)
       Low.check(Low.gphys_solver_set_substeps(opened, substeps))
       nil
     end
 
     # Add a body of particles without constraints.
-    # @param desc       NULL: the defaults
-    # @param positions  metres; count elements, count >= 1
-    # @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    # Cost: O(count).
+    # Cost: O(elements).
+    # @param desc nil: the defaults
+    # @param positions metres
+    # @raise [Error] beyond 2^24 - 1 particles or bodies (ERROR_CAPACITY)
     def add_particles(positions, **desc)
       positions = Low.array(Vec3, positions)
       count = Low.common(positions)
@@ -853,11 +844,11 @@ module Gamephys
     end
 
     # Add a rope through the given points, one particle at each.
-    # @param desc         NULL: the defaults
-    # @param positions    metres; count elements, count >= 2
-    # @param link_length  rest length of each link in metres; 0: as placed
-    # @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-    # Cost: O(count).
+    # Cost: O(elements).
+    # @param desc nil: the defaults
+    # @param positions metres
+    # @param link_length rest length of each link in metres; 0: as placed
+    # @raise [Error] beyond 2^24 - 1 particles or bodies (ERROR_CAPACITY)
     def add_rope(positions, link_length: 0, **desc)
       positions = Low.array(Vec3, positions)
       count = Low.common(positions)
@@ -868,92 +859,96 @@ module Gamephys
 
     # Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
     # corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-    # @param desc           NULL: the defaults
-    # @param corner         metres
-    # @param edge_u, edge_v metres, from the corner along a row and along a column
-    # @param columns, rows  >= 2
-    # @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
     # Cost: O(columns * rows).
+    # @param desc nil: the defaults
+    # @param corner metres
+    # @param edge_u metres, from the corner along a row and along a column
+    # @param edge_v metres, from the corner along a row and along a column
+    # @param columns >= 2
+    # @param rows >= 2
+    # @raise [Error] beyond 2^24 - 1 particles or bodies (ERROR_CAPACITY)
     def add_cloth(corner, edge_u, edge_v, columns, rows, **desc)
       out_body = UInt32.room
       Low.check(Low.gphys_solver_add_cloth(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Vec3.pack(corner), Vec3.pack(edge_u), Vec3.pack(edge_v), columns, rows, out_body))
       UInt32.unpack(out_body)
     end
 
-    # Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-    # with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-    # @param desc       NULL: the defaults
-    # @param transform  places the mesh; NULL is the identity
-    # @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+    # Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
+    # CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
     # Cost: O(n log n).
+    # @param desc nil: the defaults
+    # @param transform places the mesh; nil is the identity
+    # @raise [Error] beyond 2^24 - 1 particles or bodies (ERROR_CAPACITY)
     def add_cloth_mesh(mesh, transform = nil, **desc)
       out_body = UInt32.room
       Low.check(Low.gphys_solver_add_cloth_mesh(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Low.opened(mesh, Mesh), transform && Transform.pack(transform), out_body))
       UInt32.unpack(out_body)
     end
 
-    # Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
-    # last step are no longer listed.
+    # Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
+    # the last step are no longer listed.
     # Cost: O(particles + constraints of the body), and O(joints of the solver).
     def remove_body(body)
       Low.check(Low.gphys_solver_remove_body(opened, body))
       nil
     end
 
-    # Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
+    # Ids of all bodies, ascending.
+    # Cost: O(bodies).
     def get_bodies
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_bodies(opened, out, capacity, total) }
     end
 
-    # Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
-    # A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
-    # sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
-    # keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
-    # wakes in the step before which a model came, went or moved as near as it could come in a step at
-    # 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-    # its state, of gravity or of the origin. Cost: O(bodies).
+    # Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+    # sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
+    # than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
+    # more than a look for models nearby. It wakes in the step before which a model came, went or moved as
+    # near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
+    # exchanged; and at once by any change of its state, of gravity or of the origin.
+    # Cost: O(bodies).
     def get_sleeping
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_sleeping(opened, out, capacity, total) }
     end
 
     # Wake a body; its time of rest begins again.
-    # @param body  0: all
     # Cost: O(1) a body.
+    # @param body 0: all
     def wake(body)
       Low.check(Low.gphys_solver_wake(opened, body))
       nil
     end
 
-    # What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
-    # it allocates.
+    # What a body is made of and how it is solved.
+    # Cost: O(1); after a change of constraints O(particles), and it allocates.
     def get_body_info(body)
       out_info = BodyInfo.room
       Low.check(Low.gphys_solver_get_body_info(opened, body, out_info))
       BodyInfo.unpack(out_info)
     end
 
-    # Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
-    # *out_total counts numbers, not triangles; it is 0 for other bodies.
+    # Particle numbers of a cloth's triangles, three each, for drawing.
     # Cost: O(triangles).
     def get_triangles(body)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_triangles(opened, body, out, capacity, total) }
     end
 
     # Where the particles are, metres.
-    # @param first, count   the particles first .. first + count - 1; a range beyond the body is
-    #                       GPHYS_ERROR_INVALID_ARGUMENT
-    # @param out_positions  count elements
     # Cost: O(count).
+    # @param first the particles first .. first + count - 1; a range beyond the body is
+    #     ERROR_INVALID_ARGUMENT
+    # @param count the particles first .. first + count - 1; a range beyond the body is
+    #     ERROR_INVALID_ARGUMENT
     def get_positions(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
       Low.check(Low.gphys_solver_get_positions(opened, body, first, count, out.pointer, Vec3::BYTES))
       out
     end
 
-    # Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
-    # @param first, count  as in gphys_solver_get_positions
-    # @param positions     metres; a stride of 0 moves all to one place
-    # Cost: O(count).
+    # Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+    # body.
+    # Cost: O(elements).
+    # @param first as in Solver#get_positions
+    # @param positions metres
     def set_positions(body, first, positions)
       positions = Low.array(Vec3, positions)
       count = Low.common(positions)
@@ -962,9 +957,10 @@ module Gamephys
     end
 
     # How fast the particles are, m/s.
-    # @param first, count    as in gphys_solver_get_positions
-    # @param out_velocities  count elements; 0 of what is pinned
     # Cost: O(count).
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
+    # @return 0 of what is pinned.
     def get_velocities(body, first, count, out: nil)
       out = Low.results(Vec3, out, count)
       Low.check(Low.gphys_solver_get_velocities(opened, body, first, count, out.pointer, Vec3::BYTES))
@@ -972,9 +968,9 @@ module Gamephys
     end
 
     # Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
-    # @param first, count  as in gphys_solver_get_positions
-    # @param velocities    m/s; a stride of 0 gives all the same
-    # Cost: O(count).
+    # Cost: O(elements).
+    # @param first as in Solver#get_positions
+    # @param velocities m/s
     def set_velocities(body, first, velocities)
       velocities = Low.array(Vec3, velocities)
       count = Low.common(velocities)
@@ -983,9 +979,9 @@ module Gamephys
     end
 
     # Masses of particles, kg. That of a pinned particle is what it has when it is released.
-    # @param first, count  as in gphys_solver_get_positions
-    # @param out_masses    count elements
     # Cost: O(count).
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
     def get_masses(body, first, count, out: nil)
       out = Low.results(Float32, out, count)
       Low.check(Low.gphys_solver_get_masses(opened, body, first, count, out.pointer, Float32::BYTES))
@@ -994,9 +990,9 @@ module Gamephys
 
     # Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
     # Wakes the body.
-    # @param first, count  as in gphys_solver_get_positions
-    # @param masses        kg, > 0; a stride of 0 gives all the same
-    # Cost: O(count).
+    # Cost: O(elements).
+    # @param first as in Solver#get_positions
+    # @param masses kg, > 0
     def set_masses(body, first, masses)
       masses = Low.array(Float32, masses)
       count = Low.common(masses)
@@ -1005,9 +1001,9 @@ module Gamephys
     end
 
     # Change the collision radii of particles. Wakes the body.
-    # @param first, count  as in gphys_solver_get_positions
-    # @param radii         metres, >= 0; a stride of 0 gives all the same
-    # Cost: O(count).
+    # Cost: O(elements).
+    # @param first as in Solver#get_positions
+    # @param radii metres, >= 0
     def set_radii(body, first, radii)
       radii = Low.array(Float32, radii)
       count = Low.common(radii)
@@ -1016,9 +1012,9 @@ module Gamephys
     end
 
     # Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
-    # @param first, count  as in gphys_solver_get_positions
-    # @param forces        newtons; a stride of 0 gives all the same
-    # Cost: O(count).
+    # Cost: O(elements).
+    # @param first as in Solver#get_positions
+    # @param forces newtons
     def set_forces(body, first, forces)
       forces = Low.array(Vec3, forces)
       count = Low.common(forces)
@@ -1027,40 +1023,41 @@ module Gamephys
     end
 
     # Pin or release particles. A pinned particle stays where it is put and moves only by
-    # gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
-    # @param first, count  as in gphys_solver_get_positions
-    # @param pinned        1: pin; 0: release
+    # Solver#set_positions; its speed is 0. Both pinning and releasing end an attachment.
     # Cost: O(count).
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
+    # @param pinned 1: pin; 0: release
     def set_pinned(body, first, count, pinned)
       Low.check(Low.gphys_solver_set_pinned(opened, body, first, count, Low.flag(pinned)))
       nil
     end
 
-    # Fix a particle to a model: it follows the model's transform in each step, and is released when
-    # the model is gone. Steps must then be given this scene.
-    # @param scene        of the same origin as the solver; not modified
-    # @param local_point  metres, in the model's coordinates; NULL: where the particle is now
-    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+    # Fix a particle to a model: it follows the model's transform in each step, and is released when the
+    # model is gone. Steps must then be given this scene.
     # Cost: O(1).
+    # @param scene of the same origin as the solver; not modified
+    # @param local_point metres, in the model's coordinates; nil: where the particle is now
+    # @raise [InvalidArgument] for a particle that does not exist
     def attach(scene, body, particle, model, local_point = nil)
       Low.check(Low.gphys_solver_attach(opened, Low.opened(scene, Scene), body, particle, model, local_point && Vec3.pack(local_point)))
       nil
     end
 
     # Release an attached particle.
-    # @return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
     # Cost: O(1).
+    # @raise [InvalidArgument] if it is not attached, or does not exist
     def detach(body, particle)
       Low.check(Low.gphys_solver_detach(opened, body, particle))
       nil
     end
 
     # Hold two different particles of a body at a distance.
-    # @param rest_length  metres, >= 0; negative: the present distance
-    # @param compliance   metres per newton, >= 0; 0 is rigid
-    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
-    #         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
     # Cost: O(1); the next step plans the body again, O(constraints).
+    # @param rest_length metres, >= 0; negative: the present distance
+    # @param compliance metres per newton, >= 0; 0 is rigid
+    # @raise [InvalidArgument] for a particle that does not exist or twice the same one
+    # @raise [Error] beyond 2^24 - 1 constraints of a body (ERROR_CAPACITY)
     def add_distance(body, particle_a, particle_b, rest_length, compliance: 0)
       out_constraint = UInt32.room
       Low.check(Low.gphys_solver_add_distance(opened, body, particle_a, particle_b, rest_length, compliance, out_constraint))
@@ -1070,46 +1067,46 @@ module Gamephys
     # Keep two different particles of a body from being further apart than a length, like a string between
     # them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
     # rigid, the speed at which the particles part is lost and no other.
-    # @param max_length  metres, >= 0; negative: the present distance
-    # @param compliance  metres per newton, >= 0, of what it yields beyond that; 0 is rigid
-    # @return as gphys_solver_add_distance
+    # Fails as Solver#add_distance.
     # It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-    # strained only when it is too long. Cost: as gphys_solver_add_distance.
+    # strained only when it is too long.
+    # Cost: as Solver#add_distance.
+    # @param max_length metres, >= 0; negative: the present distance
+    # @param compliance metres per newton, >= 0, of what it yields beyond that; 0 is rigid
     def add_max_distance(body, particle_a, particle_b, max_length, compliance: 0)
       out_constraint = UInt32.room
       Low.check(Low.gphys_solver_add_max_distance(opened, body, particle_a, particle_b, max_length, compliance, out_constraint))
       UInt32.unpack(out_constraint)
     end
 
-    # Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-    # its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-    # on steps. Rigid constraints have nothing to damp.
-    # @param damping  N s/m, >= 0; 0, which every constraint begins with: none
-    # @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
-    # Cost: as gphys_solver_add_distance.
+    # Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+    # beside its tension; one of Solver#add_max_distance never pushes. The decay depends on time, not on
+    # steps. Rigid constraints have nothing to damp.
+    # Cost: as Solver#add_distance.
+    # @param damping N s/m, >= 0; 0, which every constraint begins with: none
+    # @raise [InvalidId] for a body or constraint that does not exist
     def set_constraint_damping(body, constraint, damping)
       Low.check(Low.gphys_solver_set_constraint_damping(opened, body, constraint, damping))
       nil
     end
 
-    # Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
-    # it again changes it, which inflates a body.
-    # @param rest_volume  m^3, > 0; negative: the present volume
-    # @param compliance   m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
-    #                     which keeps its volume; INFINITY: none, which ends the constraint
-    # @return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
-    #         not all turned the same way, or face inward when the present volume is asked for
+    # Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+    # setting it again changes it, which inflates a body.
     # Cost: O(triangles) in each substep, twice.
+    # @param rest_volume m^3, > 0; negative: the present volume
+    # @param compliance m^3 per pascal, >= 0: the volume that a pressure of one pascal takes; 0: as water,
+    #     which keeps its volume; INFINITY: none, which ends the constraint
+    # @raise [Error] if the triangles do not close (each side is that of two triangles), are not all
+    #     turned the same way, or face inward when the present volume is asked for (ERROR_UNSUPPORTED)
     def set_volume(body, rest_volume, compliance: 0)
       Low.check(Low.gphys_solver_set_volume(opened, body, rest_volume, compliance))
       nil
     end
 
-    # The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+    # The volume held by Solver#set_volume, m^3, as it is, and the pressure in pascals with which it was
     # held at the end of the last step: above 0 it pushes outward.
-    # @param out_volume, out_pressure  may be NULL
-    # @return GPHYS_ERROR_UNSUPPORTED if none is held
     # Cost: O(triangles).
+    # @raise [Error] if none is held (ERROR_UNSUPPORTED)
     def get_volume(body)
       out_volume = Float32.room
       out_pressure = Float32.room
@@ -1118,31 +1115,32 @@ module Gamephys
     end
 
     # End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-    # @return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
-    # Cost: as gphys_solver_add_distance.
+    # Cost: as Solver#add_distance.
+    # @raise [InvalidId] for a body or constraint that does not exist, or no longer
     def remove_constraint(body, constraint)
       Low.check(Low.gphys_solver_remove_constraint(opened, body, constraint))
       nil
     end
 
-    # All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+    # All constraints of a body, those of its builder included, by id.
     # Cost: O(constraints).
     def get_constraints(body)
       Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, body, out, capacity, total) }
     end
 
-    # Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-    # equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-    # system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-    # particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-    # one thread and fall asleep and wake together. A joint goes with either body.
-    # @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-    #                     as far apart are drawn there within a step, and get the speed of that.
-    # @param compliance   metres per newton, >= 0; 0 is rigid
-    # @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-    #         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-    # Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-    # of a rope that is not joined.
+    # Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
+    # are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
+    # as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
+    # inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
+    # bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+    # Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+    # one of a rope that is not joined.
+    # @param rest_length metres; 0: at the same place; negative: the present distance. Particles that are
+    #     not as far apart are drawn there within a step, and get the speed of that.
+    # @param compliance metres per newton, >= 0; 0 is rigid
+    # @raise [InvalidArgument] for a particle that does not exist or twice the same body (see
+    #     Solver#add_distance)
+    # @raise [Error] beyond 2^24 - 1 joints (ERROR_CAPACITY)
     def join(body_a, particle_a, body_b, particle_b, rest_length, compliance: 0)
       out_joint = UInt32.room
       Low.check(Low.gphys_solver_join(opened, body_a, particle_a, body_b, particle_b, rest_length, compliance, out_joint))
@@ -1150,38 +1148,37 @@ module Gamephys
     end
 
     # End a joint. Wakes both bodies.
-    # @return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
-    # Cost: as gphys_solver_join.
+    # Cost: as Solver#join.
+    # @raise [InvalidId] for a joint that does not exist, or no longer
     def unjoin(joint)
       Low.check(Low.gphys_solver_unjoin(opened, joint))
       nil
     end
 
-    # Joints of a body, by id. Kept when too many: the lowest.
-    # @param body  0: of all bodies
+    # Joints of a body, by id.
     # Cost: O(joints of the solver).
+    # @param body 0: of all bodies
     def get_joints(body)
       Low.list(JointInfo) { |out, capacity, total| Low.gphys_solver_get_joints(opened, body, out, capacity, total) }
     end
 
     # Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
     # takes more where they would be longer than 25 ms.
-    # @param scene  to collide with and to follow attachments; NULL: none. Not modified.
-    # @param dt     seconds, 1e-6 .. 0.5
     # Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
     # through particles. May allocate.
     # Cost: O(particles + constraints) a substep, and a scene query for particles near models.
+    # @param scene to collide with and to follow attachments; nil: none. Not modified.
+    # @param dt seconds, 1e-6 .. 0.5
     def step(scene, dt)
       Low.check(Low.gphys_solver_step(opened, scene && Low.opened(scene, Scene), dt))
       nil
     end
 
-    # Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-    # frame, so the motion does not depend on the frame rate.
-    # @param frame_time    seconds, >= 0
-    # @param out_steps     steps made; may be NULL
-    # @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+    # Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
+    # so the motion does not depend on the frame rate.
     # Cost: that of the steps made.
+    # @param frame_time seconds, >= 0
+    # @return steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
     def advance(scene, frame_time)
       out_steps = UInt32.room
       out_leftover = Float32.room
@@ -1189,13 +1186,13 @@ module Gamephys
       [UInt32.unpack(out_steps), Float32.unpack(out_leftover)]
     end
 
-    # The substeps that a body took in the last step; 0 before its first.
-    # With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
-    # their length follows from what the last step measured, the largest strain of its rigid constraints
-    # and the local error of the time scheme, both of which go with its square. It is at
-    # most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-    # target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-    # met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+    # The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
+    # tolerance set, each body takes as many as its own motion needs: their length follows from what the
+    # last step measured, the largest strain of its rigid constraints and the local error of the time
+    # scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
+    # from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
+    # where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
+    # positions jump, by contacts, the error is that of the jump.
     # Cost: O(1).
     def get_substeps(body)
       out_substeps = UInt32.room
@@ -1204,47 +1201,46 @@ module Gamephys
     end
 
     # Counts, strain and energy of a body at present.
-    # @param body  0: all bodies together
     # Cost: O(particles + constraints).
+    # @param body 0: all bodies together
     def get_stats(body)
       out_stats = SolverStats.room
       Low.check(Low.gphys_solver_get_stats(opened, body, out_stats))
       SolverStats.unpack(out_stats)
     end
 
-    # Contacts of the last step by body, particle, model. Kept when too many: the first.
+    # Contacts of the last step by body, particle, model.
     # Cost: O(contacts).
     def get_contacts
       Low.list(Contact) { |out, capacity, total| Low.gphys_solver_get_contacts(opened, out, capacity, total) }
     end
 
     # Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-    # which they fell asleep. Kept when too many: the lowest models.
-    # Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
-    # cloth that touches several models at once gives to the one that it touches most. Models have no mass
-    # here; a body of yours much lighter than what hangs from it should be moved in small steps.
+    # which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
+    # weight. A particle of cloth that touches several models at once gives to the one that it touches
+    # most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+    # in small steps.
     # Cost: O(models touched); no allocation. The same bits for any number of workers.
     def get_impulses
       Low.list(Impulse) { |out, capacity, total| Low.gphys_solver_get_impulses(opened, out, capacity, total) }
     end
 
-    # Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
-    # that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
-    # @param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
-    #                   for the same release of the library and machines of the same byte order; it may
-    #                   be stored, but not changed.
-    # @return GPHYS_INCOMPLETE when *out_total > capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+    # Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+    # impulses, time that Solver#advance still owes. The scene, workers and allocator are not in it.
     # Cost: O(particles + constraints), some 50 words for each.
+    # @return the snapshot. It is for the same release of the library and machines of the same byte order;
+    #     it may be stored, but not changed.
+    # @raise [Error] beyond 2^32 - 1 words (ERROR_CAPACITY)
     def get_snapshot
       Low.list(UInt32) { |out, capacity, total| Low.gphys_solver_get_snapshot(opened, out, capacity, total) }
     end
 
     # Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-    # time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
-    # too, is as it was.
-    # @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
-    #         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
-    # Cost: as gphys_solver_get_snapshot; allocates.
+    # time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
+    # is as it was. On an error the solver is as before.
+    # Cost: as Solver#get_snapshot; allocates.
+    # @raise [InvalidArgument] for words that are no snapshot, damaged, of another version or byte order
+    # @raise [OutOfMemory] if there is no room for it
     def restore(words)
       words = Low.array(UInt32, words)
       count = Low.common(words)
@@ -1254,7 +1250,8 @@ module Gamephys
 
     # A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
     # different ones differ with near certainty (not against an adversary). Compare it between machines
-    # that simulate the same, to see when they part. Cost: O(particles + constraints).
+    # that simulate the same, to see when they part.
+    # Cost: O(particles + constraints).
     def get_hash
       out_hash = UInt32.room(2)
       Low.check(Low.gphys_solver_get_hash(opened, out_hash))
@@ -1263,38 +1260,36 @@ module Gamephys
   end
 
   # Whether the shape fulfils the ranges beside its struct.
-  # @return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
   # Cost: O(1).
+  # @raise [InvalidArgument] and the error's message names the field
   def self.validate(shape)
     Low.check(Low.gphys_shape_validate(Low.kind(shape), Low.shape(shape)))
     nil
   end
 
   # The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
-  # @return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
-  #         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
   # Cost: O(1), for a mesh too.
+  # @return nil for a plane, a ray without end (or with one beyond all floats) and a frustum that
+  #     extends to infinity; for an empty mesh or frustum.
   def self.bounds(shape)
     out_bounds = Aabb.room
     Aabb.unpack(out_bounds) if Low.found(Low.gphys_shape_bounds(Low.kind(shape), Low.shape(shape), out_bounds))
   end
 
-  # Whether the point is within tolerance metres of the shape (solid or surface).
-  # With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-  # axes are those of its rotation in double precision).
-  # @param tolerance  >= 0
-  # @param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
+  # Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
+  # answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
+  # rotation in double precision).
+  # Cost: O(1); O(log n) expected for a mesh.
+  # @param tolerance metres, >= 0
   def self.contains?(shape, point, tolerance: 0)
     out_contains = Int32.room
     Low.check(Low.gphys_shape_contains(Low.kind(shape), Low.shape(shape), Vec3.pack(point), tolerance, out_contains))
     Int32.unpack(out_contains) != 0
   end
 
-  # Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
-  # @param points        a stride of 0 asks for one point count times
-  # @param tolerance     metres, >= 0, for all points
-  # @param out_contains  count elements, each 0 or 1
-  # Cost: that of count single calls.
+  # Whether each of the points is within tolerance metres of one shape, as Gamephys.contains.
+  # Cost: that of as many single calls.
+  # @param tolerance metres, >= 0, for all points
   def self.contains_batch(shape, points, tolerance: 0, out: nil)
     points = Low.array(Vec3, points)
     count = Low.common(points)
@@ -1303,22 +1298,20 @@ module Gamephys
     out
   end
 
-  # The point of the shape that is closest to the given point: the point itself inside a solid.
-  # Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
-  # coordinate difference. If several are equally close, one of them,
-  # always the same. For a ray, t is limited by t_max.
-  # @return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+  # The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
+  # ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
+  # difference. If several are equally close, one of them, always the same. For a ray, t is limited by
+  # t_max.
   # Cost: O(1); O(log n) expected for a mesh.
+  # @return nil only for an empty mesh or an empty frustum.
   def self.closest_point(shape, point)
     out_nearest = Nearest.room
     Nearest.unpack(out_nearest) if Low.found(Low.gphys_shape_closest_point(Low.kind(shape), Low.shape(shape), Vec3.pack(point), out_nearest))
   end
 
-  # The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
+  # The points of one shape that are closest to each of the points, as Gamephys.closest_point. An
   # element for which there is none gets distance INFINITY.
-  # @param points       a stride of 0 asks for one point count times
-  # @param out_nearest  count elements
-  # Cost: that of count single calls.
+  # Cost: that of as many single calls.
   def self.closest_point_batch(shape, points, out: nil)
     points = Low.array(Vec3, points)
     count = Low.common(points)
@@ -1327,10 +1320,10 @@ module Gamephys
     out
   end
 
-  # The closest points of two segments and their distance. Parallel segments have many: the first
-  # along a, always the same.
-  # @param out_a, out_b, out_distance  each may be NULL; metres
+  # The closest points of two segments and their distance. Parallel segments have many: the first along
+  # a, always the same.
   # Cost: O(1).
+  # @return metres.
   def self.segment_closest_points(a, b)
     out_a = Vec3.room
     out_b = Vec3.room
@@ -1339,25 +1332,24 @@ module Gamephys
     [Vec3.unpack(out_a), Vec3.unpack(out_b), Float32.unpack(out_distance)]
   end
 
-  # Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
-  # triangle, frustum and mesh, in either order.
-  # A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
-  # Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
-  # precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
-  # @return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+  # Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
+  # frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
+  # not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
+  # in double precision and may err only where the gap is below 2^-40 of the largest coordinate
+  # difference.
   # Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
+  # @raise [Error] for a ray or segment (see Gamephys.segment_test) (ERROR_UNSUPPORTED)
   def self.overlaps?(a, b)
     out_overlaps = Int32.room
     Low.check(Low.gphys_shape_overlaps(Low.kind(a), Low.shape(a), Low.kind(b), Low.shape(b), out_overlaps))
     Int32.unpack(out_overlaps) != 0
   end
 
-  # Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
-  # @param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
-  #                      needs 0
-  # @param out_overlaps  count elements, each 0 or 1
-  # @return GPHYS_ERROR_UNSUPPORTED for rays and segments
-  # Cost: that of count single calls.
+  # Whether the shapes of each of the pairs overlap, as Gamephys.overlaps: pair i is a[i] against b[i].
+  # Cost: that of as many single calls.
+  # @param a shapes of one type each
+  # @param b shapes of one type each
+  # @raise [Error] for rays and segments (ERROR_UNSUPPORTED)
   def self.overlaps_batch(a, b, out: nil)
     a = Low.shapes(a)
     b = Low.shapes(b)
@@ -1368,10 +1360,10 @@ module Gamephys
   end
 
   # Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-  # @param out_signed_distance  metres, of the shape's nearest point to the plane: > 0 in front, < 0
-  #                             behind, 0 when crossing; may be NULL
-  # @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
   # Cost: O(1).
+  # @return metres, of the shape's nearest point to the plane: > 0 in front, < 0 behind, 0 when
+  #     crossing.
+  # @raise [Error] for other types of shapes (ERROR_UNSUPPORTED)
   def self.classify_plane(shape, plane)
     out_side = Int32.room
     out_signed_distance = Float32.room
@@ -1379,35 +1371,34 @@ module Gamephys
     [Int32.unpack(out_side), Float32.unpack(out_signed_distance)]
   end
 
-  # Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
-  # that no point is shared, inside that the frustum holds the whole shape.
-  # @return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+  # Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that no
+  # point is shared, inside that the frustum holds the whole shape.
   # Cost: O(1).
+  # @raise [Error] for other types of shapes (ERROR_UNSUPPORTED)
   def self.classify_frustum(shape, frustum)
     out_side = Int32.room
     Low.check(Low.gphys_shape_classify_frustum(Low.kind(shape), Low.shape(shape), Frustum.pack(frustum), out_side))
     Int32.unpack(out_side)
   end
 
-  # First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
-  # Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
-  # shared edge or vertex always meets one of the triangles there.
-  # Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
-  # and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
-  # smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-  # @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+  # First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
+  # and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
+  # always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
+  # all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
+  # distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+  # docs/accuracy.md has the bounds of all functions.
   # Cost: O(1); O(log n) expected for a mesh.
+  # @return nil if nothing is found.
+  # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
   def self.raycast(shape, ray)
     out_hit = Hit.room
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_raycast(Low.kind(shape), Low.shape(shape), Ray.pack(ray), out_hit))
   end
 
-  # First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
-  # t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
-  # @param rays      a stride of 0 casts one ray count times
-  # @param out_hits  count elements
-  # @return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-  # Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
+  # First hits of the rays with one shape, as Gamephys.raycast. A ray that hits nothing gets t =
+  # INFINITY, triangle = NO_TRIANGLE and zeros in its hits element.
+  # Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+  # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
   def self.raycast_batch(shape, rays, out: nil)
     rays = Low.array(Ray, rays)
     count = Low.common(rays)
@@ -1416,11 +1407,12 @@ module Gamephys
     out
   end
 
-  # First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
-  # A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
-  # then is met from no direction, the normal is zero.
-  # @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-  # Cost: as gphys_shape_raycast.
+  # First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+  # segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
+  # met from no direction, the normal is zero.
+  # Cost: as Gamephys.raycast.
+  # @return nil if nothing is found.
+  # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
   def self.segment_test(shape, segment)
     out_hit = Hit.room
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_segment_test(Low.kind(shape), Low.shape(shape), Segment.pack(segment), out_hit))
@@ -1428,14 +1420,15 @@ module Gamephys
 
   # First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
   # triangle, frustum or mesh.
-  # @param displacement  metres; may be zero
-  # @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
-  #                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
-  #                 and where the centre itself is in a solid, the normal is opposite to the
-  #                 displacement (zero if that is zero).
-  # @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
   # Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-  # Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
+  # Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
+  # mesh.
+  # @param displacement metres; may be zero
+  # @return t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+  #     the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself is in a
+  #     solid, the normal is opposite to the displacement (zero if that is zero). nil if nothing is
+  #     found.
+  # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
   def self.sweep_sphere(shape, sphere, displacement)
     out_hit = Hit.room
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_sweep_sphere(Low.kind(shape), Low.shape(shape), Sphere.pack(sphere), Vec3.pack(displacement), out_hit))
@@ -1443,18 +1436,18 @@ module Gamephys
 
   # The eight corners, each the intersection of three planes: near then far, each in the order
   # left-bottom, right-bottom, right-top, left-top.
-  # @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
   # Cost: O(1).
+  # @return nil if three planes do not meet in a point (infinite far plane).
   def self.frustum_corners(frustum)
     out_corners = Vec3.room(8)
     Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_frustum_corners(Frustum.pack(frustum), out_corners))
   end
 
   # The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-  # origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
-  # @param reverse_z  0: near has the low depth; 1: near has the high depth
-  # @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+  # origin (0, 0, 0). A camera knows its frustum better: Camera#get_frustum.
   # Cost: O(1).
+  # @param reverse_z 0: near has the low depth; 1: near has the high depth
+  # @raise [Error] if the matrix has no volume (ERROR_SINGULAR)
   def self.frustum_from_matrix(view_projection, depth_range, reverse_z)
     out_frustum = Frustum.room
     Low.check(Low.gphys_frustum_from_matrix(Mat4.pack(view_projection), depth_range, Low.flag(reverse_z), out_frustum))
@@ -1462,12 +1455,11 @@ module Gamephys
   end
 
   # Examine arrays without building anything. Allocates while it runs.
-  # @param vertices       vertex_count elements of 3 floats, metres
-  # @param vertex_stride  bytes between vertices, at least 12
-  # @param indices        index_count numbers, three for each triangle
-  # @param out_report     what was found; indices out of range and bad vertices are counted, not refused
-  # @return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
   # Cost: O(n log n).
+  # @param vertices elements of 3 floats, metres
+  # @param indices numbers, three for each triangle
+  # @return what was found; indices out of range and bad vertices are counted, not refused.
+  # @raise [InvalidArgument] for an index_count that is no multiple of 3
   def self.mesh_check(vertices, indices)
     vertices = Low.array(Float32, vertices, 3)
     indices = Low.array(UInt32, indices)

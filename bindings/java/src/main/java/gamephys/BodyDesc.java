@@ -106,7 +106,7 @@ public final class BodyDesc {
 
     /**
      * <pre>
-     * of GPHYS_CLOTH_BEND constraints, m/N; default 0.001
+     * of CLOTH_BEND constraints, m/N; default 0.001
      * </pre>
      */
     public BodyDesc bendCompliance(float value) {
@@ -120,7 +120,7 @@ public final class BodyDesc {
 
     /**
      * <pre>
-     * GPHYS_CLOTH_...; default SHEAR | BEND
+     * cloth values; default SHEAR | BEND
      * </pre>
      */
     public BodyDesc clothFlags(int value) {

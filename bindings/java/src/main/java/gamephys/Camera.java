@@ -6,8 +6,8 @@ import java.util.Optional;
 
 /**
  * <pre>
- * Create a camera with the defaults above.
- * &#64;param desc  NULL: the defaults
+ * Create a camera that stands at the origin, with the projection and the viewport of its desc.
+ *   - desc: null: the defaults
  * Cost: O(1).
  * </pre>
  */
@@ -25,13 +25,11 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Move the point of the world that the camera's coordinates count from; see gphys_scene_set_origin.
-     * The camera and the target of its orbit stay where they are in the world. Picking and culling need a
-     * scene of the same origin, else they return GPHYS_ERROR_INVALID_ARGUMENT.
-     * &#64;param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
+     * Move the point of the world that the camera's coordinates count from; see Scene.setOrigin. The
+     * camera and the target of its orbit stay where they are in the world. Picking and culling need a
+     * scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
      * Cost: O(1).
-     * </pre>
+     * @param origin x, y, z in the world, metres, within MAX_COORDINATE
      */
     public void setOrigin(double[] origin) {
         Scratch scratch = Scratch.get();
@@ -41,9 +39,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Where in the world the camera's coordinates count from, metres. Cost: O(1).
-     * </pre>
+     * Where in the world the camera's coordinates count from, metres.
+     * Cost: O(1).
      */
     public double[] getOrigin() {
         Scratch scratch = Scratch.get();
@@ -54,13 +51,11 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * See with a perspective projection; what is further away is smaller.
-     * &#64;param fov_y  full vertical angle in radians, 1e-6 &lt;= fov_y &lt; pi
-     * &#64;param near_distance  metres, &gt; 0
-     * &#64;param far_distance   metres, &gt; near_distance; INFINITY allowed
      * Cost: O(1).
-     * </pre>
+     * @param fovY full vertical angle in radians, 1e-6 &lt;= fovY &lt; pi
+     * @param nearDistance metres, &gt; 0
+     * @param farDistance metres, &gt; nearDistance; INFINITY allowed
      */
     public void setPerspective(float fovY, float nearDistance, float farDistance) {
         int status = Low.gphys_camera_set_perspective(opened(), fovY, nearDistance, farDistance);
@@ -69,12 +64,11 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * See with an orthographic projection; the distance changes no size.
-     * &#64;param height  metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
-     * &#64;param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
      * Cost: O(1).
-     * </pre>
+     * @param height metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
+     * @param nearDistance metres; far at least 1e-6 above near, which may be negative
+     * @param farDistance metres; far at least 1e-6 above near, which may be negative
      */
     public void setOrthographic(float height, float nearDistance, float farDistance) {
         int status = Low.gphys_camera_set_orthographic(opened(), height, nearDistance, farDistance);
@@ -83,14 +77,13 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * See with any projection matrix of the camera's depth range and direction (off-centre, oblique,
-     * another library's). It is not changed by gphys_camera_set_viewport.
-     * &#64;return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
-     *         GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
-     *         the matrix is for another depth range
+     * another library's). It is not changed by Camera.setViewport.
      * Cost: O(1).
-     * </pre>
+     * @throws GamephysException with ERROR_SINGULAR: if it has no inverse, or is too close to such a
+     *     matrix to tell
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity,
+     *     as it does when the matrix is for another depth range
      */
     public void setProjection(Mat4 projection) {
         Scratch scratch = Scratch.get();
@@ -100,11 +93,10 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * The viewport was resized. Perspective keeps fov_y, orthographic its height.
-     * &#64;param width, height  pixels, 1e-3 .. 1e6
+     * The viewport was resized. Perspective keeps fovY, orthographic its height.
      * Cost: O(1).
-     * </pre>
+     * @param width pixels, 1e-3 .. 1e6
+     * @param height pixels, 1e-3 .. 1e6
      */
     public void setViewport(float width, float height) {
         int status = Low.gphys_camera_set_viewport(opened(), width, height);
@@ -113,12 +105,10 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * Place the camera.
-     * &#64;param position  metres, of its centre
-     * &#64;param rotation  from its own axes to those of the world
      * Cost: O(1).
-     * </pre>
+     * @param position metres, of its centre
+     * @param rotation from its own axes to those of the world
      */
     public void setTransform(Vec3 position, Quat rotation) {
         Scratch scratch = Scratch.get();
@@ -128,13 +118,11 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * Place it by a world matrix (camera to world). The axes are made orthonormal (the view direction
      * kept, then up), so that a matrix which drifted is corrected.
-     * &#64;return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if
-     *         they mirror or the last row is not 0 0 0 1
      * Cost: O(1).
-     * </pre>
+     * @throws GamephysException with ERROR_SINGULAR: if the axes do not span space
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: if they mirror or the last row is not 0 0 0 1
      */
     public void setWorldMatrix(Mat4 world) {
         Scratch scratch = Scratch.get();
@@ -144,12 +132,10 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
      * chosen in its place, always the same for the same input.
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
      * Cost: O(1).
-     * </pre>
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: if eye equals target or up is zero
      */
     public void lookAt(Vec3 eye, Vec3 target, Vec3 up) {
         Scratch scratch = Scratch.get();
@@ -162,9 +148,8 @@ public final class Camera extends Owned {
     public record TransformResult(Vec3 position, Quat rotation) {}
 
     /**
-     * <pre>
-     * Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1).
-     * </pre>
+     * Where the camera stands, in metres, and how it is turned, rounded to float32.
+     * Cost: O(1).
      */
     public TransformResult getTransform() {
         Scratch scratch = Scratch.get();
@@ -175,9 +160,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * The matrix from camera to world. Cost: O(1).
-     * </pre>
+     * The matrix from camera to world.
+     * Cost: O(1).
      */
     public Mat4 getWorldMatrix() {
         Scratch scratch = Scratch.get();
@@ -188,10 +172,9 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * The matrix from world to camera: the transpose of the orthonormal world axes, and the position
-     * through them. Cost: O(1).
-     * </pre>
+     * through them.
+     * Cost: O(1).
      */
     public Mat4 getViewMatrix() {
         Scratch scratch = Scratch.get();
@@ -202,9 +185,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * The matrix from camera to clip space. Cost: O(1).
-     * </pre>
+     * The matrix from camera to clip space.
+     * Cost: O(1).
      */
     public Mat4 getProjectionMatrix() {
         Scratch scratch = Scratch.get();
@@ -215,9 +197,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Projection * view, multiplied in double precision and rounded once. Cost: O(1).
-     * </pre>
+     * Projection * view, multiplied in double precision and rounded once.
+     * Cost: O(1).
      */
     public Mat4 getViewProjectionMatrix() {
         Scratch scratch = Scratch.get();
@@ -228,10 +209,9 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Start orbiting with these settings; places the camera at once and drops pending input. An angle
-     * or a distance outside its limits is brought inside. Cost: O(1).
-     * </pre>
+     * Start orbiting with these settings; places the camera at once and drops pending input. An angle or a
+     * distance outside its limits is brought inside.
+     * Cost: O(1).
      */
     public void setOrbit(Orbit orbit) {
         Scratch scratch = Scratch.get();
@@ -241,11 +221,9 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * The present settings, angles and distance of the orbit.
-     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
      * Cost: O(1).
-     * </pre>
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public Orbit getOrbit() {
         Scratch scratch = Scratch.get();
@@ -256,12 +234,11 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
-     * &#64;param units_x, units_y  finite, any size
-     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+     * Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit.
      * Cost: O(1).
-     * </pre>
+     * @param unitsX finite, any size
+     * @param unitsY finite, any size
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public void orbitRotate(float unitsX, float unitsY) {
         int status = Low.gphys_camera_orbit_rotate(opened(), unitsX, unitsY);
@@ -270,12 +247,10 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
-     * &#64;param units  finite, any size
-     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
      * Cost: O(1).
-     * </pre>
+     * @param units finite, any size
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public void orbitZoom(float units) {
         int status = Low.gphys_camera_orbit_zoom(opened(), units);
@@ -284,13 +259,12 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * Add input to the orbit: move the target to the camera's right and up, as the last update left them,
      * by units times metres_per_unit.
-     * &#64;param units_right, units_up  finite, any size
-     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
      * Cost: O(1).
-     * </pre>
+     * @param unitsRight finite, any size
+     * @param unitsUp finite, any size
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public void orbitPan(float unitsRight, float unitsUp) {
         int status = Low.gphys_camera_orbit_pan(opened(), unitsRight, unitsUp);
@@ -299,12 +273,10 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Apply the input since the last update, within the limits, and place the camera. Angles are
-     * wrapped to -pi .. pi in constant time.
-     * &#64;return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+     * Apply the input since the last update, within the limits, and place the camera. Angles are wrapped
+     * to -pi .. pi in constant time.
      * Cost: O(1).
-     * </pre>
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
      */
     public void orbitUpdate() {
         int status = Low.gphys_camera_orbit_update(opened());
@@ -313,11 +285,9 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * The seen volume, with origin at the camera's position and planes from its parameters: each
-     * number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+     * The seen volume, with origin at the camera's position and planes from its parameters: each number
+     * within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
      * Cost: O(1).
-     * </pre>
      */
     public Frustum getFrustum() {
         Scratch scratch = Scratch.get();
@@ -328,11 +298,9 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
-     * &#64;return GPHYS_UNBOUNDED with an infinite far plane
+     * World positions of the corners of the seen volume, in the order of Gamephys.frustumCorners.
      * Cost: O(1).
-     * </pre>
+     * @return empty with an infinite far plane.
      */
     public Optional<java.util.List<Vec3>> getCorners() {
         Scratch scratch = Scratch.get();
@@ -342,13 +310,11 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
-     * z is the depth in the camera's range.
-     * &#64;return GPHYS_NO_HIT if the point is not in front of the camera's centre (no image), or its
-     *         image lies beyond the range of coordinates
+     * World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
+     * viewport; z is the depth in the camera's range.
      * Cost: O(1).
-     * </pre>
+     * @return empty if the point is not in front of the camera's centre (no image), or its image lies
+     *     beyond the range of coordinates.
      */
     public Optional<Vec3> project(Vec3 point) {
         Scratch scratch = Scratch.get();
@@ -358,13 +324,9 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Pixels of count world points, as gphys_camera_project; a point without an image gets
-     * x = y = z = INFINITY.
-     * &#64;param points      metres; a stride of 0 projects one point count times
-     * &#64;param out_pixels  count elements
-     * Cost: O(count).
-     * </pre>
+     * Pixels of count world points, as Camera.project; a point without an image gets x = y = z = INFINITY.
+     * Cost: O(elements).
+     * @param points metres
      */
     public Batch<Vec3> projectBatch(Batch<Vec3> points, Batch<Vec3> out) {
         int count = Low.common(points.common());
@@ -381,12 +343,10 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Pixel and depth to world point: the inverse of gphys_camera_project.
-     * &#64;return GPHYS_UNBOUNDED for the depth of an infinite far plane, and for points beyond that or
-     *         beyond the range of coordinates
+     * Pixel and depth to world point: the inverse of Camera.project.
      * Cost: O(1).
-     * </pre>
+     * @return empty for the depth of an infinite far plane, and for points beyond that or beyond the range
+     *     of coordinates.
      */
     public Optional<Vec3> unproject(Vec3 pixel) {
         Scratch scratch = Scratch.get();
@@ -396,13 +356,10 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * World points of count pixels with depth, as gphys_camera_unproject; one at infinity gets
-     * x = y = z = INFINITY.
-     * &#64;param pixels      x, y in pixels, z the depth; a stride of 0 takes one pixel count times
-     * &#64;param out_points  count elements
-     * Cost: O(count).
-     * </pre>
+     * World points of the pixels with depth, as Camera.unproject; one at infinity gets x = y = z =
+     * INFINITY.
+     * Cost: O(elements).
+     * @param pixels x, y in pixels, z the depth
      */
     public Batch<Vec3> unprojectBatch(Batch<Vec3> pixels, Batch<Vec3> out) {
         int count = Low.common(pixels.common());
@@ -419,16 +376,15 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
-     * on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
-     * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-     * near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
-     * For perspective the stretch before the near plane is part of the ray.
-     * &#64;param pixel_x, pixel_y  pixels; may lie outside the viewport
-     * &#64;return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+     * The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
+     * the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
+     * image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
+     * half an ulp of a direction can be; Camera.pick is not so limited. For perspective the stretch before
+     * the near plane is part of the ray.
      * Cost: O(1).
-     * </pre>
+     * @param pixelX pixels; may lie outside the viewport
+     * @param pixelY pixels; may lie outside the viewport
+     * @return empty if the line of sight does not meet the near plane (user projections).
      */
     public Optional<Ray> pickRay(float pixelX, float pixelY) {
         Scratch scratch = Scratch.get();
@@ -438,13 +394,12 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
-     * &#64;param x, y, width, height  pixels; width * height rays, fewer than 2^32
-     * &#64;param out_rays             width * height elements
-     * &#64;return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+     * Rays for a rectangle of pixel centres, as Camera.pickRay, row by row.
      * Cost: O(width * height).
-     * </pre>
+     * @param x pixels; width * height rays, fewer than 2^32
+     * @param y pixels; width * height rays, fewer than 2^32
+     * @param width pixels; width * height rays, fewer than 2^32
+     * @param height pixels; width * height rays, fewer than 2^32
      */
     public Batch<Ray> pickRays(int x, int y, int width, int height, Batch<Ray> out) {
         Batch<Ray> room = Batch.room(Ray.LAYOUT, width * height, out);
@@ -460,13 +415,12 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
-     * float32; t is in metres.
-     * &#64;param pixel_x, pixel_y  pixels; may lie outside the viewport
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * The model under a pixel: the first hit of Camera.pickRay, before that is rounded to float32; t is in
+     * metres.
      * Cost: O(log n) expected.
-     * </pre>
+     * @param pixelX pixels; may lie outside the viewport
+     * @param pixelY pixels; may lie outside the viewport
+     * @return empty if nothing is found.
      */
     public Optional<Hit> pick(Scene scene, float pixelX, float pixelY, int layers) {
         Scratch scratch = Scratch.get();
@@ -481,13 +435,9 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * The models under count pixels, as gphys_camera_pick; a pixel without one gets model = 0 and
-     * t = INFINITY.
-     * &#64;param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
-     * &#64;param out_hits  count elements
-     * Cost: at most that of count single calls; shared among the scene's workers.
-     * </pre>
+     * The models under the pixels, as Camera.pick; a pixel without one gets model = 0 and t = INFINITY.
+     * Cost: at most that of as many single calls; shared among the scene's workers.
+     * @param pixels x, y pairs of floats
      */
     public Batch<Hit> pickBatch(Scene scene, Batch<Float> pixels, int layers, Batch<Hit> out) {
         int count = Low.common(pixels.common(2));
@@ -509,13 +459,14 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
      * Marquee: ids of all models that show or would show, were nothing in front of them, in the pixel
-     * rectangle, between near and far plane; exact shapes, ascending. Kept when too many: the lowest.
-     * &#64;param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area
+     * rectangle, between near and far plane; exact shapes, ascending.
      * Cost: O(log n + k) expected.
-     * </pre>
+     * @param x0 pixels, opposite corners in any order; may lie outside the viewport
+     * @param y0 pixels, opposite corners in any order; may lie outside the viewport
+     * @param x1 pixels, opposite corners in any order; may lie outside the viewport
+     * @param y1 pixels, opposite corners in any order; may lie outside the viewport
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: if the rectangle has no area
      */
     public Batch<Integer> pickRectangle(Scene scene, float x0, float y0, float x1, float y1, int layers) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
@@ -531,10 +482,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * <pre>
-     * Ids of the models to draw: gphys_scene_cull with the camera's frustum. Kept when too many: the lowest.
+     * Ids of the models to draw: Scene.cull with the camera's frustum.
      * Cost: O(log n + k) expected.
-     * </pre>
      */
     public Batch<Integer> cull(Scene scene, int layers) {
         return Low.list(Layout.INT, (room, capacity, total) -> {

@@ -18,7 +18,7 @@ public final class CameraDesc {
 
     /**
      * <pre>
-     * NULL: the C++ runtime's
+     * null: the C++ runtime's
      * </pre>
      */
     public CameraDesc allocator(Pointer value) {

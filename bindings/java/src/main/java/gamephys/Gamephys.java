@@ -64,11 +64,9 @@ public final class Gamephys extends GamephysBase {
     public static final int ALL_LAYERS = 0xffffffff;
 
     /**
-     * <pre>
      * Whether the shape fulfils the ranges beside its struct.
-     * &#64;return GPHYS_OK, or GPHYS_ERROR_INVALID_ARGUMENT and gphys_last_error() names the field.
      * Cost: O(1).
-     * </pre>
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: and the exception's message names the field
      */
     public static void validate(Shape shape) {
         Scratch scratch = Scratch.get();
@@ -78,12 +76,10 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
      * The smallest float box that holds the shape: each side rounded outward, by at most 1 ulp.
-     * &#64;return GPHYS_OK; GPHYS_UNBOUNDED for a plane, a ray without end (or with one beyond all floats)
-     *         and a frustum that extends to infinity; GPHYS_NO_HIT for an empty mesh or frustum
      * Cost: O(1), for a mesh too.
-     * </pre>
+     * @return empty for a plane, a ray without end (or with one beyond all floats) and a frustum that
+     *     extends to infinity; for an empty mesh or frustum.
      */
     public static Optional<Aabb> bounds(Shape shape) {
         Scratch scratch = Scratch.get();
@@ -93,13 +89,11 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * Whether the point is within tolerance metres of the shape (solid or surface).
-     * With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
-     * axes are those of its rotation in double precision).
-     * &#64;param tolerance  &gt;= 0
-     * &#64;param out_contains  0 or 1. Cost: O(1); O(log n) expected for a mesh.
-     * </pre>
+     * Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
+     * answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
+     * rotation in double precision).
+     * Cost: O(1); O(log n) expected for a mesh.
+     * @param tolerance metres, &gt;= 0
      */
     public static boolean contains(Shape shape, Vec3 point, float tolerance) {
         Scratch scratch = Scratch.get();
@@ -115,13 +109,9 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * Whether each of count points is within tolerance metres of one shape, as gphys_shape_contains.
-     * &#64;param points        a stride of 0 asks for one point count times
-     * &#64;param tolerance     metres, &gt;= 0, for all points
-     * &#64;param out_contains  count elements, each 0 or 1
-     * Cost: that of count single calls.
-     * </pre>
+     * Whether each of the points is within tolerance metres of one shape, as Gamephys.contains.
+     * Cost: that of as many single calls.
+     * @param tolerance metres, &gt;= 0, for all points
      */
     public static Batch<Integer> containsBatch(Shape shape, Batch<Vec3> points, float tolerance, Batch<Integer> out) {
         Scratch scratch = Scratch.get();
@@ -144,14 +134,12 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * The point of the shape that is closest to the given point: the point itself inside a solid.
-     * Error: 1 ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest
-     * coordinate difference. If several are equally close, one of them,
-     * always the same. For a ray, t is limited by t_max.
-     * &#64;return GPHYS_NO_HIT only for an empty mesh or an empty frustum.
+     * The point of the shape that is closest to the given point: the point itself inside a solid. Error: 1
+     * ulp of the largest coordinate per axis, the distance 1 ulp and 2^-40 of the largest coordinate
+     * difference. If several are equally close, one of them, always the same. For a ray, t is limited by
+     * t_max.
      * Cost: O(1); O(log n) expected for a mesh.
-     * </pre>
+     * @return empty only for an empty mesh or an empty frustum.
      */
     public static Optional<Nearest> closestPoint(Shape shape, Vec3 point) {
         Scratch scratch = Scratch.get();
@@ -161,13 +149,9 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * The points of one shape that are closest to each of count points, as gphys_shape_closest_point. An
-     * element for which there is none gets distance INFINITY.
-     * &#64;param points       a stride of 0 asks for one point count times
-     * &#64;param out_nearest  count elements
-     * Cost: that of count single calls.
-     * </pre>
+     * The points of one shape that are closest to each of the points, as Gamephys.closestPoint. An element
+     * for which there is none gets distance INFINITY.
+     * Cost: that of as many single calls.
      */
     public static Batch<Nearest> closestPointBatch(Shape shape, Batch<Vec3> points, Batch<Nearest> out) {
         Scratch scratch = Scratch.get();
@@ -188,12 +172,10 @@ public final class Gamephys extends GamephysBase {
     public record SegmentClosestPointsResult(Vec3 a, Vec3 b, float distance) {}
 
     /**
-     * <pre>
-     * The closest points of two segments and their distance. Parallel segments have many: the first
-     * along a, always the same.
-     * &#64;param out_a, out_b, out_distance  each may be NULL; metres
+     * The closest points of two segments and their distance. Parallel segments have many: the first along
+     * a, always the same.
      * Cost: O(1).
-     * </pre>
+     * @return metres.
      */
     public static SegmentClosestPointsResult segmentClosestPoints(Segment a, Segment b) {
         Scratch scratch = Scratch.get();
@@ -203,15 +185,13 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane,
-     * triangle, frustum and mesh, in either order.
-     * A mesh is its surface: a sphere deep inside a closed mesh does not overlap it.
-     * Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided in double
-     * precision and may err only where the gap is below 2^-40 of the largest coordinate difference.
-     * &#64;return GPHYS_ERROR_UNSUPPORTED for a ray or segment (see gphys_shape_segment_test).
+     * Whether two shapes have a point in common; any pair of sphere, capsule, AABB, OBB, plane, triangle,
+     * frustum and mesh, in either order. A mesh is its surface: a sphere deep inside a closed mesh does
+     * not overlap it. Exact between AABBs, planes, triangles, meshes and frusta; other pairs are decided
+     * in double precision and may err only where the gap is below 2^-40 of the largest coordinate
+     * difference.
      * Cost: 5 to 500 ns, 0.5 to 20 us with a frustum; O(log n + k) expected with a mesh.
-     * </pre>
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or segment (see Gamephys.segmentTest)
      */
     public static boolean overlaps(Shape a, Shape b) {
         Scratch scratch = Scratch.get();
@@ -222,14 +202,11 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * Whether the shapes of each of count pairs overlap, as gphys_shape_overlaps: pair i is a[i] against b[i].
-     * &#64;param a, b          arrays of a_type and b_type; a stride of 0 tests one shape against many, and a mesh
-     *                      needs 0
-     * &#64;param out_overlaps  count elements, each 0 or 1
-     * &#64;return GPHYS_ERROR_UNSUPPORTED for rays and segments
-     * Cost: that of count single calls.
-     * </pre>
+     * Whether the shapes of each of the pairs overlap, as Gamephys.overlaps: pair i is a[i] against b[i].
+     * Cost: that of as many single calls.
+     * @param a shapes of one type each
+     * @param b shapes of one type each
+     * @throws GamephysException with ERROR_UNSUPPORTED: for rays and segments
      */
     public static Batch<Integer> overlapsBatch(Shapes a, Shapes b, Batch<Integer> out) {
         int count = Low.common(a.common(), b.common());
@@ -249,13 +226,11 @@ public final class Gamephys extends GamephysBase {
     public record ClassifyPlaneResult(int side, float signedDistance) {}
 
     /**
-     * <pre>
      * Classify a sphere, capsule, AABB, OBB or triangle against a plane.
-     * &#64;param out_signed_distance  metres, of the shape's nearest point to the plane: &gt; 0 in front, &lt; 0
-     *                             behind, 0 when crossing; may be NULL
-     * &#64;return GPHYS_ERROR_UNSUPPORTED for other types of shapes
      * Cost: O(1).
-     * </pre>
+     * @return metres, of the shape's nearest point to the plane: &gt; 0 in front, &lt; 0 behind, 0 when
+     *     crossing.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for other types of shapes
      */
     public static ClassifyPlaneResult classifyPlane(Shape shape, Plane plane) {
         Scratch scratch = Scratch.get();
@@ -266,12 +241,10 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means
-     * that no point is shared, inside that the frustum holds the whole shape.
-     * &#64;return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+     * Classify a sphere, capsule, AABB, OBB or triangle against a frustum, exactly: outside means that no
+     * point is shared, inside that the frustum holds the whole shape.
      * Cost: O(1).
-     * </pre>
+     * @throws GamephysException with ERROR_UNSUPPORTED: for other types of shapes
      */
     public static int classifyFrustum(Shape shape, Frustum frustum) {
         Scratch scratch = Scratch.get();
@@ -282,16 +255,15 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh.
-     * Triangles and meshes are hit from both sides, and meshes are watertight: a ray through a
-     * shared edge or vertex always meets one of the triangles there.
-     * Error: t within 1 ulp. No false miss and no false hit at all for spheres, triangles, meshes, AABBs
-     * and planes; for capsules none but within 2^-48 of the distance. An OBB is met where one larger or
-     * smaller by 2^-40 of the distance would be. docs/accuracy.md has the bounds of all functions.
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
+     * First hit of a ray with a sphere, capsule, AABB, OBB, plane, triangle, frustum or mesh. Triangles
+     * and meshes are hit from both sides, and meshes are watertight: a ray through a shared edge or vertex
+     * always meets one of the triangles there. Error: t within 1 ulp. No false miss and no false hit at
+     * all for spheres, triangles, meshes, AABBs and planes; for capsules none but within 2^-48 of the
+     * distance. An OBB is met where one larger or smaller by 2^-40 of the distance would be.
+     * docs/accuracy.md has the bounds of all functions.
      * Cost: O(1); O(log n) expected for a mesh.
-     * </pre>
+     * @return empty if nothing is found.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
      */
     public static Optional<Hit> raycast(Shape shape, Ray ray) {
         Scratch scratch = Scratch.get();
@@ -301,14 +273,10 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * First hits of count rays with one shape, as gphys_shape_raycast. A ray that hits nothing gets
-     * t = INFINITY, triangle = GPHYS_NO_TRIANGLE and zeros in its out_hits element.
-     * &#64;param rays      a stride of 0 casts one ray count times
-     * &#64;param out_hits  count elements
-     * &#64;return GPHYS_OK, whether rays hit or not; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-     * Cost: that of count single calls; less for rays at a mesh whose neighbours go much the same way.
-     * </pre>
+     * First hits of the rays with one shape, as Gamephys.raycast. A ray that hits nothing gets t =
+     * INFINITY, triangle = NO_TRIANGLE and zeros in its hits element.
+     * Cost: that of as many single calls; less for rays at a mesh whose neighbours go much the same way.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
      */
     public static Batch<Hit> raycastBatch(Shape shape, Batch<Ray> rays, Batch<Hit> out) {
         Scratch scratch = Scratch.get();
@@ -326,13 +294,12 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
-     * First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly.
-     * A segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which
-     * then is met from no direction, the normal is zero.
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
-     * Cost: as gphys_shape_raycast.
-     * </pre>
+     * First hit along the segment from a to b; t runs from 0 to 1. Contains both end points exactly. A
+     * segment whose ends coincide hits at t = 0 if the shape contains the point; on a solid, which then is
+     * met from no direction, the normal is zero.
+     * Cost: as Gamephys.raycast.
+     * @return empty if nothing is found.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
      */
     public static Optional<Hit> segmentTest(Shape shape, Segment segment) {
         Scratch scratch = Scratch.get();
@@ -342,18 +309,17 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
      * First contact of a sphere that moves by displacement with a sphere, capsule, AABB, OBB, plane,
      * triangle, frustum or mesh.
-     * &#64;param displacement  metres; may be zero
-     * &#64;param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
-     *                 the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
-     *                 and where the centre itself is in a solid, the normal is opposite to the
-     *                 displacement (zero if that is zero).
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
      * Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
-     * Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh.
-     * </pre>
+     * Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
+     * mesh.
+     * @param displacement metres; may be zero
+     * @return t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
+     *     the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself is in a
+     *     solid, the normal is opposite to the displacement (zero if that is zero). empty if nothing is
+     *     found.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
      */
     public static Optional<Hit> sweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {
         Scratch scratch = Scratch.get();
@@ -363,12 +329,10 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
      * The eight corners, each the intersection of three planes: near then far, each in the order
      * left-bottom, right-bottom, right-top, left-top.
-     * &#64;return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
      * Cost: O(1).
-     * </pre>
+     * @return empty if three planes do not meet in a point (infinite far plane).
      */
     public static Optional<java.util.List<Vec3>> frustumCorners(Frustum frustum) {
         Scratch scratch = Scratch.get();
@@ -377,13 +341,11 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
      * The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
-     * origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
-     * &#64;param reverse_z  0: near has the low depth; 1: near has the high depth
-     * &#64;return GPHYS_ERROR_SINGULAR if the matrix has no volume
+     * origin (0, 0, 0). A camera knows its frustum better: Camera.getFrustum.
      * Cost: O(1).
-     * </pre>
+     * @param reverseZ false: near has the low depth; true: near has the high depth
+     * @throws GamephysException with ERROR_SINGULAR: if the matrix has no volume
      */
     public static Frustum frustumFromMatrix(Mat4 viewProjection, int depthRange, boolean reverseZ) {
         Scratch scratch = Scratch.get();
@@ -393,15 +355,12 @@ public final class Gamephys extends GamephysBase {
     }
 
     /**
-     * <pre>
      * Examine arrays without building anything. Allocates while it runs.
-     * &#64;param vertices       vertex_count elements of 3 floats, metres
-     * &#64;param vertex_stride  bytes between vertices, at least 12
-     * &#64;param indices        index_count numbers, three for each triangle
-     * &#64;param out_report     what was found; indices out of range and bad vertices are counted, not refused
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for an index_count that is no multiple of 3
      * Cost: O(n log n).
-     * </pre>
+     * @param vertices elements of 3 floats, metres
+     * @param indices numbers, three for each triangle
+     * @return what was found; indices out of range and bad vertices are counted, not refused.
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for an indexCount that is no multiple of 3
      */
     public static MeshReport meshCheck(Batch<Float> vertices, Batch<Integer> indices) {
         Scratch scratch = Scratch.get();

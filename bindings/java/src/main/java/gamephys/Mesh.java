@@ -8,9 +8,8 @@ import java.util.Optional;
  * <pre>
  * Build a mesh from copies of the arrays. Triangles of zero area are kept: they are met like the
  * segments or points that they are, and counted in the report. 0 triangles are allowed.
- * &#64;param desc  may be NULL
- * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for an index out of range, an index_count that is no
- *         multiple of 3 or a bad vertex; gphys_mesh_check tells which.
+ * Throws GamephysException with ERROR_INVALID_ARGUMENT for an index out of range, an indexCount that
+ * is no multiple of 3 or a bad vertex; Gamephys.meshCheck tells which.
  * Cost: O(n log n), about 1 us per triangle.
  * </pre>
  */
@@ -28,10 +27,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * <pre>
-     * What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
+     * What the mesh was built from: the report that Gamephys.meshCheck makes of its arrays.
      * Cost: O(1).
-     * </pre>
      */
     public MeshReport getReport() {
         Scratch scratch = Scratch.get();
@@ -42,10 +39,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * <pre>
-     * Copy the vertices out, in metres and in their original order. Kept when too many: the first.
+     * Copy the vertices out, in metres and in their original order.
      * Cost: O(vertices).
-     * </pre>
      */
     public Batch<Vec3> getVertices() {
         return Low.list(Vec3.LAYOUT, (room, capacity, total) -> {
@@ -56,11 +51,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * <pre>
-     * Copy the indices out, three for each triangle, in their original order. Kept when too many: the first.
-     * *out_total counts indices, not triangles.
+     * Copy the indices out, three for each triangle, in their original order.
      * Cost: O(n).
-     * </pre>
      */
     public Batch<Integer> getIndices() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
@@ -71,12 +63,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * <pre>
      * All hits of a ray, by t, then triangle. A ray through a shared edge hits both triangles.
-     * Kept when the array is too small: the first ones.
-     * &#64;return GPHYS_OK (also for 0 hits)
      * Cost: O(log n + k) expected.
-     * </pre>
      */
     public Batch<Hit> raycastAll(Ray ray) {
         Scratch scratch = Scratch.get();
@@ -88,11 +76,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * <pre>
      * Whether a ray hits anything; cheaper than the closest hit.
-     * &#64;param out_hit  0 or 1
      * Cost: O(log n) expected.
-     * </pre>
      */
     public boolean raycastAny(Ray ray) {
         Scratch scratch = Scratch.get();
@@ -103,12 +88,10 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * <pre>
      * Indices of all triangles that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum,
-     * ascending. Kept when the array is too small: the lowest.
-     * &#64;return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+     * ascending.
      * Cost: O(log n + k) expected.
-     * </pre>
+     * @throws GamephysException with ERROR_UNSUPPORTED: for other types of shapes
      */
     public Batch<Integer> overlap(Shape shape) {
         Scratch scratch = Scratch.get();
@@ -120,9 +103,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * <pre>
-     * How the mesh's octree is made up. Cost: O(nodes).
-     * </pre>
+     * How the mesh's octree is made up.
+     * Cost: O(nodes).
      */
     public OctreeStats getOctreeStats() {
         Scratch scratch = Scratch.get();
@@ -133,10 +115,8 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
-     * <pre>
-     * Boxes of the mesh's octree, each parent before its children. Kept when too many: the first.
+     * Boxes of the mesh's octree, each parent before its children.
      * Cost: O(nodes).
-     * </pre>
      */
     public Batch<OctreeBox> getOctreeBoxes() {
         return Low.list(OctreeBox.LAYOUT, (room, capacity, total) -> {

@@ -18,7 +18,7 @@ public final class MeshDesc {
 
     /**
      * <pre>
-     * NULL: the C++ runtime's
+     * null: the C++ runtime's
      * </pre>
      */
     public MeshDesc allocator(Pointer value) {

@@ -6,17 +6,16 @@ import java.util.Optional;
 
 /**
  * <pre>
- * Create a scene without models.
- * With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
- * adding and moving many models, share their work among n threads; the results have the same bits
- * for every n. Without a task_runner n - 1 threads are started here and joined by
- * gphys_scene_destroy. They serve one call at a time: others that come meanwhile do their own
- * work. They take no signals but faults, and the floating-point settings of the thread that
+ * Create a scene without models. With a worker_count of n, all batch queries of the scene
+ * (Camera.pickBatch too), and adding and moving many models, share their work among n threads; the
+ * results have the same bits for every n. Without a task_runner n - 1 threads are started here and
+ * joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
+ * their own work. They take no signals but faults, and the floating-point settings of the thread that
  * created them. In a child of fork they are gone: calls there run on one thread, as they do on a
  * platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
- * &#64;param desc  NULL: the defaults
- * &#64;return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started; GPHYS_ERROR_CAPACITY if
- *         reserve_models is above 2^24 - 1
+ *   - desc: null: the defaults
+ * Throws GamephysException with ERROR_OUT_OF_MEMORY also if the threads cannot be started.
+ * Throws GamephysException with ERROR_CAPACITY if reserve_models is above 2^24 - 1.
  * Cost: O(reserve_models), and that of starting the threads.
  * </pre>
  */
@@ -34,17 +33,16 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Move the point of the world that all coordinates of the scene count from, those that it is given
-     * and those that it returns. Models stay where they are in the world: the positions of those without
-     * a parent become what they are from there, kept in double precision and rounded to float32 once,
+     * Move the point of the world that all coordinates of the scene count from, those that it is given and
+     * those that it returns. Models stay where they are in the world: the positions of those without a
+     * parent become what they are from there, kept in double precision and rounded to float32 once,
      * however often the origin moves. For worlds beyond some kilometres: keep the origin near the camera,
      * and when the camera has gone a few kilometres, move it together with that of cameras and solvers.
-     * &#64;param origin  x, y, z in the world, within GPHYS_MAX_COORDINATE; before the first call 0 0 0
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT also if a model would leave the range of coordinates
-     * Cost: that of gphys_scene_set_transforms of all models, and 24 bytes a model from the first call
-     * on. Queries cost nothing more.
-     * </pre>
+     * Cost: that of Scene.setTransforms of all models, and 24 bytes a model from the first call on.
+     * Queries cost nothing more.
+     * @param origin x, y, z in the world, within MAX_COORDINATE; before the first call 0 0 0
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if a model would leave the range of
+     *     coordinates
      */
     public void setOrigin(double[] origin) {
         Scratch scratch = Scratch.get();
@@ -54,9 +52,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Where in the world the scene's coordinates count from. Cost: O(1).
-     * </pre>
+     * Where in the world the scene's coordinates count from.
+     * Cost: O(1).
      */
     public double[] getOrigin() {
         Scratch scratch = Scratch.get();
@@ -67,16 +64,15 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Add a model.
-     * &#64;param type       sphere, capsule, AABB, OBB, plane, triangle or mesh
-     * &#64;param shape      in the model's own coordinates
-     * &#64;param transform  local; NULL is the identity
-     * &#64;param desc       NULL: no parent, layer 1, tag 0
-     * &#64;return GPHYS_ERROR_UNSUPPORTED for another type, GPHYS_ERROR_INVALID_ID for a stale parent,
-     *         GPHYS_ERROR_CAPACITY
      * Cost: O(log n) amortised.
-     * </pre>
+     * @param shape sphere, capsule, AABB, OBB, plane, triangle or mesh
+     * @param shape in the model's own coordinates
+     * @param transform local; null is the identity
+     * @param desc null: no parent, layer 1, tag 0
+     * @throws GamephysException with ERROR_UNSUPPORTED: for another type
+     * @throws GamephysException with ERROR_INVALID_ID: for a stale parent
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 models
      */
     public int add(Shape shape, Transform transform, ModelDesc desc) {
         Scratch scratch = Scratch.get();
@@ -97,15 +93,13 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Add count models of one type, all or none, as gphys_scene_add does one.
-     * &#64;param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
-     * &#64;param transforms  local; a stride of 0 shares one; NULL is the identity
-     * &#64;param desc        for all; NULL: no parent, layer 1, tag 0
-     * &#64;param out_models  count elements
-     * &#64;return as gphys_scene_add
-     * Cost: O(count log n), less with workers; a rebuild of the octree, O(n log n), where count is of the order of n.
-     * </pre>
+     * Add the models of one type, all or none, as Scene.add does one.
+     * Fails as Scene.add.
+     * Cost: O(elements log n), less with workers; a rebuild of the octree, O(n log n), where their number
+     * is of the order of n.
+     * @param shapes in the models' own coordinates
+     * @param transforms local; null is the identity
+     * @param desc for all; null: no parent, layer 1, tag 0
      */
     public Batch<Integer> addBatch(Shapes shapes, Batch<Transform> transforms, ModelDesc desc, Batch<Integer> out) {
         int count = Low.common(shapes.common(), Batch.common(transforms));
@@ -132,10 +126,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Remove a model. Its children stay where they are in the world and lose their parent.
      * Cost: O(log n) amortised, and O(1) a child.
-     * </pre>
      */
     public void remove(int model) {
         int status = Low.gphys_scene_remove(opened(), model);
@@ -144,11 +136,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Remove models, all or none.
-     * &#64;param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
-     * Cost: that of count calls of gphys_scene_remove.
-     * </pre>
+     * Cost: that of as many calls of Scene.remove.
+     * @param models the ids; one that stands twice is ERROR_INVALID_ID
      */
     public void removeBatch(Batch<Integer> models) {
         int count = Low.common(models.common());
@@ -158,9 +148,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Remove a model and all its descendants. Cost: O(log n) amortised for each.
-     * </pre>
+     * Remove a model and all its descendants.
+     * Cost: O(log n) amortised for each.
      */
     public void removeSubtree(int model) {
         int status = Low.gphys_scene_remove_subtree(opened(), model);
@@ -169,9 +158,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Remove all models. Ids given out before stay invalid. Cost: O(n).
-     * </pre>
+     * Remove all models. Ids given out before stay invalid.
+     * Cost: O(n).
      */
     public void clear() {
         int status = Low.gphys_scene_clear(opened());
@@ -180,11 +168,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Whether an id names a model of this scene.
-     * &#64;return GPHYS_OK if it does, else GPHYS_ERROR_INVALID_ID
      * Cost: O(1).
-     * </pre>
      */
     public boolean has(int model) {
         int status = Low.gphys_scene_has(opened(), model);
@@ -193,9 +178,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Ids of all models, ascending. Kept when too many: the lowest. Cost: O(n).
-     * </pre>
+     * Ids of all models, ascending.
+     * Cost: O(n).
      */
     public Batch<Integer> getModels() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
@@ -206,9 +190,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Kind, parent, layers, tag and number of children of a model. Cost: O(1).
-     * </pre>
+     * Kind, parent, layers, tag and number of children of a model.
+     * Cost: O(1).
      */
     public ModelInfo getInfo(int model) {
         Scratch scratch = Scratch.get();
@@ -219,12 +202,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * World box of a model, by which queries find it: holds it, and is at most 3 ulps and 2^-19 of the sum
      * of its sizes wider. That of an empty mesh is its position.
-     * &#64;return GPHYS_UNBOUNDED for a plane
      * Cost: O(1).
-     * </pre>
+     * @return empty for a plane.
      */
     public Optional<Aabb> getBounds(int model) {
         Scratch scratch = Scratch.get();
@@ -234,11 +215,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * World box of all bounded models. Planes are left out.
-     * &#64;return GPHYS_NO_HIT if there are none
      * Cost: O(1).
-     * </pre>
+     * @return empty if there are none.
      */
     public Optional<Aabb> getSceneBounds() {
         Scratch scratch = Scratch.get();
@@ -248,12 +227,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Change which queries see a model: those with a mask m of which layers &amp; m is not 0. Children are not
      * affected.
-     * &#64;param layers  any mask; 0: no query sees it
      * Cost: O(1).
-     * </pre>
+     * @param layers any mask; 0: no query sees it
      */
     public void setLayers(int model, int layers) {
         int status = Low.gphys_scene_set_layers(opened(), model, layers);
@@ -262,11 +239,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Change the number that a model's hits report beside its id. Children are not affected.
-     * &#64;param tag  any number of the caller's
      * Cost: O(1).
-     * </pre>
+     * @param tag any number of the caller's
      */
     public void setTag(int model, int tag) {
         int status = Low.gphys_scene_set_tag(opened(), model, tag);
@@ -275,13 +250,11 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Hang a model below another one, or below none (0).
-     * &#64;param keep_world  0: the local transform is kept, the model jumps; 1: the local transform is
-     *                    changed so that the world transform stays (within float32 rounding)
-     * &#64;return GPHYS_ERROR_CYCLE if parent is the model or one of its descendants
-     * Cost: O(depth of the tree of models), and as gphys_scene_set_transform for what moves.
-     * </pre>
+     * Cost: O(depth of the tree of models), and as Scene.setTransform for what moves.
+     * @param keepWorld false: the local transform is kept, the model jumps; true: the local transform is
+     *     changed so that the world transform stays (within float32 rounding)
+     * @throws GamephysException with ERROR_CYCLE: if parent is the model or one of its descendants
      */
     public void setParent(int model, int parent, boolean keepWorld) {
         int status = Low.gphys_scene_set_parent(opened(), model, parent, keepWorld ? 1 : 0);
@@ -290,12 +263,11 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Set a model's local transform. Descendants follow.
-     * &#64;param transform  relative to the parent; scale &gt; 0
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT also if it, or a descendant, would leave the range of the world
      * Cost: O(log n) for each model that moves.
-     * </pre>
+     * @param transform relative to the parent; scale &gt; 0
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if it, or a descendant, would leave the
+     *     range of the world
      */
     public void setTransform(int model, Transform transform) {
         Scratch scratch = Scratch.get();
@@ -310,13 +282,11 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Set the local transforms of many models, all or none; a model that stands twice gets the last.
      * Descendants follow.
-     * &#64;param models      count ids
-     * &#64;param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
      * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
-     * </pre>
+     * @param models the ids
+     * @param transforms as in Scene.setTransform
      */
     public void setTransforms(Batch<Integer> models, Batch<Transform> transforms) {
         int count = Low.common(models.common(), transforms.common());
@@ -331,12 +301,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Local transforms of count models, as they were set: relative to the parent.
-     * &#64;param models          count ids; one may stand twice
-     * &#64;param out_transforms  count elements
-     * Cost: O(count).
-     * </pre>
+     * Local transforms of the models, as they were set: relative to the parent.
+     * Cost: O(elements).
+     * @param models the ids; one may stand twice
      */
     public Batch<Transform> getTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
@@ -353,13 +320,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * World transforms of count models: those of all ancestors applied, rounded to float32. What queries
+     * World transforms of the models: those of all ancestors applied, rounded to float32. What queries
      * answer is exact with respect to these.
-     * &#64;param models          count ids; one may stand twice
-     * &#64;param out_transforms  count elements
-     * Cost: O(count).
-     * </pre>
+     * Cost: O(elements).
+     * @param models the ids; one may stand twice
      */
     public Batch<Transform> getWorldTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
@@ -376,11 +340,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Closest model on a ray; the fields are exact as in gphys_shape_raycast.
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * Closest model on a ray; the fields are exact as in Gamephys.raycast.
      * Cost: O(log n) expected; no allocation.
-     * </pre>
+     * @return empty if nothing is found.
      */
     public Optional<Hit> raycast(Ray ray, int layers) {
         Scratch scratch = Scratch.get();
@@ -395,13 +357,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Closest models on count rays, as gphys_scene_raycast; a ray that hits nothing gets model = 0 and
-     * t = INFINITY.
-     * &#64;param rays      a stride of 0 casts one ray count times
-     * &#64;param out_hits  count elements
-     * Cost: at most that of count single calls; shared among workers.
-     * </pre>
+     * Closest models on the rays, as Scene.raycast; a ray that hits nothing gets model = 0 and t =
+     * INFINITY.
+     * Cost: at most that of as many single calls; shared among workers.
      */
     public Batch<Hit> raycastBatch(Batch<Ray> rays, int layers, Batch<Hit> out) {
         int count = Low.common(rays.common());
@@ -423,11 +381,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Whether a ray meets anything (shadow, line of sight); cheaper than the closest hit.
-     * &#64;param out_hit  0 or 1
      * Cost: O(log n) expected.
-     * </pre>
      */
     public boolean raycastAny(Ray ray, int layers) {
         Scratch scratch = Scratch.get();
@@ -443,12 +398,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Whether each of count rays meets anything, as gphys_scene_raycast_any.
-     * &#64;param rays      a stride of 0 casts one ray count times
-     * &#64;param out_hits  count elements, each 0 or 1
-     * Cost: at most that of count single calls; shared among workers.
-     * </pre>
+     * Whether each of the rays meets anything, as Scene.raycastAny.
+     * Cost: at most that of as many single calls; shared among workers.
      */
     public Batch<Integer> raycastAnyBatch(Batch<Ray> rays, int layers, Batch<Integer> out) {
         int count = Low.common(rays.common());
@@ -470,10 +421,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Every model that a ray meets, each once with its first hit, by t, then id. Kept when too many:
-     * the first. Cost: O(log n + k log k) expected.
-     * </pre>
+     * Every model that a ray meets, each once with its first hit, by t, then id.
+     * Cost: O(log n + k log k) expected.
      */
     public Batch<Hit> raycastAll(Ray ray, int layers) {
         Scratch scratch = Scratch.get();
@@ -490,16 +439,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
-     * out_hits[out_offsets[i]] up to out_offsets[i + 1].
-     * &#64;param rays         a stride of 0 casts one ray count times
-     * &#64;param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
-     *                     room. Where a ray's range crosses capacity, its first hits are written.
-     * What stands in out_hits behind the last hit afterwards is unspecified.
-     * &#64;return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity
-     * Cost: that of count single calls; shared among workers.
-     * </pre>
+     * Every model that each of the rays meets, as Scene.raycastAll: the hits of ray i stand at
+     * hits[offsets[i]] up to offsets[i + 1].
+     * Cost: that of as many single calls; shared among workers.
      */
     public Ragged<Hit> raycastAllBatch(Batch<Ray> rays, int layers) {
         int count = Low.common(rays.common());
@@ -516,12 +458,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Closest model along a segment from a to b, both included; t in 0..1. Fields as in
-     * gphys_shape_segment_test.
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * Gamephys.segmentTest.
      * Cost: O(log n) expected.
-     * </pre>
+     * @return empty if nothing is found.
      */
     public Optional<Hit> segmentTest(Segment segment, int layers) {
         Scratch scratch = Scratch.get();
@@ -536,13 +476,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Closest models along count segments, as gphys_scene_segment_test; one that hits nothing gets
-     * model = 0 and t = INFINITY.
-     * &#64;param segments  a stride of 0 tests one segment count times
-     * &#64;param out_hits  count elements
-     * Cost: that of count single calls; shared among workers.
-     * </pre>
+     * Closest models along the segments, as Scene.segmentTest; one that hits nothing gets model = 0 and t
+     * = INFINITY.
+     * Cost: that of as many single calls; shared among workers.
      */
     public Batch<Hit> segmentTestBatch(Batch<Segment> segments, int layers, Batch<Hit> out) {
         int count = Low.common(segments.common());
@@ -564,12 +500,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * Ids of all models that overlap a sphere, capsule, AABB, OBB, plane, triangle or frustum, as
-     * gphys_shape_overlaps, ascending. Kept when the array is too small: the lowest.
-     * &#64;return GPHYS_ERROR_UNSUPPORTED for other types of shapes
+     * Gamephys.overlaps, ascending.
      * Cost: O(log n + k) expected.
-     * </pre>
+     * @throws GamephysException with ERROR_UNSUPPORTED: for other types of shapes
      */
     public Batch<Integer> overlap(Shape shape, int layers) {
         Scratch scratch = Scratch.get();
@@ -586,14 +520,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
-     * i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
-     * &#64;param shapes       a stride of 0 asks for one shape count times
-     * &#64;param out_offsets  count + 1 numbers, always complete
-     * &#64;return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] &gt; capacity; GPHYS_ERROR_UNSUPPORTED as there
-     * Cost: at most that of count single calls; shared among workers.
-     * </pre>
+     * Ids of all models that each of the shapes of one type overlaps, as Scene.overlap: those of shape i
+     * stand at models[offsets[i]] up to offsets[i + 1], as in Scene.raycastAllBatch.
+     * Cost: at most that of as many single calls; shared among workers.
+     * @throws GamephysException with ERROR_UNSUPPORTED: as there
      */
     public Ragged<Integer> overlapBatch(Shapes shapes, int layers) {
         int count = Low.common(shapes.common());
@@ -610,13 +540,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-     * own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
-     * per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
-     * too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
-     * as scratch memory to order them. Cost: O(log n + k) expected.
-     * </pre>
+     * Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
+     * box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
+     * more are listed, which Scene.overlap sorts out by testing the shapes.
+     * Cost: O(log n + k) expected.
      */
     public Batch<Integer> cull(Frustum frustum, int layers) {
         Scratch scratch = Scratch.get();
@@ -633,12 +560,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
      * The model nearest to a point, and its closest point.
-     * &#64;param max_distance  &gt;= 0, INFINITY allowed; a model at exactly this distance counts
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT
      * Cost: O(log n) expected.
-     * </pre>
+     * @param maxDistance metres, &gt;= 0, INFINITY allowed; a model at exactly this distance counts
+     * @return empty if nothing is found.
      */
     public Optional<Nearest> nearest(Vec3 point, float maxDistance, int layers) {
         Scratch scratch = Scratch.get();
@@ -658,14 +583,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * The models nearest to count points, as gphys_scene_nearest; a point with none gets model = 0 and
-     * distance = INFINITY.
-     * &#64;param points        a stride of 0 asks for one point count times
-     * &#64;param max_distance  metres, &gt;= 0, INFINITY allowed, for all points
-     * &#64;param out_nearest   count elements
-     * Cost: that of count single calls; shared among workers.
-     * </pre>
+     * The models nearest to the points, as Scene.nearest; a point with none gets model = 0 and distance =
+     * INFINITY.
+     * Cost: that of as many single calls; shared among workers.
+     * @param maxDistance metres, &gt;= 0, INFINITY allowed, for all points
      */
     public Batch<Nearest> nearestBatch(Batch<Vec3> points, float maxDistance, int layers, Batch<Nearest> out) {
         int count = Low.common(points.common());
@@ -692,13 +613,11 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * First model that a sphere touches while it moves by displacement; t in 0..1.
-     * Fields as in gphys_shape_sweep_sphere.
-     * &#64;param displacement  metres; may be zero
-     * &#64;return GPHYS_OK or GPHYS_NO_HIT
+     * First model that a sphere touches while it moves by displacement; t in 0..1. Fields as in
+     * Gamephys.sweepSphere.
      * Cost: O(log n + k) expected, k the models that the swept box touches.
-     * </pre>
+     * @param displacement metres; may be zero
+     * @return empty if nothing is found.
      */
     public Optional<Hit> sweepSphere(Sphere sphere, Vec3 displacement, int layers) {
         Scratch scratch = Scratch.get();
@@ -713,14 +632,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * First models that count spheres touch while each moves by its displacement, as
-     * gphys_scene_sweep_sphere; one that touches nothing gets model = 0 and t = INFINITY.
-     * &#64;param spheres        a stride of 0 takes one sphere throughout
-     * &#64;param displacements  metres; a stride of 0 moves all alike
-     * &#64;param out_hits       count elements
-     * Cost: that of count single calls; shared among workers.
-     * </pre>
+     * First models that the spheres touch while each moves by its displacement, as Scene.sweepSphere; one
+     * that touches nothing gets model = 0 and t = INFINITY.
+     * Cost: that of as many single calls; shared among workers.
+     * @param displacements metres
      */
     public Batch<Hit> sweepSphereBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, int layers, Batch<Hit> out) {
         int count = Low.common(spheres.common(), displacements.common());
@@ -742,9 +657,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * How the scene's octree is made up. Cost: O(nodes).
-     * </pre>
+     * How the scene's octree is made up.
+     * Cost: O(nodes).
      */
     public OctreeStats getOctreeStats() {
         Scratch scratch = Scratch.get();
@@ -755,10 +669,8 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
+     * Boxes of the scene's octree, each parent before its children.
      * Cost: O(nodes).
-     * </pre>
      */
     public Batch<OctreeBox> getOctreeBoxes() {
         return Low.list(OctreeBox.LAYOUT, (room, capacity, total) -> {
@@ -769,12 +681,10 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * <pre>
-     * Check the scene's own structure: every model once in the tree, every box around its content,
-     * parents and children in agreement, free slots free. For tests.
-     * &#64;return GPHYS_OK, or GPHYS_ERROR_INTERNAL and gphys_last_error() says what is wrong
+     * Check the scene's own structure: every model once in the tree, every box around its content, parents
+     * and children in agreement, free slots free. For tests.
      * Cost: O(n).
-     * </pre>
+     * @throws GamephysException with ERROR_INTERNAL: and the exception's message says what is wrong
      */
     public void validate() {
         int status = Low.gphys_scene_validate(opened());

@@ -18,7 +18,7 @@ public final class SceneDesc {
 
     /**
      * <pre>
-     * NULL: the C++ runtime's
+     * null: the C++ runtime's
      * </pre>
      */
     public SceneDesc allocator(Pointer value) {
@@ -42,7 +42,7 @@ public final class SceneDesc {
 
     /**
      * <pre>
-     * whose threads worker_count counts; NULL: the scene's own
+     * whose threads worker_count counts; null: the scene's own
      * </pre>
      */
     public SceneDesc taskRunner(Pointer value) {

@@ -6,11 +6,10 @@ import java.util.Optional;
 
 /**
  * <pre>
- * Create a solver without bodies.
- * With a worker_count of n, n threads share the bodies of a step; the results have the same bits for
- * every n. Threads are started, joined and lost as those of gphys_scene_create.
- * &#64;param desc  NULL: the defaults
- * &#64;return GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started
+ * Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
+ * results have the same bits for every n. Threads are started, joined and lost as those of Scene.
+ *   - desc: null: the defaults
+ * Throws GamephysException with ERROR_OUT_OF_MEMORY also if the threads cannot be started.
  * Cost: O(1), and that of starting the threads.
  * </pre>
  */
@@ -28,15 +27,13 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Move the point of the world that the coordinates of all particles count from; see
-     * gphys_scene_set_origin. Particles stay where they are in the world and keep moving as they do. A
-     * step and an attachment need a scene of the same origin, else they return
-     * GPHYS_ERROR_INVALID_ARGUMENT.
-     * &#64;param origin  x, y, z in the world, metres, within GPHYS_MAX_COORDINATE
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT also if a particle would leave the range of coordinates
+     * Move the point of the world that the coordinates of all particles count from; see Scene.setOrigin.
+     * Particles stay where they are in the world and keep moving as they do. A step and an attachment need
+     * a scene of the same origin, else they fail with ERROR_INVALID_ARGUMENT.
      * Cost: O(particles).
-     * </pre>
+     * @param origin x, y, z in the world, metres, within MAX_COORDINATE
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if a particle would leave the range of
+     *     coordinates
      */
     public void setOrigin(double[] origin) {
         Scratch scratch = Scratch.get();
@@ -46,9 +43,8 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Where in the world the particles' coordinates count from, metres. Cost: O(1).
-     * </pre>
+     * Where in the world the particles' coordinates count from, metres.
+     * Cost: O(1).
      */
     public double[] getOrigin() {
         Scratch scratch = Scratch.get();
@@ -59,11 +55,9 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Change the acceleration of all particles, from the next step on. Wakes all bodies if it changes.
-     * &#64;param gravity  m/s^2; may be zero
      * Cost: O(bodies).
-     * </pre>
+     * @param gravity m/s^2; may be zero
      */
     public void setGravity(Vec3 gravity) {
         Scratch scratch = Scratch.get();
@@ -73,14 +67,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Change the number of substeps of a step. More substeps: smaller errors, proportionally more time. The
-     * error of motion goes with the square of their length. Ropes that move calmly - in a substep no link turns
-     * by half a radian, or would swing by one if its ends were pushed - make each in two stages (TR-BDF2; Bank et
-     * al. 1985): twice the time, a seventh of the error.
-     * &#64;param substeps  1 .. 1000
+     * Change the number of substeps of a step. More substeps: smaller errors, proportionally more time.
+     * The error of motion goes with the square of their length. Ropes that move calmly - in a substep no
+     * link turns by half a radian, or would swing by one if its ends were pushed - make each in two stages
+     * (TR-BDF2; Bank et al. 1985): twice the time, a seventh of the error.
      * Cost: O(1).
-     * </pre>
+     * @param substeps 1 .. 1000
      */
     public void setSubsteps(int substeps) {
         int status = Low.gphys_solver_set_substeps(opened(), substeps);
@@ -89,13 +81,11 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Add a body of particles without constraints.
-     * &#64;param desc       NULL: the defaults
-     * &#64;param positions  metres; count elements, count &gt;= 1
-     * &#64;return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-     * Cost: O(count).
-     * </pre>
+     * Cost: O(elements).
+     * @param desc null: the defaults
+     * @param positions metres
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
      */
     public int addParticles(Batch<Vec3> positions, BodyDesc desc) {
         Scratch scratch = Scratch.get();
@@ -112,14 +102,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Add a rope through the given points, one particle at each.
-     * &#64;param desc         NULL: the defaults
-     * &#64;param positions    metres; count elements, count &gt;= 2
-     * &#64;param link_length  rest length of each link in metres; 0: as placed
-     * &#64;return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
-     * Cost: O(count).
-     * </pre>
+     * Cost: O(elements).
+     * @param desc null: the defaults
+     * @param positions metres
+     * @param linkLength rest length of each link in metres; 0: as placed
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
      */
     public int addRope(Batch<Vec3> positions, float linkLength, BodyDesc desc) {
         Scratch scratch = Scratch.get();
@@ -141,16 +129,16 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
-     * corner + column / (columns - 1) * edge_u + row / (rows - 1) * edge_v.
-     * &#64;param desc           NULL: the defaults
-     * &#64;param corner         metres
-     * &#64;param edge_u, edge_v metres, from the corner along a row and along a column
-     * &#64;param columns, rows  &gt;= 2
-     * &#64;return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+     * corner + column / (columns - 1) * edgeU + row / (rows - 1) * edgeV.
      * Cost: O(columns * rows).
-     * </pre>
+     * @param desc null: the defaults
+     * @param corner metres
+     * @param edgeU metres, from the corner along a row and along a column
+     * @param edgeV metres, from the corner along a row and along a column
+     * @param columns &gt;= 2
+     * @param rows &gt;= 2
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
      */
     public int addCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, int columns, int rows, BodyDesc desc) {
         Scratch scratch = Scratch.get();
@@ -166,14 +154,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and
-     * with GPHYS_CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
-     * &#64;param desc       NULL: the defaults
-     * &#64;param transform  places the mesh; NULL is the identity
-     * &#64;return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+     * Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
+     * CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
      * Cost: O(n log n).
-     * </pre>
+     * @param desc null: the defaults
+     * @param transform places the mesh; null is the identity
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
      */
     public int addClothMesh(Mesh mesh, Transform transform, BodyDesc desc) {
         Scratch scratch = Scratch.get();
@@ -194,11 +180,9 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in the
-     * last step are no longer listed.
+     * Remove a body with its constraints and joints. Its id stays invalid. The impulses that it gave in
+     * the last step are no longer listed.
      * Cost: O(particles + constraints of the body), and O(joints of the solver).
-     * </pre>
      */
     public void removeBody(int body) {
         int status = Low.gphys_solver_remove_body(opened(), body);
@@ -207,9 +191,8 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Ids of all bodies, ascending. Kept when too many: the lowest. Cost: O(bodies).
-     * </pre>
+     * Ids of all bodies, ascending.
+     * Cost: O(bodies).
      */
     public Batch<Integer> getBodies() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
@@ -220,15 +203,13 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Ids of the bodies that are asleep, ascending. Kept when too many: the lowest.
-     * A body falls asleep at the end of a step when for sleep_time seconds no particle was faster than
-     * sleep_speed and no rigid constraint strained by more than sleep_strain. Its speed is then 0, it
-     * keeps the contacts that it has, and a step costs it no more than a look for models nearby. It
-     * wakes in the step before which a model came, went or moved as near as it could come in a step at
-     * 50 m/s, or one that it is attached to did, or the scene was exchanged; and at once by any change of
-     * its state, of gravity or of the origin. Cost: O(bodies).
-     * </pre>
+     * Ids of the bodies that are asleep, ascending. A body falls asleep at the end of a step when for
+     * sleep_time seconds no particle was faster than sleep_speed and no rigid constraint strained by more
+     * than sleep_strain. Its speed is then 0, it keeps the contacts that it has, and a step costs it no
+     * more than a look for models nearby. It wakes in the step before which a model came, went or moved as
+     * near as it could come in a step at 50 m/s, or one that it is attached to did, or the scene was
+     * exchanged; and at once by any change of its state, of gravity or of the origin.
+     * Cost: O(bodies).
      */
     public Batch<Integer> getSleeping() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
@@ -239,11 +220,9 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Wake a body; its time of rest begins again.
-     * &#64;param body  0: all
      * Cost: O(1) a body.
-     * </pre>
+     * @param body 0: all
      */
     public void wake(int body) {
         int status = Low.gphys_solver_wake(opened(), body);
@@ -252,10 +231,8 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * What a body is made of and how it is solved.  Cost: O(1); after a change of constraints O(particles), and
-     * it allocates.
-     * </pre>
+     * What a body is made of and how it is solved.
+     * Cost: O(1); after a change of constraints O(particles), and it allocates.
      */
     public BodyInfo getBodyInfo(int body) {
         Scratch scratch = Scratch.get();
@@ -266,11 +243,8 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Particle numbers of a cloth's triangles, three each, for drawing. Kept when too many: the first.
-     * *out_total counts numbers, not triangles; it is 0 for other bodies.
+     * Particle numbers of a cloth's triangles, three each, for drawing.
      * Cost: O(triangles).
-     * </pre>
      */
     public Batch<Integer> getTriangles(int body) {
         return Low.list(Layout.INT, (room, capacity, total) -> {
@@ -281,13 +255,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Where the particles are, metres.
-     * &#64;param first, count   the particles first .. first + count - 1; a range beyond the body is
-     *                       GPHYS_ERROR_INVALID_ARGUMENT
-     * &#64;param out_positions  count elements
      * Cost: O(count).
-     * </pre>
+     * @param first the particles first .. first + count - 1; a range beyond the body is
+     *     ERROR_INVALID_ARGUMENT
+     * @param count the particles first .. first + count - 1; a range beyond the body is
+     *     ERROR_INVALID_ARGUMENT
      */
     public Batch<Vec3> getPositions(int body, int first, int count, Batch<Vec3> out) {
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
@@ -303,12 +276,11 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Move particles at once and without collision on the way; velocities stay as they are. Wakes the body.
-     * &#64;param first, count  as in gphys_solver_get_positions
-     * &#64;param positions     metres; a stride of 0 moves all to one place
-     * Cost: O(count).
-     * </pre>
+     * Move particles at once and without collision on the way; velocities stay as they are. Wakes the
+     * body.
+     * Cost: O(elements).
+     * @param first as in Solver.getPositions
+     * @param positions metres
      */
     public void setPositions(int body, int first, Batch<Vec3> positions) {
         int count = Low.common(positions.common());
@@ -318,12 +290,11 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * How fast the particles are, m/s.
-     * &#64;param first, count    as in gphys_solver_get_positions
-     * &#64;param out_velocities  count elements; 0 of what is pinned
      * Cost: O(count).
-     * </pre>
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
+     * @return 0 of what is pinned.
      */
     public Batch<Vec3> getVelocities(int body, int first, int count, Batch<Vec3> out) {
         Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
@@ -339,12 +310,10 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Give particles a velocity, which the next step starts from. Wakes the body. Pinned particles keep 0.
-     * &#64;param first, count  as in gphys_solver_get_positions
-     * &#64;param velocities    m/s; a stride of 0 gives all the same
-     * Cost: O(count).
-     * </pre>
+     * Cost: O(elements).
+     * @param first as in Solver.getPositions
+     * @param velocities m/s
      */
     public void setVelocities(int body, int first, Batch<Vec3> velocities) {
         int count = Low.common(velocities.common());
@@ -354,12 +323,10 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Masses of particles, kg. That of a pinned particle is what it has when it is released.
-     * &#64;param first, count  as in gphys_solver_get_positions
-     * &#64;param out_masses    count elements
      * Cost: O(count).
-     * </pre>
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
      */
     public Batch<Float> getMasses(int body, int first, int count, Batch<Float> out) {
         Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
@@ -375,13 +342,11 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Change the masses of particles. A pinned particle keeps its mass for the time when it is released.
      * Wakes the body.
-     * &#64;param first, count  as in gphys_solver_get_positions
-     * &#64;param masses        kg, &gt; 0; a stride of 0 gives all the same
-     * Cost: O(count).
-     * </pre>
+     * Cost: O(elements).
+     * @param first as in Solver.getPositions
+     * @param masses kg, &gt; 0
      */
     public void setMasses(int body, int first, Batch<Float> masses) {
         int count = Low.common(masses.common());
@@ -391,12 +356,10 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Change the collision radii of particles. Wakes the body.
-     * &#64;param first, count  as in gphys_solver_get_positions
-     * &#64;param radii         metres, &gt;= 0; a stride of 0 gives all the same
-     * Cost: O(count).
-     * </pre>
+     * Cost: O(elements).
+     * @param first as in Solver.getPositions
+     * @param radii metres, &gt;= 0
      */
     public void setRadii(int body, int first, Batch<Float> radii) {
         int count = Low.common(radii.common());
@@ -406,12 +369,10 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
-     * &#64;param first, count  as in gphys_solver_get_positions
-     * &#64;param forces        newtons; a stride of 0 gives all the same
-     * Cost: O(count).
-     * </pre>
+     * Cost: O(elements).
+     * @param first as in Solver.getPositions
+     * @param forces newtons
      */
     public void setForces(int body, int first, Batch<Vec3> forces) {
         int count = Low.common(forces.common());
@@ -421,13 +382,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Pin or release particles. A pinned particle stays where it is put and moves only by
-     * gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
-     * &#64;param first, count  as in gphys_solver_get_positions
-     * &#64;param pinned        1: pin; 0: release
+     * Solver.setPositions; its speed is 0. Both pinning and releasing end an attachment.
      * Cost: O(count).
-     * </pre>
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
+     * @param pinned true: pin; false: release
      */
     public void setPinned(int body, int first, int count, boolean pinned) {
         int status = Low.gphys_solver_set_pinned(opened(), body, first, count, pinned ? 1 : 0);
@@ -436,14 +396,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Fix a particle to a model: it follows the model's transform in each step, and is released when
-     * the model is gone. Steps must then be given this scene.
-     * &#64;param scene        of the same origin as the solver; not modified
-     * &#64;param local_point  metres, in the model's coordinates; NULL: where the particle is now
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist
+     * Fix a particle to a model: it follows the model's transform in each step, and is released when the
+     * model is gone. Steps must then be given this scene.
      * Cost: O(1).
-     * </pre>
+     * @param scene of the same origin as the solver; not modified
+     * @param localPoint metres, in the model's coordinates; null: where the particle is now
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist
      */
     public void attach(Scene scene, int body, int particle, int model, Vec3 localPoint) {
         Scratch scratch = Scratch.get();
@@ -458,11 +416,9 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Release an attached particle.
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT if it is not attached, or does not exist
      * Cost: O(1).
-     * </pre>
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: if it is not attached, or does not exist
      */
     public void detach(int body, int particle) {
         int status = Low.gphys_solver_detach(opened(), body, particle);
@@ -471,14 +427,13 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Hold two different particles of a body at a distance.
-     * &#64;param rest_length  metres, &gt;= 0; negative: the present distance
-     * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same one;
-     *         GPHYS_ERROR_CAPACITY beyond 2^24 - 1 constraints of a body
      * Cost: O(1); the next step plans the body again, O(constraints).
-     * </pre>
+     * @param restLength metres, &gt;= 0; negative: the present distance
+     * @param compliance metres per newton, &gt;= 0; 0 is rigid
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice
+     *     the same one
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 constraints of a body
      */
     public int addDistance(int body, int particleA, int particleB, float restLength, float compliance) {
         Scratch scratch = Scratch.get();
@@ -494,16 +449,15 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Keep two different particles of a body from being further apart than a length, like a string between
      * them: it pulls and never pushes. While it is slack it does nothing; when it becomes taut, and is
      * rigid, the speed at which the particles part is lost and no other.
-     * &#64;param max_length  metres, &gt;= 0; negative: the present distance
-     * &#64;param compliance  metres per newton, &gt;= 0, of what it yields beyond that; 0 is rigid
-     * &#64;return as gphys_solver_add_distance
-     * It is a constraint like others: listed with max_length as its rest_length, removed as they are, and
-     * strained only when it is too long. Cost: as gphys_solver_add_distance.
-     * </pre>
+     * Fails as Solver.addDistance.
+     * It is a constraint like others: listed with maxLength as its restLength, removed as they are, and
+     * strained only when it is too long.
+     * Cost: as Solver.addDistance.
+     * @param maxLength metres, &gt;= 0; negative: the present distance
+     * @param compliance metres per newton, &gt;= 0, of what it yields beyond that; 0 is rigid
      */
     public int addMaxDistance(int body, int particleA, int particleB, float maxLength, float compliance) {
         Scratch scratch = Scratch.get();
@@ -519,14 +473,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v beside
-     * its tension; one of gphys_solver_add_max_distance never pushes. The decay depends on time, not
-     * on steps. Rigid constraints have nothing to damp.
-     * &#64;param damping  N s/m, &gt;= 0; 0, which every constraint begins with: none
-     * &#64;return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist
-     * Cost: as gphys_solver_add_distance.
-     * </pre>
+     * Damp a constraint that has compliance: at a speed v of its ends apart it pulls with damping * v
+     * beside its tension; one of Solver.addMaxDistance never pushes. The decay depends on time, not on
+     * steps. Rigid constraints have nothing to damp.
+     * Cost: as Solver.addDistance.
+     * @param damping N s/m, &gt;= 0; 0, which every constraint begins with: none
+     * @throws GamephysException with ERROR_INVALID_ID: for a body or constraint that does not exist
      */
     public void setConstraintDamping(int body, int constraint, float damping) {
         int status = Low.gphys_solver_set_constraint_damping(opened(), body, constraint, damping);
@@ -535,16 +487,15 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body; setting
-     * it again changes it, which inflates a body.
-     * &#64;param rest_volume  m^3, &gt; 0; negative: the present volume
-     * &#64;param compliance   m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0: as water,
-     *                     which keeps its volume; INFINITY: none, which ends the constraint
-     * &#64;return GPHYS_ERROR_UNSUPPORTED if the triangles do not close (each side is that of two triangles), are
-     *         not all turned the same way, or face inward when the present volume is asked for
+     * Hold the volume that the triangles of a cloth enclose, as air in a ball does. One volume a body;
+     * setting it again changes it, which inflates a body.
      * Cost: O(triangles) in each substep, twice.
-     * </pre>
+     * @param restVolume m^3, &gt; 0; negative: the present volume
+     * @param compliance m^3 per pascal, &gt;= 0: the volume that a pressure of one pascal takes; 0: as water,
+     *     which keeps its volume; INFINITY: none, which ends the constraint
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the triangles do not close (each side is that
+     *     of two triangles), are not all turned the same way, or face inward when the present volume is
+     *     asked for
      */
     public void setVolume(int body, float restVolume, float compliance) {
         int status = Low.gphys_solver_set_volume(opened(), body, restVolume, compliance);
@@ -561,13 +512,10 @@ public final class Solver extends Owned {
     public record VolumeResult(float volume, float pressure) {}
 
     /**
-     * <pre>
-     * The volume held by gphys_solver_set_volume, m^3, as it is, and the pressure in pascals with which it was
+     * The volume held by Solver.setVolume, m^3, as it is, and the pressure in pascals with which it was
      * held at the end of the last step: above 0 it pushes outward.
-     * &#64;param out_volume, out_pressure  may be NULL
-     * &#64;return GPHYS_ERROR_UNSUPPORTED if none is held
      * Cost: O(triangles).
-     * </pre>
+     * @throws GamephysException with ERROR_UNSUPPORTED: if none is held
      */
     public VolumeResult getVolume(int body) {
         Scratch scratch = Scratch.get();
@@ -578,11 +526,10 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * End a constraint of a body, one of its builder included. Its id stays invalid. Wakes the body.
-     * &#64;return GPHYS_ERROR_INVALID_ID for a body or constraint that does not exist, or no longer
-     * Cost: as gphys_solver_add_distance.
-     * </pre>
+     * Cost: as Solver.addDistance.
+     * @throws GamephysException with ERROR_INVALID_ID: for a body or constraint that does not exist, or no
+     *     longer
      */
     public void removeConstraint(int body, int constraint) {
         int status = Low.gphys_solver_remove_constraint(opened(), body, constraint);
@@ -591,10 +538,8 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * All constraints of a body, those of its builder included, by id. Kept when too many: the lowest.
+     * All constraints of a body, those of its builder included, by id.
      * Cost: O(constraints).
-     * </pre>
      */
     public Batch<ConstraintInfo> getConstraints(int body) {
         return Low.list(ConstraintInfo.LAYOUT, (room, capacity, total) -> {
@@ -605,20 +550,19 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that are
-     * equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved as one
-     * system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
-     * particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
-     * one thread and fall asleep and wake together. A joint goes with either body.
-     * &#64;param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
-     *                     as far apart are drawn there within a step, and get the speed of that.
-     * &#64;param compliance   metres per newton, &gt;= 0; 0 is rigid
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
-     *         gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints
-     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as one
-     * of a rope that is not joined.
-     * </pre>
+     * Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
+     * are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
+     * as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
+     * inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
+     * bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
+     * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
+     * one of a rope that is not joined.
+     * @param restLength metres; 0: at the same place; negative: the present distance. Particles that are
+     *     not as far apart are drawn there within a step, and get the speed of that.
+     * @param compliance metres per newton, &gt;= 0; 0 is rigid
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice
+     *     the same body (see Solver.addDistance)
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 joints
      */
     public int join(int bodyA, int particleA, int bodyB, int particleB, float restLength, float compliance) {
         Scratch scratch = Scratch.get();
@@ -634,11 +578,9 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * End a joint. Wakes both bodies.
-     * &#64;return GPHYS_ERROR_INVALID_ID for a joint that does not exist, or no longer
-     * Cost: as gphys_solver_join.
-     * </pre>
+     * Cost: as Solver.join.
+     * @throws GamephysException with ERROR_INVALID_ID: for a joint that does not exist, or no longer
      */
     public void unjoin(int joint) {
         int status = Low.gphys_solver_unjoin(opened(), joint);
@@ -647,11 +589,9 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Joints of a body, by id. Kept when too many: the lowest.
-     * &#64;param body  0: of all bodies
+     * Joints of a body, by id.
      * Cost: O(joints of the solver).
-     * </pre>
+     * @param body 0: of all bodies
      */
     public Batch<JointInfo> getJoints(int body) {
         return Low.list(JointInfo.LAYOUT, (room, capacity, total) -> {
@@ -662,15 +602,13 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Simulate dt seconds in the set number of substeps, or as many as the error targets ask for; cloth
      * takes more where they would be longer than 25 ms.
-     * &#64;param scene  to collide with and to follow attachments; NULL: none. Not modified.
-     * &#64;param dt     seconds, 1e-6 .. 0.5
      * Particles do not pass through models, whatever their speed, nor models that move at up to 50 m/s
      * through particles. May allocate.
      * Cost: O(particles + constraints) a substep, and a scene query for particles near models.
-     * </pre>
+     * @param scene to collide with and to follow attachments; null: none. Not modified.
+     * @param dt seconds, 1e-6 .. 0.5
      */
     public void step(Scene scene, float dt) {
         int status = Low.gphys_solver_step(opened(), scene == null ? null : scene.opened(), dt);
@@ -682,14 +620,11 @@ public final class Solver extends Owned {
     public record AdvanceResult(int steps, float leftover) {}
 
     /**
-     * <pre>
-     * Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next
-     * frame, so the motion does not depend on the frame rate.
-     * &#64;param frame_time    seconds, &gt;= 0
-     * &#64;param out_steps     steps made; may be NULL
-     * &#64;param out_leftover  0 &lt;= fraction of a step still owed &lt; 1, to blend drawings; may be NULL
+     * Simulate a frame of any length in steps of fixed_step; what is left over is kept for the next frame,
+     * so the motion does not depend on the frame rate.
      * Cost: that of the steps made.
-     * </pre>
+     * @param frameTime seconds, &gt;= 0
+     * @return steps made. 0 &lt;= fraction of a step still owed &lt; 1, to blend drawings.
      */
     public AdvanceResult advance(Scene scene, float frameTime) {
         Scratch scratch = Scratch.get();
@@ -700,16 +635,14 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * The substeps that a body took in the last step; 0 before its first.
-     * With gphys_solver_desc.max_strain or tolerance set, each body takes as many as its own motion needs:
-     * their length follows from what the last step measured, the largest strain of its rigid constraints
-     * and the local error of the time scheme, both of which go with its square. It is at
-     * most quartered and grows by at most an eighth from one step to the next, so a sudden blow exceeds a
-     * target for a few steps, one of strain only where links of cloth cannot be relaxed below it. What cannot be
-     * met takes max_substeps. Where positions jump, by contacts, the error is that of the jump.
+     * The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
+     * tolerance set, each body takes as many as its own motion needs: their length follows from what the
+     * last step measured, the largest strain of its rigid constraints and the local error of the time
+     * scheme, both of which go with its square. It is at most quartered and grows by at most an eighth
+     * from one step to the next, so a sudden blow exceeds a target for a few steps, one of strain only
+     * where links of cloth cannot be relaxed below it. What cannot be met takes max_substeps. Where
+     * positions jump, by contacts, the error is that of the jump.
      * Cost: O(1).
-     * </pre>
      */
     public int getSubsteps(int body) {
         Scratch scratch = Scratch.get();
@@ -720,11 +653,9 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Counts, strain and energy of a body at present.
-     * &#64;param body  0: all bodies together
      * Cost: O(particles + constraints).
-     * </pre>
+     * @param body 0: all bodies together
      */
     public SolverStats getStats(int body) {
         Scratch scratch = Scratch.get();
@@ -735,10 +666,8 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Contacts of the last step by body, particle, model. Kept when too many: the first.
+     * Contacts of the last step by body, particle, model.
      * Cost: O(contacts).
-     * </pre>
      */
     public Batch<Contact> getContacts() {
         return Low.list(Contact.LAYOUT, (room, capacity, total) -> {
@@ -749,14 +678,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Impulses of the last step, of all bodies together, by model; of sleeping bodies those of the step in
-     * which they fell asleep. Kept when too many: the lowest models.
-     * Divided by dt they are mean forces: what lies on a model presses it with its weight. A particle of
-     * cloth that touches several models at once gives to the one that it touches most. Models have no mass
-     * here; a body of yours much lighter than what hangs from it should be moved in small steps.
+     * which they fell asleep. Divided by dt they are mean forces: what lies on a model presses it with its
+     * weight. A particle of cloth that touches several models at once gives to the one that it touches
+     * most. Models have no mass here; a body of yours much lighter than what hangs from it should be moved
+     * in small steps.
      * Cost: O(models touched); no allocation. The same bits for any number of workers.
-     * </pre>
      */
     public Batch<Impulse> getImpulses() {
         return Low.list(Impulse.LAYOUT, (room, capacity, total) -> {
@@ -767,15 +694,12 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
-     * Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and impulses, time
-     * that gphys_solver_advance still owes. The scene, workers and allocator are not in it.
-     * &#64;param out_words  the snapshot; written as a whole, or not at all when capacity is too small. It is
-     *                   for the same release of the library and machines of the same byte order; it may
-     *                   be stored, but not changed.
-     * &#64;return GPHYS_INCOMPLETE when *out_total &gt; capacity; GPHYS_ERROR_CAPACITY beyond 2^32 - 1 words
+     * Copy the whole state out: settings, origin, bodies with their ids, constraints, contacts and
+     * impulses, time that Solver.advance still owes. The scene, workers and allocator are not in it.
      * Cost: O(particles + constraints), some 50 words for each.
-     * </pre>
+     * @return the snapshot. It is for the same release of the library and machines of the same byte order;
+     *     it may be stored, but not changed.
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^32 - 1 words
      */
     public Batch<Integer> getSnapshot() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
@@ -786,14 +710,13 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
-     * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
-     * too, is as it was.
-     * &#64;return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
-     *         byte order; GPHYS_ERROR_OUT_OF_MEMORY. Either way the solver is as before.
-     * Cost: as gphys_solver_get_snapshot; allocates.
-     * </pre>
+     * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
+     * is as it was. On an error the solver is as before.
+     * Cost: as Solver.getSnapshot; allocates.
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for words that are no snapshot, damaged, of
+     *     another version or byte order
+     * @throws GamephysException with ERROR_OUT_OF_MEMORY: if there is no room for it
      */
     public void restore(Batch<Integer> words) {
         int count = Low.common(words.common());
@@ -803,11 +726,10 @@ public final class Solver extends Owned {
     }
 
     /**
-     * <pre>
      * A hash of the whole state, the low half first. Equal states have equal hashes on every machine;
      * different ones differ with near certainty (not against an adversary). Compare it between machines
-     * that simulate the same, to see when they part. Cost: O(particles + constraints).
-     * </pre>
+     * that simulate the same, to see when they part.
+     * Cost: O(particles + constraints).
      */
     public int[] getHash() {
         Scratch scratch = Scratch.get();

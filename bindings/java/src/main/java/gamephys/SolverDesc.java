@@ -18,7 +18,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * NULL: the C++ runtime's
+     * null: the C++ runtime's
      * </pre>
      */
     public SolverDesc allocator(Pointer value) {
@@ -56,7 +56,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * seconds simulated by each step of gphys_solver_advance; 1/60
+     * seconds simulated by each step of Solver.advance; 1/60
      * </pre>
      */
     public SolverDesc fixedStep(float value) {
@@ -84,7 +84,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * whose threads worker_count counts; NULL: the solver's own
+     * whose threads worker_count counts; null: the solver's own
      * </pre>
      */
     public SolverDesc taskRunner(Pointer value) {
@@ -108,7 +108,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0
+     * m/s, see Solver.getSleeping; 0: bodies never sleep; default 0
      * </pre>
      */
     public SolverDesc sleepSpeed(float value) {
@@ -150,7 +150,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0
+     * target of rigid constraints, see Solver.getSubsteps; 0: none; default 0
      * </pre>
      */
     public SolverDesc maxStrain(float value) {
