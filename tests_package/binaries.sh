@@ -7,6 +7,11 @@ stub() {
         "$3.c" -o "$3"
 }
 
+# map_until NODE: the version script up to that node, as it was when the release of that node was made.
+map_until() {
+    sed "/^$1 {/,/^}/!b; /^}/q" "$SOURCE/cmake/gamephys.map"
+}
+
 # binary_compatible OLD NEW: functions may be added and descs may grow.
 binary_compatible() {
     cat >suppressions.ini <<'END'
@@ -33,19 +38,34 @@ exports_match() {
     diff expected.txt binary.txt || fail "the exports differ from the header: < expected, > found"
 }
 
+# The libraries that a program with gamephys needs, by the names of their present major versions.
+needed='libc\.so\.6|libm\.so\.6|libstdc\+\+\.so\.6|libgcc_s\.so\.1|libpthread\.so\.0|ld-linux[-a-z0-9_]*\.so\.[0-9]+'
+
 # well_behaved LIBRARY: named as clients expect, without unexpected dependencies, search paths or an
-# executable stack, and it leaves the floating-point mode of its host alone.
+# executable stack; it leaves the floating-point mode of its host alone, says nothing on its host's
+# standard output and error, and knows the statuses by their names.
 well_behaved() {
+    local major status=0
+    major=$(sed -n 's/^#define GPHYS_VERSION_MAJOR //p' "$SOURCE/include/gamephys_c.h")
     readelf -d "$1" >dynamic.txt
-    grep -q 'SONAME.*\[libgamephys\.so\.1\]' dynamic.txt || fail "SONAME is not libgamephys.so.1"
+    grep -q "SONAME.*\[libgamephys\.so\.$major\]" dynamic.txt || fail "SONAME is not libgamephys.so.$major"
     sed -n '/NEEDED/p' dynamic.txt >needed.txt
-    expect_no_match "unexpected dependency" -vE '\[(libc|libm|libstdc\+\+|libgcc_s|libpthread|ld-linux[-a-z0-9_]*)\.so\.[0-9]+\]' needed.txt
+    expect_no_match "unexpected dependency" -vE "\[($needed)\]" needed.txt
     expect_no_match "search path in an installed library" -E 'RPATH|RUNPATH' dynamic.txt
+    expect_no_match "code that has to be changed when it is loaded" TEXTREL dynamic.txt
     readelf -W -l "$1" >segments.txt
     expect_no_match "executable stack" 'GNU_STACK.*RWE' segments.txt
     # -ffast-math at link time adds a constructor that flushes the host's denormals to zero.
     objdump -d "$1" >code.txt
     expect_no_match "instruction that changes the floating-point mode" -E '\b(ldmxcsr|fldcw|fldenv|msr +fpcr)\b' code.txt
+    # "value NAME" of each status, which load.c compares.
+    sed -nE 's/^ *(GPHYS_[A-Z_]+) = (-?[0-9]+),?( .*)?$/\2 \1/p; /GPHYS_ERROR_INTERNAL/q' "$SOURCE/include/gamephys_c.h" >statuses.txt
+    [ "$(wc -l <statuses.txt)" -ge 13 ] || fail "the statuses were not found in the header"
+    "$CC" -std=c99 -D_POSIX_C_SOURCE=200809L -I"$SOURCE/include" "$here/load.c" -ldl -o load
+    ./load "$(realpath "$1")" $(cat statuses.txt) >output.txt 2>&1 || status=$?
+    [ ! -s output.txt ] || fail "the library prints: $(cat output.txt)"
+    [ $status -ne 3 ] || fail "a status has another name than in the header"
+    [ $status -eq 0 ] || fail "loading, using and unloading the library ends with $status"
 }
 
 # What C libraries compute alike: what IEEE 754 wants correctly rounded, and what is exact.

@@ -12,6 +12,12 @@ done
 dpkg-deb --contents "$runtime" >runtime.txt
 expect_no_match "development files in the runtime package" -E '\.h$|\.hpp$|\.a$|\.so( |$)' runtime.txt
 
+dpkg-deb --ctrl-tarfile "$runtime" | tar -xO ./symbols | cmp - "$SOURCE/cmake/gamephys.symbols" || fail "the symbols file is another"
+version=$(sed -n 's/^#define GPHYS_VERSION_[A-Z]* //p' "$SOURCE/include/gamephys_c.h" | paste -sd.)
+for package in "$runtime" "$development"; do
+    [[ $(dpkg-deb --field "$package" Version) =~ ^$version(-|$) ]] || fail "$package is not of version $version"
+done
+
 root=$WORK/root
 for package in "$runtime" "$development"; do dpkg-deb --extract "$package" "$root"; done
 libdir=$root/usr/lib/$("$CC" -print-multiarch)

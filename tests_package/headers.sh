@@ -20,6 +20,25 @@ header_compiles() {
     done
 }
 
+# links_as_c DIRECTORY: C++ calls the functions of gamephys_c.h there by their C names.
+links_as_c() {
+    printf '#include <gamephys_c.h>\nunsigned version() { return gphys_version(); }\n' >linkage.cpp
+    g++ -I"$1" -c linkage.cpp -o linkage.o || fail "g++ does not take it"
+    nm linkage.o | grep -q ' U gphys_version$' || fail "C++ does not call gphys_version by its C name"
+}
+
+# plain_c HEADER: its own lines, and what it includes, suit foreign-function parsers.
+plain_c() {
+    # Only this header's own lines: the standard ones hold attributes.
+    gcc -E "$1" | awk '/^# [0-9]+ "/ { ours = index($0, "gamephys_c.h") > 0; next } ours' >plain.txt
+    grep -q gphys_version plain.txt || fail "the header's own lines were not found"
+    expect_no_match "not plain C for a parser" -wE '__attribute__|__declspec|__extension__|inline|static|_Alignas|_Pragma|#pragma' plain.txt
+    grep '^#include' "$1" >includes.txt
+    expect_no_match "more than stddef.h and stdint.h" -vE '<(stddef|stdint)\.h>' includes.txt
+    grep -oE '^ *# *define +[A-Za-z_0-9]+' "$1" | awk '{ print $NF }' >macros.txt
+    expect_no_match "a macro of another name" -vE '^(GPHYS|GAMEPHYS)_' macros.txt
+}
+
 # preprocessed HEADER: as a parser of plain C takes it, which knows the types of stddef.h and stdint.h.
 preprocessed() {
     mkdir -p known
