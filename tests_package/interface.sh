@@ -4,4 +4,4 @@
 source "$SOURCE/tests_package/common.sh"
 
 python3 "$SOURCE/cmake/interface/describe.py" "$SOURCE/include/gamephys_c.h" >gamephys_api.json
-python3 "$SOURCE/cmake/interface/rules.py" gamephys_api.json "$SOURCE"/tests_c/*.c >wrong.txt || fail "$(cat wrong.txt)"
+python3 "$SOURCE/cmake/interface/rules.py" gamephys_api.json "$SOURCE"/tests_c/*.c "$SOURCE"/tests_cpp/*.cpp >wrong.txt || fail "$(cat wrong.txt)"

@@ -39,7 +39,7 @@ printf 'Name: engine\nDescription: uses gamephys\nVersion: 1\nRequires: gamephys
 known() { PKG_CONFIG_PATH=$WORK:$1/$LIBDIR/pkgconfig pkg-config --print-errors --exists engine; }
 known "$INSTALLED" || fail "Requires refuses this release"
 if known "$WORK/older" 2>pkg-config.txt; then fail "Requires takes an older release"; fi
-grep -q "requires 'gamephys >= $minor'\|version of gamephys is 1.0.0" pkg-config.txt || fail "another reason: $(cat pkg-config.txt)"
+grep -q '1\.0\.0' pkg-config.txt || fail "another reason: $(cat pkg-config.txt)"
 
 configure() {
     "$CMAKE" -S "$here/consumer" -B "build-$1" -DHOW=find_package -DTARGET=gamephys::gamephys -DWANTED="$minor" \

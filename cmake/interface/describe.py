@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Describe the C header as data: describe.py HEADER > gamephys_api.json
+"""Describe the C header as data: describe.py HEADER [--quick] > gamephys_api.json
 
 clang parses the header and lays out its structs for 64-bit and 32-bit targets; the comments are
 taken from the text. What each parameter is for follows from the header's own naming rules
-(roles.py). Needs clang, no library of a target.
+(roles.py). Needs clang, no library of a target. --quick lays out for one target of each width only.
 """
 import json
 import re
@@ -69,10 +69,11 @@ def numbers(target, header, expressions):
     return [int(value) for value in re.findall(r"i64 (-?\d+)", values[1])] if values else [0] * len(expressions)
 
 
-def sized(expressions, header):
+def sized(expressions, header, quick):
     """[value for 64-bit targets, value for 32-bit targets] of each expression."""
     found = []
     for width, targets in TARGETS.items():
+        targets = targets[:1] if quick else targets
         results = {target: numbers(target, header, expressions) for target in targets}
         first = next(iter(results.values()))
         for target, values in results.items():
@@ -89,7 +90,7 @@ def split_type(text):
     return (array[1], int(array[2])) if array else (text, 1)
 
 
-def describe(header):
+def describe(header, quick=False):
     text = header.read_text()
     comments = Comments(text)
     tree = json.loads(clang("-fsyntax-only", "-Xclang", "-ast-dump=json", str(header)))
@@ -125,6 +126,8 @@ def describe(header):
         if kind == "EnumDecl":
             values = []
             for constant in node["inner"]:
+                if constant["kind"] != "EnumConstantDecl":
+                    continue
                 values.append({
                     "name": constant["name"],
                     "value": int(constant["inner"][0]["value"]),
@@ -132,8 +135,10 @@ def describe(header):
                 })
             named = previous and previous["kind"] == "TypedefDecl" and previous["type"]["qualType"] == "int32_t"
             api["enums"].append({"name": previous["name"] if named else None, "values": values})
+        elif kind == "VarDecl":
+            sys.exit(f"{name} is a variable: foreign-function interfaces call functions only")
         elif not name.startswith("gphys_"):
-            if kind in ("FunctionDecl", "VarDecl"):
+            if kind == "FunctionDecl":
                 sys.exit(f"{name} does not begin with gphys_")
         elif kind == "TypedefDecl":
             of = node["type"]["qualType"]
@@ -150,7 +155,7 @@ def describe(header):
                         continue
                     of, count = split_type(field["type"]["qualType"])
                     if field.get("isBitfield"):
-                        of += " bit-field"
+                        sys.exit(f"{name}.{field['name']} is a bit-field: its place is up to the compiler")
                     fields.append({"name": field["name"], "type": of, "count": count,
                                    "doc": comments.beside(place(field))})
                 api["structs"].append({"name": name, "doc": comments.above(begin(node)), "fields": fields})
@@ -159,6 +164,8 @@ def describe(header):
         elif kind == "FunctionDecl":
             if "storageClass" in node or node.get("inline"):
                 sys.exit(f"{name} is defined in the header: foreign-function interfaces cannot call it")
+            if node.get("variadic"):
+                sys.exit(f"{name} takes any number of arguments: foreign-function interfaces cannot call it")
             parameters = []
             for parameter in node.get("inner", []):
                 if parameter["kind"] != "ParmVarDecl":
@@ -183,7 +190,7 @@ def describe(header):
         name = struct["name"]
         asked += ([f'offsetof({name},{field["name"]})', f'sizeof((({name}*)0)->{field["name"]})'] if field else
                   [f"sizeof({name})", f"_Alignof({name})"])
-    values = sized(asked, header.resolve())
+    values = sized(asked, header.resolve(), quick)
     for (struct, field), first, second in zip(places, values[::2], values[1::2]):
         if field:
             field["offset"], field["size"] = first, second
@@ -194,7 +201,7 @@ def describe(header):
 
 def main():
     header = Path(sys.argv[1])
-    json.dump(describe(header), sys.stdout, indent=1)
+    json.dump(describe(header, "--quick" in sys.argv), sys.stdout, indent=1)
     print()
 
 

@@ -78,7 +78,7 @@ def growth(header, released):
     """desc -> (major, minor) of the release that it last grew in."""
     grown, fields = {}, {}
     for known in [*recorded(released), header]:
-        for struct in describe(known)["structs"]:
+        for struct in describe(known, quick=True)["structs"]:
             if struct["name"].endswith("_desc") and fields.get(struct["name"]) != len(struct["fields"]):
                 fields[struct["name"]] = len(struct["fields"])
                 grown[struct["name"]] = version_of(known)
@@ -92,7 +92,7 @@ def symbols(header, released):
     major = versions[-1][0]
     yield f"libgamephys.so.{major} libgamephys{major} #MINVER#"
     yield from (f" {node(v)}@{node(v)} {v[0]}.{v[1]}.0" for v in versions)
-    for function in sorted(describe(header)["functions"], key=lambda f: f["name"]):
+    for function in sorted(describe(header, quick=True)["functions"], key=lambda f: f["name"]):
         name = function["name"]
         descs = [p["type"].replace("const ", "").rstrip("* ") for p in function["parameters"]]
         needed = max([since[name], *(grown[d] for d in descs if d in grown)])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Whether a description of the header keeps to the rules of its interface: rules.py API.json [TEST.c ...]
+"""Whether a description of the header keeps to the rules of its interface: rules.py API.json [TEST ...]
 
-Of the C tests, each function's name and the statuses that it is seen to return are taken.
+Of the tests, the statuses that a function is seen to return are taken, and of the C tests its name.
 Prints what does not, and fails if there is anything. The rules let every language call every
 function, and let structs grow: docs/releasing.md has their reasons.
 """
@@ -101,11 +101,13 @@ COMMON = {"OK", "INCOMPLETE", "ERROR_INVALID_ARGUMENT", "ERROR_INVALID_ID", "ERR
 
 
 def test_rules(api, tests):
-    """Each function is called by name in a C test, and a status that it is seen to return there is in its comment."""
-    text = "\n".join(Path(test).read_text() for test in tests)
-    called = set(re.findall(r"\bgphys_\w+", text))
+    """Each function is called by name in a C test, and a status that it is seen to return is in its comment."""
+    text = {test: Path(test).read_text() for test in tests}
+    called = {name for test in tests if test.endswith(".c") for name in re.findall(r"\bgphys_\w+", text[test])}
+    every = "\n".join(text.values())
     seen = {}
-    for name, status in re.findall(r"\bassert_int_equal\(\s*(gphys_\w+)\([^;]*?,\s*GPHYS_(\w+)\);", text):
+    forms = (r"\bassert_int_equal\(\s*(gphys_\w+)\([^;]*?,\s*GPHYS_(\w+)\);", r"\b(gphys_\w+)\([^;=]*\)\s*==\s*GPHYS_(\w+)\b")
+    for name, status in (found for form in forms for found in re.findall(form, every)):
         seen.setdefault(name, set()).add(status)
     for function in api["functions"]:
         name = function["name"]
@@ -113,7 +115,7 @@ def test_rules(api, tests):
             yield f"{name} is named by no test in tests_c"
         for status in sorted(seen.get(name, set()) - COMMON):
             if f"GPHYS_{status}" not in function["doc"] and not re.search(r"@return as gphys_", function["doc"]):
-                yield f"{name}: the comment does not name GPHYS_{status}, which tests_c expects of it"
+                yield f"{name}: the comment does not name GPHYS_{status}, which a test expects of it"
 
 
 def found(api, tests):
