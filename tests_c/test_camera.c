@@ -122,6 +122,12 @@ static void create_checks_its_desc(void** state) {
     newer.bytes[sizeof newer - 1] = 1;
     assert_int_equal(gphys_camera_create(&newer.desc, &made), GPHYS_ERROR_STRUCT_SIZE);
     assert_null(made);
+
+    /* A client of release 1.0 has padding there. */
+    good.reserved = 0xffffffffu;
+    assert_int_equal(gphys_camera_create(&good, &made), GPHYS_OK);
+    gphys_camera_destroy(made);
+    made = NULL;
     gphys_camera_destroy(NULL);
 }
 

@@ -200,6 +200,11 @@ static void what_a_desc_asks_for_is_checked(void** state) {
     desc.worker_count = 2;
     desc.task_runner = &empty;
     assert_int_equal(gphys_solver_create(&desc, &solver), GPHYS_ERROR_INVALID_ARGUMENT);
+    /* A later release may give the reserved field a meaning, which this one does not know. */
+    assert_int_equal(gphys_solver_desc_init(&desc, sizeof desc), GPHYS_OK);
+    assert_int_equal(desc.reserved, 0);
+    desc.reserved = 1;
+    assert_int_equal(gphys_solver_create(&desc, &solver), GPHYS_ERROR_STRUCT_SIZE);
     assert_null(solver);
 }
 
