@@ -48,8 +48,8 @@
  *            slot is reused only while 1024 or more are free, last-removed-last and with another
  *            generation. Only an object with almost 2^24 - 1 ids in use reuses slots sooner.
  * Descs      Structs named *_desc start with struct_size. Fill one with its *_desc_init function,
- *            passing sizeof; then change fields. They grow at the end in later releases, old
- *            clients keep working. All other structs never change.
+ *            passing sizeof; then change fields, but those named reserved. They grow at the end in
+ *            later releases, old clients keep working. All other structs never change.
  * Lists      (out, capacity, out_total): writes at most capacity elements and the full number to
  *            *out_total. capacity 0 with out NULL only counts. GPHYS_INCOMPLETE when
  *            *out_total > capacity; which elements are kept is stated, never arbitrary.
