@@ -48,3 +48,24 @@ configure() {
 configure present "$INSTALLED" || fail "find_package refuses this release: $(cat present.log)"
 if configure old "$WORK/older"; then fail "find_package takes an older release"; fi
 grep -q 'version: 1.0.0' old.log || fail "another reason than the version: $(cat old.log)"
+
+# Packages that load the library themselves say so at once, not at the first function that is missing.
+source "$here/binaries.sh"
+cp "$SOURCE/cmake/interface/released_1.0.h" gamephys_c.h
+python3 "$SOURCE/cmake/interface/describe.py" gamephys_c.h --quick >released.json
+map_until GAMEPHYS_1.0 >released.map
+stub released.json gamephys_c.h stub.so released.map
+# says_so COMMAND...: it fails with the two versions.
+says_so() {
+    if GAMEPHYS_LIBRARY=$WORK/stub.so "$@" >older.txt 2>&1; then fail "taken: $*"; fi
+    grep -q "the library is gamephys 1\.0, this package needs $minor" older.txt || fail "another reason: $(cat older.txt)"
+}
+if command -v luajit >/dev/null; then
+    LUA_PATH="$SOURCE/bindings/lua/?.lua" says_so luajit -e "require 'gamephys'"
+fi
+for python in /usr/bin/python3 python3; do
+    if $python -c 'import numpy' 2>/dev/null; then
+        PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$SOURCE/bindings/python says_so $python -c 'import gamephys'
+        break
+    fi
+done

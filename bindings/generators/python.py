@@ -46,7 +46,7 @@ def dtype_entry(api, f):
 def low_level(api):
     out = [HEADER, "from __future__ import annotations\n",
            "from ctypes import Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_void_p\n",
-           "from numpy import dtype\n", "from ._runtime import Built, Desc, Value, function\n"]
+           "from numpy import dtype\n", "from ._runtime import Built, Desc, Value, function, needs\n"]
     for enum in api["enums"]:
         for value in enum["values"]:
             out.append(f"{plain(value['name'])} = {value['value']}" + (f"  # {' '.join(value['doc'].split())}"
@@ -54,6 +54,7 @@ def low_level(api):
         out.append("")
     for name, value in api["constants"].items():
         out.append(f"{plain(name)} = {value.rstrip('u') if value.startswith('0x') else value.rstrip('f')}")
+    out.append("\nneeds(VERSION_MAJOR, VERSION_MINOR)")
     for struct in api["structs"]:
         name = struct["name"]
         if name in ("gphys_allocator", "gphys_task_runner"):

@@ -13,6 +13,13 @@ local gp, runtime = {}, { C = C, classes = {} }
 for name, number in pairs(declared.constants) do gp[name] = number end
 local OK, INCOMPLETE = gp.OK, gp.INCOMPLETE
 
+-- Functions are looked up when they are called: an older library is refused before one is missed.
+local version = C.gphys_version()
+local major, minor = bit.rshift(version, 16), bit.band(bit.rshift(version, 8), 255)
+if major ~= gp.VERSION_MAJOR or minor < gp.VERSION_MINOR then
+    error(('the library is gamephys %d.%d, this package needs %d.%d'):format(major, minor, gp.VERSION_MAJOR, gp.VERSION_MINOR), 0)
+end
+
 -- Errors -----------------------------------------------------------------------------------------
 
 --- What is raised: tostring gives the library's message, status its number.

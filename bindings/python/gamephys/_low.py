@@ -6,7 +6,7 @@ from ctypes import Structure, c_char_p, c_float, c_int32, c_size_t, c_uint32, c_
 
 from numpy import dtype
 
-from ._runtime import Built, Desc, Value, function
+from ._runtime import Built, Desc, Value, function, needs
 
 OK = 0
 NO_HIT = 1  # the query found nothing; outputs untouched
@@ -74,6 +74,8 @@ VERSION_PATCH = 0
 MAX_COORDINATE = 1e15
 NO_TRIANGLE = 0xffffffff
 ALL_LAYERS = 0xffffffff
+
+needs(VERSION_MAJOR, VERSION_MINOR)
 
 
 class Vec3(Built, Structure):

@@ -24,6 +24,13 @@ def _load():
 library = _load()
 
 
+def needs(major, minor):
+    """Refuse a library that lacks what this package calls."""
+    version = library.gphys_version()
+    if version >> 16 != major or version >> 8 & 255 < minor:
+        raise ImportError(f"the library is gamephys {version >> 16}.{version >> 8 & 255}, this package needs {major}.{minor}")
+
+
 def function(name, returns, arguments):
     prototype = getattr(library, name)
     prototype.restype = returns
