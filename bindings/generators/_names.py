@@ -5,6 +5,9 @@ SHAPES = ("sphere", "capsule", "aabb", "obb", "plane", "triangle", "frustum", "m
 # Structs that users build: they get a constructor.
 BUILT = tuple(f"gphys_{s}" for s in SHAPES if s not in ("mesh", "frustum")) + ("gphys_vec3", "gphys_quat", "gphys_transform")
 
+# Fields of descs that are not for users to set.
+OF_THE_DESC = ("struct_size", "reserved")
+
 
 def element(parameter):
     """'const gphys_ray *' -> 'gphys_ray'"""

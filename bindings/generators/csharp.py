@@ -3,7 +3,7 @@ import copy
 
 from ._calls import arguments, batch_arrays
 from ._docs import Language, outcome, paragraphs, translated, wrapped
-from ._names import BUILT, SHAPES, base_type, calls, camel, common_prefix, creations, element, lower_camel, plain
+from ._names import BUILT, OF_THE_DESC, SHAPES, base_type, calls, camel, common_prefix, creations, element, lower_camel, plain
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 NUMBERS = {"float": "float", "double": "double", "int32_t": "int", "uint32_t": "uint", "size_t": "UIntPtr", "void": "void"}
@@ -71,7 +71,7 @@ def struct(api, s):
                     f"    private static int InRange(int index, int count) {{\n"
                     f"        return index >= 0 && index < count ? index : throw new IndexOutOfRangeException();\n    }}\n")
             continue
-        access = "internal" if f["name"] == "struct_size" else "public"
+        access = "internal" if f["name"] in OF_THE_DESC else "public"
         text = f["doc"] + (("\n" if f["doc"] else "") + f"The address of a {element(f)}." if "*" in f["type"] and "(" not in f["type"] else "")
         out += docs(text, "    ") + f"    {access} {kind} {field(f['name'])};\n"
     if s["name"] in BUILT:

@@ -1,7 +1,7 @@
 """Java: native methods for JNA, records for values, classes for settings and objects."""
 from ._calls import arguments, batch_arrays
 from ._docs import Language, as_tags, as_text, translated
-from ._names import (ANSWERS, SHAPES, base_type, calls, camel, constants, creations, element, lower_camel, plain)
+from ._names import (ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, constants, creations, element, lower_camel, plain)
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\npackage gamephys;\n\n"
 PRIMITIVES = {"float": "float", "double": "double", "int32_t": "int", "uint32_t": "int", "size_t": "long"}
@@ -114,7 +114,9 @@ def settings(api, s):
     text += f"public final class {name} {{\n    private final ByteBuffer memory = Batch.direct({size});\n\n"
     text += f"    public {name}() {{\n        Low.check(Low.{s['name']}_init(pointer(), memory.capacity()));\n    }}\n\n"
     text += "    Pointer pointer() {\n        return com.sun.jna.Native.getDirectBufferPointer(memory);\n    }\n"
-    for f in s["fields"][1:]:
+    for f in s["fields"]:
+        if f["name"] in OF_THE_DESC:
+            continue
         n, about = lower_camel(f["name"]), doc(f["doc"], "    ")
         if "*" in f["type"]:
             text += (f"\n{about}    public {name} {n}(Pointer value) {{\n        pointer().setPointer({place(f)}, value);\n        return this;\n    }}\n")

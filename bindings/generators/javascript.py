@@ -1,7 +1,7 @@
 """JavaScript: a reader and a writer for each struct, a class for each handle with a method for each
 function, and the two entries of the package, which differ in how the library's memory is reached.
 The types of TypeScript are in typescript.py."""
-from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
+from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
 
 HEAD = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 VIEWS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32"}
@@ -97,7 +97,7 @@ def desc_writer(structs, struct):
     name = struct["name"]
     lines = [f"export function write{camel(name)}(v, at, value) {{", "    for (const name in value) {", "        switch (name) {"]
     for f in struct["fields"]:
-        if "*" in f["type"] or f["name"] == "struct_size":
+        if "*" in f["type"] or f["name"] in OF_THE_DESC:
             continue
         [store] = write_field(structs, f, indices(struct, f), "value[name]")
         lines.append(f"            case '{f['name']}': {store} break;")

@@ -1,6 +1,6 @@
 """The types of the JavaScript package for TypeScript, with the header's comments."""
 from ._docs import Language, as_tags, as_text, translated
-from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
+from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
 
 NUMBERS = ("float", "double", "int32_t", "uint32_t", "size_t")
 PRIMITIVES = [s for s in SHAPES if s != "mesh"]
@@ -137,7 +137,7 @@ def typescript(api):
         if not desc:
             kinds[plain(s["name"])] = value(s["name"])
         fields = "".join(doc(f["doc"], "    ") + f"    {f['name']}: {value(f['type'], f['count'])};\n" for f in s["fields"]
-                         if "*" not in base_type(api, f["type"]) and f["name"] != "struct_size")
+                         if "*" not in base_type(api, f["type"]) and f["name"] not in OF_THE_DESC)
         out.append(doc(s["doc"], "") + f"export interface {camel(s['name'])} {{\n{fields}}}")
     out.append("/** What stands in Records, by the name of its kind. */\nexport interface Kinds {\n"
                + "".join(f"    {k}: {v};\n" for k, v in kinds.items()) + "}\nexport type Kind = keyof Kinds;")

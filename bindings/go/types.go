@@ -362,7 +362,7 @@ type SceneDesc struct {
 	// threads for one call, its own included, at most 1024; 0 and 1: that alone
 	WorkerCount uint32
 	// must be 0
-	Reserved uint32
+	reserved uint32
 }
 
 type ModelDesc struct {
@@ -399,7 +399,7 @@ type CameraDesc struct {
 	ViewportWidth float32
 	ViewportHeight float32
 	// not read: a client of release 1.0 has padding here
-	Reserved uint32
+	reserved uint32
 }
 
 // Orbit control: the camera circles a target. Inputs accumulate between updates in plain units;
@@ -463,7 +463,7 @@ type SolverDesc struct {
 	// the most that a target may ask for, 1 .. 1000; default 64
 	MaxSubsteps uint32
 	// must be 0
-	Reserved uint32
+	reserved uint32
 }
 
 // Settings shared by all kinds of bodies.
@@ -668,7 +668,7 @@ var (
 	_ [unsafe.Offsetof(C.gphys_scene_desc{}.reserve_models)]byte = [unsafe.Offsetof(SceneDesc{}.ReserveModels)]byte{}
 	_ [unsafe.Offsetof(C.gphys_scene_desc{}.task_runner)]byte = [unsafe.Offsetof(SceneDesc{}.TaskRunner)]byte{}
 	_ [unsafe.Offsetof(C.gphys_scene_desc{}.worker_count)]byte = [unsafe.Offsetof(SceneDesc{}.WorkerCount)]byte{}
-	_ [unsafe.Offsetof(C.gphys_scene_desc{}.reserved)]byte = [unsafe.Offsetof(SceneDesc{}.Reserved)]byte{}
+	_ [unsafe.Offsetof(C.gphys_scene_desc{}.reserved)]byte = [unsafe.Offsetof(SceneDesc{}.reserved)]byte{}
 	_ [C.sizeof_gphys_model_desc]byte = [unsafe.Sizeof(ModelDesc{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_model_desc{}.struct_size)]byte = [unsafe.Offsetof(ModelDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_model_desc{}.parent)]byte = [unsafe.Offsetof(ModelDesc{}.Parent)]byte{}
@@ -687,7 +687,7 @@ var (
 	_ [unsafe.Offsetof(C.gphys_camera_desc{}.reverse_z)]byte = [unsafe.Offsetof(CameraDesc{}.ReverseZ)]byte{}
 	_ [unsafe.Offsetof(C.gphys_camera_desc{}.viewport_width)]byte = [unsafe.Offsetof(CameraDesc{}.ViewportWidth)]byte{}
 	_ [unsafe.Offsetof(C.gphys_camera_desc{}.viewport_height)]byte = [unsafe.Offsetof(CameraDesc{}.ViewportHeight)]byte{}
-	_ [unsafe.Offsetof(C.gphys_camera_desc{}.reserved)]byte = [unsafe.Offsetof(CameraDesc{}.Reserved)]byte{}
+	_ [unsafe.Offsetof(C.gphys_camera_desc{}.reserved)]byte = [unsafe.Offsetof(CameraDesc{}.reserved)]byte{}
 	_ [C.sizeof_gphys_orbit]byte = [unsafe.Sizeof(Orbit{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_orbit{}.target)]byte = [unsafe.Offsetof(Orbit{}.Target)]byte{}
 	_ [unsafe.Offsetof(C.gphys_orbit{}.up)]byte = [unsafe.Offsetof(Orbit{}.Up)]byte{}
@@ -714,7 +714,7 @@ var (
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_strain)]byte = [unsafe.Offsetof(SolverDesc{}.MaxStrain)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.tolerance)]byte = [unsafe.Offsetof(SolverDesc{}.Tolerance)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_substeps)]byte = [unsafe.Offsetof(SolverDesc{}.MaxSubsteps)]byte{}
-	_ [unsafe.Offsetof(C.gphys_solver_desc{}.reserved)]byte = [unsafe.Offsetof(SolverDesc{}.Reserved)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.reserved)]byte = [unsafe.Offsetof(SolverDesc{}.reserved)]byte{}
 	_ [C.sizeof_gphys_body_desc]byte = [unsafe.Sizeof(BodyDesc{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.struct_size)]byte = [unsafe.Offsetof(BodyDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.mass)]byte = [unsafe.Offsetof(BodyDesc{}.Mass)]byte{}

@@ -230,8 +230,6 @@ export interface SceneDesc {
     reserve_models: number;
     /** threads for one call, its own included, at most 1024; 0 and 1: that alone */
     worker_count: number;
-    /** must be 0 */
-    reserved: number;
 }
 export interface ModelDesc {
     /** 0: none */
@@ -259,8 +257,6 @@ export interface CameraDesc {
     /** pixels, 1e-3 .. 1e6 */
     viewport_width: number;
     viewport_height: number;
-    /** not read: a client of release 1.0 has padding here */
-    reserved: number;
 }
 /** Orbit control: the camera circles a target. Inputs accumulate between updates in plain units;
  * nothing depends on the frame time or on how often update is called. Frozen. */
@@ -314,8 +310,6 @@ export interface SolverDesc {
     tolerance: number;
     /** the most that a target may ask for, 1 .. 1000; default 64 */
     max_substeps: number;
-    /** must be 0 */
-    reserved: number;
 }
 /** Settings shared by all kinds of bodies. */
 export interface BodyDesc {

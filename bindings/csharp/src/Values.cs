@@ -420,7 +420,7 @@ public partial struct SceneDesc {
     /// <summary>threads for one call, its own included, at most 1024; 0 and 1: that alone</summary>
     public uint WorkerCount;
     /// <summary>must be 0</summary>
-    public uint Reserved;
+    internal uint Reserved;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe SceneDesc Default {
         get {
@@ -478,7 +478,7 @@ public partial struct CameraDesc {
     public float ViewportWidth;
     public float ViewportHeight;
     /// <summary>not read: a client of release 1.0 has padding here</summary>
-    public uint Reserved;
+    internal uint Reserved;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe CameraDesc Default {
         get {
@@ -562,7 +562,7 @@ public partial struct SolverDesc {
     /// <summary>the most that a target may ask for, 1 .. 1000; default 64</summary>
     public uint MaxSubsteps;
     /// <summary>must be 0</summary>
-    public uint Reserved;
+    internal uint Reserved;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe SolverDesc Default {
         get {

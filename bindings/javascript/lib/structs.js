@@ -166,7 +166,6 @@ export function writeSceneDesc(v, at, value) {
         switch (name) {
             case 'reserve_models': v.u32[at + (v.wide ? 4 : 2)] = number(value[name], 'reserve_models'); break;
             case 'worker_count': v.u32[at + (v.wide ? 8 : 4)] = number(value[name], 'worker_count'); break;
-            case 'reserved': v.u32[at + (v.wide ? 9 : 5)] = number(value[name], 'reserved'); break;
             default: throw new TypeError(`scene_desc has no field ${name}`);
         }
     }
@@ -198,7 +197,6 @@ export function writeCameraDesc(v, at, value) {
             case 'reverse_z': v.i32[at + (v.wide ? 6 : 4)] = number(value[name], 'reverse_z'); break;
             case 'viewport_width': v.f32[at + (v.wide ? 7 : 5)] = number(value[name], 'viewport_width'); break;
             case 'viewport_height': v.f32[at + (v.wide ? 8 : 6)] = number(value[name], 'viewport_height'); break;
-            case 'reserved': v.u32[at + (v.wide ? 9 : 7)] = number(value[name], 'reserved'); break;
             default: throw new TypeError(`camera_desc has no field ${name}`);
         }
     }
@@ -232,7 +230,6 @@ export function writeSolverDesc(v, at, value) {
             case 'max_strain': v.f32[at + (v.wide ? 16 : 13)] = number(value[name], 'max_strain'); break;
             case 'tolerance': v.f32[at + (v.wide ? 17 : 14)] = number(value[name], 'tolerance'); break;
             case 'max_substeps': v.u32[at + (v.wide ? 18 : 15)] = number(value[name], 'max_substeps'); break;
-            case 'reserved': v.u32[at + (v.wide ? 19 : 16)] = number(value[name], 'reserved'); break;
             default: throw new TypeError(`solver_desc has no field ${name}`);
         }
     }

@@ -80,18 +80,4 @@ public final class CameraDesc {
     public float viewportHeight() {
         return memory.getFloat(Low.pick(32, 24));
     }
-
-    /**
-     * <pre>
-     * not read: a client of release 1.0 has padding here
-     * </pre>
-     */
-    public CameraDesc reserved(int value) {
-        memory.putInt(Low.pick(36, 28), value);
-        return this;
-    }
-
-    public int reserved() {
-        return memory.getInt(Low.pick(36, 28));
-    }
 }

@@ -63,18 +63,4 @@ public final class SceneDesc {
     public int workerCount() {
         return memory.getInt(Low.pick(32, 16));
     }
-
-    /**
-     * <pre>
-     * must be 0
-     * </pre>
-     */
-    public SceneDesc reserved(int value) {
-        memory.putInt(Low.pick(36, 20), value);
-        return this;
-    }
-
-    public int reserved() {
-        return memory.getInt(Low.pick(36, 20));
-    }
 }

@@ -189,18 +189,4 @@ public final class SolverDesc {
     public int maxSubsteps() {
         return memory.getInt(Low.pick(72, 60));
     }
-
-    /**
-     * <pre>
-     * must be 0
-     * </pre>
-     */
-    public SolverDesc reserved(int value) {
-        memory.putInt(Low.pick(76, 64), value);
-        return this;
-    }
-
-    public int reserved() {
-        return memory.getInt(Low.pick(76, 64));
-    }
 }
