@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass
 from typing import Callable
 
-from ._names import ANSWERS, calls, camel, creations, plain
+from ._names import ANSWERS, calls, creations, plain
 
 # What only a caller of C has to know: bindings make room for results, and know the sizes of arrays.
 OF_C_ONLY = re.compile(r"\bstride\b|\bcapacity\b|\bout_total\b|\bKept when\b|\bcount elements\b|\bcount \+ 1 numbers\b"
@@ -113,7 +113,7 @@ def taken_apart(call):
                 if status in FOUND and function["may_miss"]:
                     doc.missing += ("; " if doc.missing else "") + (when or f"if {FOUND[status]}")
                 elif status not in FOUND:
-                    doc.errors.append((status, kept(when) or "in some cases"))
+                    doc.errors.append((status, kept(when)))
     doc.text, _, doc.cost = "\n".join(filter(None, paragraphs)).partition("Cost: ")
     # What follows the cost in a paragraph of its own is about the function.
     doc.cost, _, more = doc.cost.partition("\n")
@@ -141,7 +141,7 @@ class Docs:
         self.made = {c.function["name"]: handle for handle, c in creations(api).items()}
         self.made.update({f"{handle}_destroy": handle for handle in self.made.values()})
         self.types = {t["name"] for kind in ("structs", "types") for t in api[kind]} | set(api["handles"])
-        self.parameters = sorted({p["name"] for f in api["functions"] for p in f["parameters"] if "_" in p["name"]}, key=len)
+        self.parameters = {p["name"] for f in api["functions"] for p in f["parameters"]}
         self.values = {v["name"] for e in api["enums"] for v in e["values"]} | set(api["constants"])
 
     def named(self, match):

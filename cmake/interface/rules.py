@@ -23,7 +23,6 @@ RETURNS = ("gphys_status", "uint32_t", "const char *", "void")
 class Types:
     def __init__(self, api):
         self.aliases = {t["name"]: t["type"] for t in api["types"]}
-        self.callbacks = {c["name"] for c in api["callbacks"]}
         self.structs = {s["name"] for s in api["structs"]}
 
     def is_number(self, of):
