@@ -3,7 +3,7 @@ import copy
 
 from ._calls import arguments, batch_arrays
 from ._docs import Language, outcome, paragraphs, translated, wrapped
-from ._names import BUILT, OF_THE_DESC, SHAPES, base_type, calls, camel, common_prefix, creations, element, lower_camel, plain
+from ._names import BUILT, OF_THE_DESC, SHAPES, base_type, calls, camel, common_prefix, creations, element, lower_camel
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 NUMBERS = {"float": "float", "double": "double", "int32_t": "int", "uint32_t": "uint", "size_t": "UIntPtr", "void": "void"}
