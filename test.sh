@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# Tests the library: ./test.sh [--long | --bindings | --platforms]
+# Tests the library: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES]
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
 # under the address and undefined-behaviour sanitizers. --long adds a build with clang, tests of
 # minutes, such as a million queries of each kind against a linear scan, an hour of tests against
 # exact arithmetic, their short form with each compiler, unoptimised and for Haswell, on each
 # instruction set, and the workers under the thread sanitizer. --bindings instead tests the packages
 # in bindings/, --platforms runs the C tests on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and
-# WebAssembly (Node); both install what they need.
+# WebAssembly (Node); both install what they need. --fuzz runs random programs on each instruction set
+# and libFuzzer under sanitizers for so many minutes (fuzz/campaign.py).
 # The last line is "N passed, N failed", then what was skipped because something is not installed; a
 # build that fails counts as one failed test.
 set -uo pipefail
@@ -18,6 +19,10 @@ presets=(release asan-ubsan)
 packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
     python3 python3-cffi luajit abigail-tools)
 configuration=()
+usage() {
+    echo "usage: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES]" >&2
+    exit 2
+}
 case ${1:-} in
     '') ;;
     --long)
@@ -36,9 +41,12 @@ case ${1:-} in
         presets=(i686 aarch64 windows wasm32)
         packages+=(g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user-static g++-mingw-w64-x86-64 wine64 emscripten)
         ;;
+    --fuzz)
+        [[ ${2:-} =~ ^[1-9][0-9]*$ ]] || usage
+        packages+=(libclang-rt-14-dev)
+        ;;
     *)
-        echo "usage: ./test.sh [--long | --bindings | --platforms]" >&2
-        exit 2
+        usage
         ;;
 esac
 
@@ -63,6 +71,16 @@ if [ "${1:-}" = --bindings ]; then
 fi
 
 jobs=$(nproc)
+build_targets() { cmake --preset "$1" && cmake --build "build/$1" --parallel "$jobs" --target "${@:2}"; }
+
+if [ "${1:-}" = --fuzz ]; then
+    build_targets release fuzz_targets && build_targets fuzz fuzz_targets || {
+        failed=1
+        finish
+    }
+    exec fuzz/campaign.py "$2" build/release build/fuzz build/fuzz-work
+fi
+
 for preset in "${presets[@]}"; do
     echo "== $preset"
     build=build/${preset/bindings/release}

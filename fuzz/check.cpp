@@ -1,0 +1,71 @@
+#include "check.h"
+
+#include <algorithm>
+#include <cfenv>
+#include <cstdio>
+#include <vector>
+
+namespace fuzz {
+namespace {
+
+std::vector<std::string>& ignored() {
+    static std::vector<std::string> checks;
+    return checks;
+}
+
+constexpr int trapped = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
+
+}  // namespace
+
+Session& session() {
+    static Session the_session;
+    return the_session;
+}
+
+void ignore(const std::string& check) { ignored().push_back(check); }
+
+void found(const char* check) {
+    if (std::find(ignored().begin(), ignored().end(), check) != ignored().end()) return;
+    throw Finding{check};
+}
+
+void note_bytes(const void* bytes, size_t size) {
+    uint64_t digest = session().digest;
+    const char* from = static_cast<const char*>(bytes);
+    for (; size >= 4; size -= 4, from += 4) {
+        uint32_t word;
+        std::memcpy(&word, from, 4);
+        digest = (digest ^ word) * 0x9e3779b97f4a7c15;  // odd, so that no word is lost
+        digest ^= digest >> 32;
+    }
+    session().digest = digest;
+}
+
+void check_status(gphys_status status) {
+    if (session().print)
+        std::printf("  %s%s%s\n", gphys_status_name(status), status < 0 ? ": " : "",
+                    status < 0 ? gphys_last_error() : "");
+    FUZZ_CHECK(status != GPHYS_ERROR_INTERNAL, "no call finds a defect of the library");
+    FUZZ_CHECK(status >= GPHYS_ERROR_SINGULAR && status <= GPHYS_UNBOUNDED, "a status is one of the header's");
+    if (status < 0) {
+        const char* why = gphys_last_error();
+        FUZZ_CHECK(why[0] != '\0' && std::strlen(why) <= 255, "an error is explained");
+    }
+}
+
+void HostEnvironment::enter() {
+    std::feclearexcept(FE_ALL_EXCEPT);
+#if defined(__GLIBC__)
+    if (session().trap) feenableexcept(trapped);
+#endif
+    if (session().rounding) std::fesetround(session().rounding);
+}
+
+void HostEnvironment::leave() {
+#if defined(__GLIBC__)
+    if (session().trap) fedisableexcept(trapped);
+#endif
+    std::fesetround(FE_TONEAREST);
+}
+
+}  // namespace fuzz
