@@ -413,6 +413,28 @@ TEST_CASE("a sphere swept against a mesh meets, bit for bit, the first of all tr
     }
 }
 
+TEST_CASE("rays from where all of a mesh is divide nothing by zero") {
+    test::Arrays point;
+    point.vertices = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
+    point.indices = {0, 1, 2};
+    const MeshHolder mesh = hold(point);
+    gphys_ray given[Mesh::rays_at_once];
+    const gphys_ray* each[Mesh::rays_at_once];
+    gphys_hit hits[Mesh::rays_at_once], *out[Mesh::rays_at_once];
+    for (uint32_t k = 0; k < Mesh::rays_at_once; ++k) {
+        given[k] = {{1, 2, 3}, {1, static_cast<float>(k), 0}, INFINITY};
+        each[k] = given + k;
+        out[k] = hits + k;
+    }
+    std::feclearexcept(FE_ALL_EXCEPT);
+    const uint64_t found = mesh->raycast_many(each, Mesh::rays_at_once, out);
+    REQUIRE(std::fetestexcept(trapped_exceptions) == 0);
+    for (uint32_t k = 0; k < Mesh::rays_at_once; ++k) {
+        REQUIRE((found >> k & 1) == 1);
+        REQUIRE(hits[k].t == 0);
+    }
+}
+
 TEST_CASE("a shape overlaps exactly the triangles of a mesh that it overlaps one by one") {
     test::Random random(6);
     for (const NamedArrays& named : hard_meshes()) {

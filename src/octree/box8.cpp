@@ -77,7 +77,9 @@ RayBundling::RayBundling(const Box& root, uint32_t items) {
 
 RayBundling::Corridor RayBundling::corridor_of(const Ray& ray) const {
     const double reach = distance(ray.origin, centre_) + radius_, apart = leaf_size_ * leaf_size_;
-    return {ray, apart, apart / (reach * reach) * length_squared(ray.direction)};
+    // From the only point that the tree has, nothing comes near.
+    const double slope = reach > 0 ? apart / (reach * reach) : 0;
+    return {ray, apart, slope * length_squared(ray.direction)};
 }
 
 // The gap on each axis is computed between the box and the interval of floats around the point:
