@@ -17,21 +17,22 @@ namespace fuzz {
 /// A check that did not hold: thrown, so that objects are destroyed on the way out.
 struct Finding {
     const char* check;
+    bool ignored;
 };
 
 struct Session {
     uint64_t operations = 0;  // calls of the public interface
     uint64_t digest = 0;      // of the present program's answers
-    bool trap = false;        // floating-point exceptions trap inside calls
+    bool exceptions = false;  // valid calls must not raise floating-point exceptions that hosts may trap
     int rounding = 0;         // of the host, inside calls
     bool print = false;       // statuses, and what programs draw
 };
 Session& session();
 
-/// Look past a check from now on: for the time while a defect is known.
+/// For the time while a defect is known: a program in which this check does not hold ends without being reported.
 void ignore(const std::string& check);
-/// The check does not hold. Returns if it is ignored.
-void found(const char* check);
+/// The check does not hold.
+[[noreturn]] void found(const char* check);
 
 #define FUZZ_CHECK(condition, name)          \
     do {                                     \
@@ -52,14 +53,14 @@ void note(const T& answer) {
     note_bytes(&answer, sizeof answer);
 }
 
-/// The floating-point environment that calls are made in; the fuzzer's own arithmetic stays in the default one.
+/// The floating-point environment that a call is made in; the fuzzer's own arithmetic stays in the default one.
 class HostEnvironment {
 public:
     HostEnvironment() {
-        if (session().trap || session().rounding) enter();
+        if (session().exceptions || session().rounding) enter();
     }
     ~HostEnvironment() {
-        if (session().trap || session().rounding) leave();
+        if (session().rounding) leave();
     }
     HostEnvironment(const HostEnvironment&) = delete;
     HostEnvironment& operator=(const HostEnvironment&) = delete;

@@ -1,5 +1,5 @@
 // A target for libFuzzer, which looks for inputs that reach new code. A check that does not hold ends the process,
-// so that the input is kept. GAMEPHYS_FUZZ_IGNORE names checks to look past, one a line.
+// so that the input is kept. GAMEPHYS_FUZZ_IGNORE names checks that are not reported, one a line.
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -24,6 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size) {
     try {
         fuzz::run(program);
     } catch (const fuzz::Finding& finding) {
+        if (finding.ignored) return 0;
         std::fprintf(stderr, "%s: does not hold: %s\n", fuzz::target_name, finding.check);
         std::abort();
     }

@@ -1,12 +1,13 @@
 // A target as a program of its own, for every compiler: replays inputs and runs random ones.
 //
-//   fuzz_TARGET [--seconds S | --programs N] [--seed K] [--ignore CHECK]... [--keep FOLDER] [--digests]
-//               [--print] [--trap] [--round up|down|zero] [FILE or FOLDER]...
+//   fuzz_TARGET [--seconds S | --programs N | --program I] [--seed K] [--ignore CHECK]... [--keep FOLDER] [--digests]
+//               [--print] [--exceptions] [--round up|down|zero] [FILE or FOLDER]...
 //
-// A check that does not hold is reported once, its first input is kept, and the run goes on. What ends the
-// process, and what takes longer than 20 s, keeps its input too. --digests prints the digest of each program,
-// to find the one in which two instruction sets differ. --print shows what each program draws. --trap and --round make
-// the calls with floating-point exceptions that trap, or in another rounding mode.
+// --program runs one of the random programs alone and keeps its input. A check that does not hold is reported once, its
+// first input is kept, and the run goes on. What ends the process, and what takes longer than 20 s, keeps its input
+// too. --digests prints the digest of each program, to find the one in which two instruction sets differ. --print shows
+// what each program draws. --exceptions checks that calls with valid input raise no floating-point exception that a
+// host may trap; --round makes the calls in another rounding mode.
 #include <algorithm>
 #include <cfenv>
 #include <chrono>
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <vector>
 
 #if __has_include(<unistd.h>)
@@ -31,7 +33,7 @@ namespace {
 
 using Input = std::vector<uint8_t>;
 
-std::string keep_in;
+std::string keep_in = ".";
 Input present;  // what is being run
 char crash_file[512];
 
@@ -98,9 +100,9 @@ void run_present(Tally& tally, const std::string& source) {
     try {
         fuzz::run(program);
     } catch (const fuzz::Finding& finding) {
-        if (tally.findings[finding.check]++ == 0) {
+        if (!finding.ignored && tally.findings[finding.check]++ == 0) {
             std::fprintf(stderr, "%s: does not hold: %s (%s)\n", fuzz::target_name, finding.check, source.c_str());
-            if (!keep_in.empty()) keep("finding-" + std::string(fuzz::target_name) + "-" + as_file_name(finding.check));
+            keep("finding-" + std::string(fuzz::target_name) + "-" + as_file_name(finding.check));
         }
     }
     limit_time(0);
@@ -127,12 +129,12 @@ void replay(const std::filesystem::path& path, Tally& tally) {
     run_present(tally, path.filename().string());
 }
 
-void run_random(Tally& tally, uint64_t seed, double seconds, uint64_t programs) {
+void run_random(Tally& tally, uint64_t seed, double seconds, uint64_t programs, std::optional<uint64_t> only) {
     const auto start = std::chrono::steady_clock::now();
     const auto elapsed = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    for (uint64_t i = 0; i < programs; ++i) {
+    for (uint64_t i = only.value_or(0); i < only.value_or(programs - 1) + 1; ++i) {
         if (programs == UINT64_MAX && elapsed() >= seconds) break;
         // Of neighbouring numbers make distant states (splitmix64, Steele et al. 2014).
         uint64_t mixed = (seed << 32) + i + 1;
@@ -144,6 +146,7 @@ void run_random(Tally& tally, uint64_t seed, double seconds, uint64_t programs) 
             const uint64_t bits = random.next();
             std::memcpy(&present[k], &bits, 8);
         }
+        if (only) keep("program-" + std::string(fuzz::target_name) + "-" + std::to_string(i));
         run_present(tally, "seed " + std::to_string(seed) + ", program " + std::to_string(i));
     }
 }
@@ -155,6 +158,7 @@ int main(int count, char** arguments) {
     std::vector<std::string> paths;
     double seconds = 0;
     uint64_t programs = 0, seed = 1;
+    std::optional<uint64_t> only;
     for (int i = 1; i < count; ++i) {
         const std::string argument = arguments[i];
         const auto value = [&] {
@@ -166,6 +170,9 @@ int main(int count, char** arguments) {
             seconds = std::stod(value());
         } else if (argument == "--programs") {
             programs = std::stoull(value());
+        } else if (argument == "--program") {
+            only = std::stoull(value());
+            programs = 1;
         } else if (argument == "--seed") {
             seed = std::stoull(value());
         } else if (argument == "--ignore") {
@@ -176,8 +183,8 @@ int main(int count, char** arguments) {
             tally.print_digests = true;
         } else if (argument == "--print") {
             fuzz::session().print = true;
-        } else if (argument == "--trap") {
-            fuzz::session().trap = true;
+        } else if (argument == "--exceptions") {
+            fuzz::session().exceptions = true;
         } else if (argument == "--round") {
             const std::string way = value();
             fuzz::session().rounding = way == "up" ? FE_UPWARD : way == "down" ? FE_DOWNWARD : FE_TOWARDZERO;
@@ -185,12 +192,12 @@ int main(int count, char** arguments) {
             paths.push_back(argument);
         }
     }
-    std::snprintf(crash_file, sizeof crash_file, "%s/crash-%s-%llu", keep_in.empty() ? "." : keep_in.c_str(),
-                  fuzz::target_name, static_cast<unsigned long long>(seed));
+    std::snprintf(crash_file, sizeof crash_file, "%s/crash-%s-%llu", keep_in.c_str(), fuzz::target_name,
+                  static_cast<unsigned long long>(seed));
     watch_for_crashes();
     for (const std::string& path : paths) replay(path, tally);
     const uint64_t replayed = tally.programs;
-    if (seconds > 0 || programs > 0) run_random(tally, seed, seconds, programs > 0 ? programs : UINT64_MAX);
+    if (seconds > 0 || programs > 0) run_random(tally, seed, seconds, programs > 0 ? programs : UINT64_MAX, only);
     for (const auto& [check, times] : tally.findings) {
         std::printf("%s: does not hold in %llu programs: %s\n", fuzz::target_name,
                     static_cast<unsigned long long>(times), check.c_str());
