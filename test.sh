@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Tests the library: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak]
+# Tests the library: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage]
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
 # under the address and undefined-behaviour sanitizers. --long adds a build with clang, tests of
 # minutes, such as a million queries of each kind against a linear scan, an hour of tests against
@@ -8,7 +8,8 @@
 # in bindings/, --platforms runs the C tests on 32-bit x86, 64-bit ARM (qemu), Windows (Wine) and
 # WebAssembly (Node); both install what they need. --fuzz runs random programs on each instruction set
 # and libFuzzer under sanitizers for so many minutes (fuzz/campaign.py). --soak runs a million frames of
-# a game's main loop (fuzz/soak.cpp).
+# a game's main loop (fuzz/soak.cpp). --coverage says which lines and branches the tests reach, file by
+# file (fuzz/coverage.py).
 # The last line is "N passed, N failed", then what was skipped because something is not installed; a
 # build that fails counts as one failed test.
 set -uo pipefail
@@ -21,7 +22,7 @@ packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file catch2 li
     python3 python3-cffi luajit abigail-tools)
 configuration=()
 usage() {
-    echo "usage: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak]" >&2
+    echo "usage: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage]" >&2
     exit 2
 }
 case ${1:-} in
@@ -47,6 +48,7 @@ case ${1:-} in
         packages+=(libclang-rt-14-dev)
         ;;
     --soak) ;;
+    --coverage) packages+=(llvm) ;;
     *)
         usage
         ;;
@@ -81,6 +83,14 @@ if [ "${1:-}" = --fuzz ]; then
         finish
     }
     exec fuzz/campaign.py "$2" build/release build/fuzz build/fuzz-work
+fi
+
+if [ "${1:-}" = --coverage ]; then
+    build_targets coverage tests_cpp tests_c/all fuzz_targets soak || {
+        failed=1
+        finish
+    }
+    exec fuzz/coverage.py build/coverage
 fi
 
 if [ "${1:-}" = --soak ]; then

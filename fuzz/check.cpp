@@ -39,9 +39,10 @@ void note_bytes(const void* bytes, size_t size) {
 }
 
 void check_status(gphys_status status) {
-    if (session().print)
-        std::printf("  %s%s%s\n", gphys_status_name(status), status < 0 ? ": " : "",
-                    status < 0 ? gphys_last_error() : "");
+    if (session().print) {
+        std::printf("  %016llx %s%s%s\n", static_cast<unsigned long long>(session().digest), gphys_status_name(status),
+                    status < 0 ? ": " : "", status < 0 ? gphys_last_error() : "");
+    }
     FUZZ_CHECK(status != GPHYS_ERROR_INTERNAL, "no call finds a defect of the library");
     FUZZ_CHECK(status >= GPHYS_ERROR_SINGULAR && status <= GPHYS_UNBOUNDED, "a status is one of the header's");
     if (session().exceptions && status >= 0) {

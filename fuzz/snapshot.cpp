@@ -181,8 +181,8 @@ void use(Program& p, Solver& solver, const gphys_scene* scene) {
     call(gphys_solver_add_particles, solver.get(), nullptr, &there, 12u, 1u, &more);
     call(gphys_solver_step, solver.get(), scene, 0.01f);
     ask();
+    // Not noted: forces without bound make NaN, whose sign is the instruction set's.
     solver.snapshot();
-    note(solver.hash());
 }
 
 }  // namespace
