@@ -1,16 +1,39 @@
 #include "check.h"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <cfenv>
 #include <cstdio>
+#include <cstdlib>
+#include <sstream>
 #include <vector>
 
 namespace fuzz {
 namespace {
 
-std::vector<std::string>& ignored() {
-    static std::vector<std::string> checks;
+std::vector<std::string> ignored_by_environment() {
+    std::vector<std::string> checks;
+    if (const char* names = std::getenv("GAMEPHYS_FUZZ_IGNORE")) {
+        std::istringstream lines(names);
+        for (std::string line; std::getline(lines, line);) checks.push_back(line);
+    }
     return checks;
+}
+
+std::vector<std::string>& ignored() {
+    static std::vector<std::string> checks = ignored_by_environment();
+    return checks;
+}
+
+/// As many game engines have it. Only on x86.
+void flush_denormals([[maybe_unused]] bool flush) {
+#if defined(__SSE2__)
+    constexpr unsigned flush_to_zero = 0x8000, denormals_are_zero = 0x0040, both = flush_to_zero | denormals_are_zero;
+    _mm_setcsr(flush ? _mm_getcsr() | both : _mm_getcsr() & ~both);
+#endif
 }
 
 }  // namespace
@@ -59,8 +82,12 @@ void check_status(gphys_status status) {
 void HostEnvironment::enter() {
     std::feclearexcept(FE_ALL_EXCEPT);
     if (session().rounding) std::fesetround(session().rounding);
+    if (session().flush) flush_denormals(true);
 }
 
-void HostEnvironment::leave() { std::fesetround(FE_TONEAREST); }
+void HostEnvironment::leave() {
+    std::fesetround(FE_TONEAREST);
+    if (session().flush) flush_denormals(false);
+}
 
 }  // namespace fuzz

@@ -1,17 +1,12 @@
 // A target for libFuzzer, which looks for inputs that reach new code. A check that does not hold ends the process,
-// so that the input is kept. GAMEPHYS_FUZZ_IGNORE names checks that are not reported, one a line.
+// so that the input is kept.
 #include <cstdio>
 #include <cstdlib>
-#include <sstream>
 
 #include "check.h"
 #include "program.h"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
-    if (const char* checks = std::getenv("GAMEPHYS_FUZZ_IGNORE")) {
-        std::istringstream lines(checks);
-        for (std::string line; std::getline(lines, line);) fuzz::ignore(line);
-    }
     std::atexit([] {
         std::fprintf(stderr, "%s: %llu operations\n", fuzz::target_name,
                      static_cast<unsigned long long>(fuzz::session().operations));

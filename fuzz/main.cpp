@@ -1,13 +1,13 @@
 // A target as a program of its own, for every compiler: replays inputs and runs random ones.
 //
 //   fuzz_TARGET [--seconds S | --programs N | --program I] [--seed K] [--ignore CHECK]... [--keep FOLDER] [--digests]
-//               [--print] [--exceptions] [--round up|down|zero] [FILE or FOLDER]...
+//               [--print] [--exceptions] [--round up|down|zero] [--flush] [FILE or FOLDER]...
 //
 // --program runs one of the random programs alone and keeps its input. A check that does not hold is reported once, its
 // first input is kept, and the run goes on. What ends the process, and what takes longer than 20 s, keeps its input
 // too. --digests prints the digest of each program, to find the one in which two instruction sets differ. --print shows
 // what each program draws. --exceptions checks that calls with valid input raise no floating-point exception that a
-// host may trap; --round makes the calls in another rounding mode.
+// host may trap; --round and --flush make the calls in another rounding mode, or with denormal numbers flushed to zero.
 #include <algorithm>
 #include <cfenv>
 #include <chrono>
@@ -188,6 +188,8 @@ int main(int count, char** arguments) {
         } else if (argument == "--round") {
             const std::string way = value();
             fuzz::session().rounding = way == "up" ? FE_UPWARD : way == "down" ? FE_DOWNWARD : FE_TOWARDZERO;
+        } else if (argument == "--flush") {
+            fuzz::session().flush = true;
         } else {
             paths.push_back(argument);
         }
