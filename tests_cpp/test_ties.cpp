@@ -47,7 +47,7 @@ class Models {
 public:
     SceneHolder all = make_scene();
 
-    /// Slots that were used before, so that ids are not in the order of slots.
+    /// Slots that were used before: all but 1023 are used again, by models of higher ids than those in new slots.
     void use_slots(uint32_t count) {
         const gphys_sphere ball{{0, 0, 0}, 1};
         std::vector<gphys_model_id> ids(count);
@@ -263,7 +263,7 @@ TEST_CASE("rays in a scene through what boxes share meet the lowest id of those 
     for (const bool turned : {false, true}) {
         for (const bool as_obbs : {false, true}) {
             Models models;
-            models.use_slots(1500);
+            models.use_slots(1023 + 10);
             const gphys_transform place = awkward_place(turned);
             add_grid(models, random, place, 3, as_obbs);
             std::vector<gphys_ray> rays;
@@ -332,7 +332,7 @@ TEST_CASE("a point in a scene that is equally far from several models is nearest
 TEST_CASE("of round models and triangles of a scene that share points the lowest id is met and nearest") {
     Random random(63);
     Models models;
-    models.use_slots(1100);
+    models.use_slots(1023 + 10);
     std::vector<gphys_vec3> shared;
     for (int i = 0; i < 8; ++i) {
         const gphys_vec3 at{6.1f * static_cast<float>(i % 2), 6.3f * static_cast<float>(i / 2 % 2),
@@ -410,7 +410,7 @@ TEST_CASE("meshes of a scene that touch and coincide give the lowest id, and eac
     };
     gphys_mesh *sheets = make(sheet), *balls = make(ball);
     Models models;
-    models.use_slots(1100);
+    models.use_slots(1023 + 10);
     const gphys_transform place = awkward_place(true);
     // Below a parent and not, in one piece and in quarters of half the size, twice.
     const gphys_sphere far{{500, 0, 0}, 0};
@@ -581,6 +581,60 @@ TEST_CASE("of triangles of a mesh at equal t or distance the lowest is met and n
         CHECK(wrong_in_group == 0);
         CHECK(wrong_points == 0);
         CHECK(wrong_sweeps == 0);
+        Mesh::release(mesh);
+    }
+}
+
+TEST_CASE("of layers of a mesh that are closer than floats can tell from far away the lowest index is the answer") {
+    constexpr uint32_t layers = 100;
+    Random random(68);
+    test::Arrays arrays;
+    for (uint32_t i = 0; i < layers; ++i) {
+        const float z = 5 + 1e-5f * static_cast<float>(i * 37 % layers), x = random.uniform_float(-0.1f, 0.1f);
+        arrays.vertices.insert(arrays.vertices.end(), {{x - 2, -1, z}, {x + 2, -1, z}, {x, 2, z}});
+        arrays.add(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    for (const Isa isa : test::isas()) {
+        INFO(name_of(isa));
+        Mesh* const mesh = arrays.make(nullptr, isa);
+        int tied = 0, wrong_rays = 0, wrong_sweeps = 0, wrong_points = 0;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 from = widen(gphys_vec3{random.uniform_float(-0.2f, 0.2f), random.uniform_float(-0.2f, 0.2f),
+                                               random.uniform_float(-2000, -1000)});
+            const Vec3 way{0, 0, 2 * std::fabs(from.z)};
+            const Sphere ball{from, 0.25};
+            const auto first_by = [&](const auto& far_of_triangle) {
+                uint32_t first = GPHYS_NO_TRIANGLE;
+                float least = INFINITY;
+                for (uint32_t k = 0; k < layers; ++k) {
+                    const float far = reported(far_of_triangle(mesh->triangle(k)));
+                    tied += far == least;
+                    if (far < least) least = far, first = k;
+                }
+                return first;
+            };
+            Hit hit;
+            Vec3 closest;
+            uint32_t nearest = 0;
+            REQUIRE(mesh->raycast({from, way, 1}, hit));
+            wrong_rays += hit.triangle != first_by([&](const Triangle& triangle) {
+                              Hit one;
+                              return raycast(triangle, {from, way, 1}, one) ? one.t : infinity;
+                          });
+            REQUIRE(mesh->sweep(ball, way, hit));
+            wrong_sweeps += hit.triangle != first_by([&](const Triangle& triangle) {
+                                Hit one;
+                                return sweep(triangle, ball, way, one) ? one.t : infinity;
+                            });
+            REQUIRE(mesh->closest_point(from, infinity, closest, nearest));
+            wrong_points += nearest != first_by([&](const Triangle& triangle) {
+                                return distance(closest_point(triangle, from), from);
+                            });
+        }
+        CHECK(tied > 2000);
+        CHECK(wrong_rays == 0);
+        CHECK(wrong_sweeps == 0);
+        CHECK(wrong_points == 0);
         Mesh::release(mesh);
     }
 }
