@@ -441,7 +441,8 @@ GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const voi
 
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  *  left-bottom, right-bottom, right-top, left-top.
- *  @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane)
+ *  @return GPHYS_UNBOUNDED if three planes do not meet in a point (infinite far plane), or meet
+ *          beyond the largest float
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_frustum_corners(const gphys_frustum* frustum, gphys_vec3 out_corners[8]);
 
@@ -455,7 +456,8 @@ enum {
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
  *  origin (0, 0, 0). A camera knows its frustum better: gphys_camera_get_frustum.
  *  @param reverse_z  0: near has the low depth; 1: near has the high depth
- *  @return GPHYS_ERROR_SINGULAR if the matrix has no volume
+ *  @return GPHYS_ERROR_SINGULAR if the matrix has no inverse, or what it shows has no volume: its four near
+ *          corners are not all finite points in front of the viewer
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_depth_range depth_range,
                                                  int32_t reverse_z, gphys_frustum* out_frustum);
@@ -846,9 +848,11 @@ GPHYS_API gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys
                                                  gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets);
 
 /** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
- *  own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few
- *  per cent more are listed, which gphys_scene_overlap sorts out by testing the shapes. Kept when
- *  too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
+ *  own box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's
+ *  edges: some per cent of models that are compact or not turned; of long or flat ones that are
+ *  turned, whose world boxes are mostly empty, about a third, and as many again as are seen where
+ *  they are as long as the view is wide. gphys_scene_overlap sorts these out by testing the shapes.
+ *  Kept when too many: the lowest. Room for all models is best: what out_models has beyond the ids is used
  *  as scratch memory to order them. Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, uint32_t layers,
                                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
@@ -958,7 +962,8 @@ GPHYS_API gphys_status gphys_camera_get_origin(const gphys_camera* camera, doubl
 GPHYS_API gphys_status gphys_camera_set_perspective(gphys_camera* camera, float fov_y, float near_distance,
                                                     float far_distance);
 /** See with an orthographic projection; the distance changes no size.
- *  @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+ *  @param height  metres seen from top to bottom, >= 1e-6; the width follows from the viewport and
+ *                 is at most twice GPHYS_MAX_COORDINATE
  *  @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float height, float near_distance,
@@ -967,10 +972,11 @@ GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float
  *  another library's). It is not changed by gphys_camera_set_viewport.
  *  @return GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to tell;
  *          GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it does when
- *          the matrix is for another depth range
+ *          the matrix is for another depth range, or one lies beyond GPHYS_MAX_COORDINATE
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const gphys_mat4* projection);
-/** The viewport was resized. Perspective keeps fov_y, orthographic its height.
+/** The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
+ *  makes the width more than twice GPHYS_MAX_COORDINATE.
  *  @param width, height  pixels, 1e-3 .. 1e6
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height);
@@ -1056,11 +1062,12 @@ GPHYS_API gphys_status gphys_camera_orbit_pan(gphys_camera* camera, float units_
 GPHYS_API gphys_status gphys_camera_orbit_update(gphys_camera* camera);
 
 /** The seen volume, with origin at the camera's position and planes from its parameters: each
- *  number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+ *  number within 2 ulp; all functions of shapes take it. A user projection gives its planes by
+ *  Gribb-Hartmann in double precision.
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphys_frustum* out_frustum);
 /** World positions of the corners of the seen volume, in the order of gphys_frustum_corners.
- *  @return GPHYS_UNBOUNDED with an infinite far plane
+ *  @return GPHYS_UNBOUNDED with an infinite far plane, or a corner beyond the largest float
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_corners(const gphys_camera* camera, gphys_vec3 out_corners[8]);
 
