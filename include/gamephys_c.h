@@ -54,8 +54,9 @@
  *            *out_total. capacity 0 with out NULL only counts. GPHYS_INCOMPLETE when
  *            *out_total > capacity; which elements are kept is stated, never arbitrary.
  * Batches    (array, stride, ..., count): stride is the distance between elements in bytes; 0
- *            stands for one element used throughout. An input stride must be 0 or at least the
- *            element's size, an output stride at least the element's size, both multiples of 4.
+ *            stands for one element used throughout, but not for the positions of several
+ *            particles. An input stride must be 0 or at least the element's size, an output
+ *            stride at least the element's size, both multiples of 4.
  *            All elements are checked before any output is written. Item i of a batch is bit for
  *            bit what the single call would give.
  * Memory     Queries allocate nothing. Nothing that the library returns has to be freed except

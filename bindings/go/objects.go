@@ -802,8 +802,10 @@ func (o *Scene) OverlapBatch(shapes Shapes, layers uint32) (result Ragged[ModelI
 }
 
 // Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-// box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
-// more are listed, which Scene.Overlap sorts out by testing the shapes.
+// box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
+// some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
+// world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
+// the view is wide. Scene.Overlap sorts these out by testing the shapes.
 // Cost: O(log n + k) expected.
 func (o *Scene) Cull(frustum Frustum, layers uint32) (result []ModelID, err error) {
 	self, err := o.open()
@@ -1031,7 +1033,8 @@ func (o *Camera) SetPerspective(fovY float32, nearDistance float32, farDistance 
 }
 
 // See with an orthographic projection; the distance changes no size.
-//   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+//   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
+//     most twice MaxCoordinate
 //   - nearDistance, farDistance: metres; far at least 1e-6 above near, which may be negative
 // Cost: O(1).
 func (o *Camera) SetOrthographic(height float32, nearDistance float32, farDistance float32) (err error) {
@@ -1049,7 +1052,7 @@ func (o *Camera) SetOrthographic(height float32, nearDistance float32, farDistan
 // another library's). It is not changed by Camera.SetViewport.
 // The error is ErrSingular if it has no inverse, or is too close to such a matrix to tell.
 // The error is ErrInvalidArgument if a plane other than far lies at infinity, as it does when the
-// matrix is for another depth range.
+// matrix is for another depth range, or one lies beyond MaxCoordinate.
 // Cost: O(1).
 func (o *Camera) SetProjection(projection Mat4) (err error) {
 	self, err := o.open()
@@ -1062,7 +1065,8 @@ func (o *Camera) SetProjection(projection Mat4) (err error) {
 	return
 }
 
-// The viewport was resized. Perspective keeps fovY, orthographic its height.
+// The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
+// makes the width more than twice MaxCoordinate.
 //   - width, height: pixels, 1e-3 .. 1e6
 // Cost: O(1).
 func (o *Camera) SetViewport(width float32, height float32) (err error) {
@@ -1297,7 +1301,8 @@ func (o *Camera) OrbitUpdate() (err error) {
 }
 
 // The seen volume, with origin at the camera's position and planes from its parameters: each number
-// within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+// within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
+// in double precision.
 // Cost: O(1).
 func (o *Camera) Frustum() (frustum Frustum, err error) {
 	self, err := o.open()
@@ -1314,7 +1319,7 @@ func (o *Camera) Frustum() (frustum Frustum, err error) {
 }
 
 // World positions of the corners of the seen volume, in the order of FrustumCorners.
-// Result: found is false with an infinite far plane.
+// Result: found is false with an infinite far plane, or a corner beyond the largest float.
 // Cost: O(1).
 func (o *Camera) Corners() (corners [8]Vec3, found bool, err error) {
 	self, err := o.open()
@@ -2728,7 +2733,8 @@ func SweepSphere(shape Shape, sphere Sphere, displacement Vec3) (hit Hit, found 
 
 // The eight corners, each the intersection of three planes: near then far, each in the order
 // left-bottom, right-bottom, right-top, left-top.
-// Result: found is false if three planes do not meet in a point (infinite far plane).
+// Result: found is false if three planes do not meet in a point (infinite far plane), or meet beyond
+// the largest float.
 // Cost: O(1).
 func FrustumCorners(frustum Frustum) (corners [8]Vec3, found bool, err error) {
 	r := C.go_gphys_frustum_corners(*(*C.gphys_frustum)(unsafe.Pointer(&frustum)))
@@ -2743,7 +2749,8 @@ func FrustumCorners(frustum Frustum) (corners [8]Vec3, found bool, err error) {
 // The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
 // origin (0, 0, 0). A camera knows its frustum better: Camera.Frustum.
 //   - reverseZ: false: near has the low depth; true: near has the high depth
-// The error is ErrSingular if the matrix has no volume.
+// The error is ErrSingular if the matrix has no inverse, or what it shows has no volume: its four near
+// corners are not all finite points in front of the viewer.
 // Cost: O(1).
 func FrustumFromMatrix(viewProjection Mat4, depthRange DepthRange, reverseZ bool) (frustum Frustum, err error) {
 	r := C.go_gphys_frustum_from_matrix(*(*C.gphys_mat4)(unsafe.Pointer(&viewProjection)), C.gphys_depth_range(depthRange), boolean(reverseZ))

@@ -645,8 +645,10 @@ export class Scene {
      * @throws {GamephysError} ERROR_UNSUPPORTED: as there */
     overlapBatch(shapes: Shapes | AnyShape, layers?: number): { values: Records<number>; offsets: Uint32Array };
     /** Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-     * box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
-     * more are listed, which Scene.overlap sorts out by testing the shapes.
+     * box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
+     * some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
+     * world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
+     * the view is wide. Scene.overlap sorts these out by testing the shapes.
      * Cost: O(log n + k) expected. */
     cull(frustum: Given<Frustum>, layers?: number): Records<number>;
     /** The model nearest to a point, and its closest point.
@@ -708,7 +710,8 @@ export class Camera {
     setPerspective(fov_y: number, near_distance: number, far_distance: number): void;
     /** See with an orthographic projection; the distance changes no size.
      * Cost: O(1).
-     * @param height - metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+     * @param height - metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is
+     *     at most twice MAX_COORDINATE
      * @param near_distance - metres; far at least 1e-6 above near, which may be negative
      * @param far_distance - metres; far at least 1e-6 above near, which may be negative */
     setOrthographic(height: number, near_distance: number, far_distance: number): void;
@@ -718,9 +721,10 @@ export class Camera {
      * @throws {GamephysError} ERROR_SINGULAR: if it has no inverse, or is too close to such a matrix to
      *     tell
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity, as it
-     *     does when the matrix is for another depth range */
+     *     does when the matrix is for another depth range, or one lies beyond MAX_COORDINATE */
     setProjection(projection: Given<number[]>): void;
-    /** The viewport was resized. Perspective keeps fov_y, orthographic its height.
+    /** The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
+     * makes the width more than twice MAX_COORDINATE.
      * Cost: O(1).
      * @param width - pixels, 1e-3 .. 1e6
      * @param height - pixels, 1e-3 .. 1e6 */
@@ -789,12 +793,13 @@ export class Camera {
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitUpdate(): void;
     /** The seen volume, with origin at the camera's position and planes from its parameters: each number
-     * within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+     * within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
+     * in double precision.
      * Cost: O(1). */
     getFrustum(): Frustum;
     /** World positions of the corners of the seen volume, in the order of frustumCorners.
      * Cost: O(1).
-     * @returns null with an infinite far plane. */
+     * @returns null with an infinite far plane, or a corner beyond the largest float. */
     getCorners(): number[][] | null;
     /** World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
      * viewport; z is the depth in the camera's range.
@@ -1230,13 +1235,15 @@ export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  * left-bottom, right-bottom, right-top, left-top.
  * Cost: O(1).
- * @returns null if three planes do not meet in a point (infinite far plane). */
+ * @returns null if three planes do not meet in a point (infinite far plane), or meet beyond the
+ *     largest float. */
 export function frustumCorners(frustum: Given<Frustum>): number[][] | null;
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
  * origin (0, 0, 0). A camera knows its frustum better: Camera.getFrustum.
  * Cost: O(1).
  * @param reverse_z - false: near has the low depth; true: near has the high depth
- * @throws {GamephysError} ERROR_SINGULAR: if the matrix has no volume */
+ * @throws {GamephysError} ERROR_SINGULAR: if the matrix has no inverse, or what it shows has no
+ *     volume: its four near corners are not all finite points in front of the viewer */
 export function frustumFromMatrix(view_projection: Given<number[]>, depth_range: number, reverse_z: boolean | number): Frustum;
 /** Examine arrays without building anything. Allocates while it runs.
  * Cost: O(n log n).

@@ -481,8 +481,10 @@ public:
     }
 
     // Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-    // box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
-    // more are listed, which Scene::overlap sorts out by testing the shapes.
+    // box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
+    // some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
+    // world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
+    // the view is wide. Scene::overlap sorts these out by testing the shapes.
     // Cost: O(log n + k) expected.
     std::vector<gphys_model_id> cull(const Frustum& frustum, uint32_t layers = GPHYS_ALL_LAYERS) const {
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_cull(handle(), &frustum, layers, out_models, capacity, total); });
@@ -601,7 +603,8 @@ public:
     }
 
     // See with an orthographic projection; the distance changes no size.
-    //   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    //   - height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
+    //     most twice GPHYS_MAX_COORDINATE
     //   - near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative
     // Cost: O(1).
     void set_orthographic(float height, float near_distance, float far_distance) {
@@ -613,13 +616,14 @@ public:
     // Throws Error with GPHYS_ERROR_SINGULAR if it has no inverse, or is too close to such a matrix to
     // tell.
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if a plane other than far lies at infinity, as it
-    // does when the matrix is for another depth range.
+    // does when the matrix is for another depth range, or one lies beyond GPHYS_MAX_COORDINATE.
     // Cost: O(1).
     void set_projection(const Mat4& projection) {
         check(gphys_camera_set_projection(handle(), &projection));
     }
 
-    // The viewport was resized. Perspective keeps fov_y, orthographic its height.
+    // The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
+    // makes the width more than twice GPHYS_MAX_COORDINATE.
     //   - width, height: pixels, 1e-3 .. 1e6
     // Cost: O(1).
     void set_viewport(float width, float height) {
@@ -743,7 +747,8 @@ public:
     }
 
     // The seen volume, with origin at the camera's position and planes from its parameters: each number
-    // within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    // within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
+    // in double precision.
     // Cost: O(1).
     Frustum get_frustum() const {
         Frustum out_frustum{};
@@ -752,7 +757,7 @@ public:
     }
 
     // World positions of the corners of the seen volume, in the order of gamephys::frustum_corners.
-    // Result: std::nullopt with an infinite far plane.
+    // Result: std::nullopt with an infinite far plane, or a corner beyond the largest float.
     // Cost: O(1).
     std::optional<std::array<Vec3, 8>> get_corners() const {
         std::array<Vec3, 8> out_corners{};
@@ -1478,7 +1483,8 @@ inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, con
 
 // The eight corners, each the intersection of three planes: near then far, each in the order
 // left-bottom, right-bottom, right-top, left-top.
-// Result: std::nullopt if three planes do not meet in a point (infinite far plane).
+// Result: std::nullopt if three planes do not meet in a point (infinite far plane), or meet beyond the
+// largest float.
 // Cost: O(1).
 inline std::optional<std::array<Vec3, 8>> frustum_corners(const Frustum& frustum) {
     std::array<Vec3, 8> out_corners{};
@@ -1489,7 +1495,8 @@ inline std::optional<std::array<Vec3, 8>> frustum_corners(const Frustum& frustum
 // The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
 // origin (0, 0, 0). A camera knows its frustum better: Camera::get_frustum.
 //   - reverse_z: 0: near has the low depth; 1: near has the high depth
-// Throws Error with GPHYS_ERROR_SINGULAR if the matrix has no volume.
+// Throws Error with GPHYS_ERROR_SINGULAR if the matrix has no inverse, or what it shows has no volume:
+// its four near corners are not all finite points in front of the viewer.
 // Cost: O(1).
 inline Frustum frustum_from_matrix(const Mat4& view_projection, gphys_depth_range depth_range, int32_t reverse_z) {
     Frustum out_frustum{};

@@ -529,8 +529,10 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-    /// box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
-    /// more are listed, which Scene.Overlap sorts out by testing the shapes.
+    /// box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
+    /// some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
+    /// world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
+    /// the view is wide. Scene.Overlap sorts these out by testing the shapes.
     /// Cost: O(log n + k) expected.</summary>
     public unsafe uint[] Cull(Frustum frustum, uint layers = Constants.AllLayers) {
         var result = new uint[Guess];
@@ -680,8 +682,8 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>See with an orthographic projection; the distance changes no size.
     /// Cost: O(1).</summary>
-    /// <param name="height">metres seen from top to bottom, &gt;= 1e-6; the width follows from the
-    /// viewport</param>
+    /// <param name="height">metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
+    /// and is at most twice MaxCoordinate</param>
     /// <param name="nearDistance">metres; far at least 1e-6 above near, which may be negative</param>
     /// <param name="farDistance">metres; far at least 1e-6 above near, which may be negative</param>
     public unsafe void SetOrthographic(float height, float nearDistance, float farDistance) {
@@ -694,12 +696,14 @@ public sealed partial class Camera : IDisposable {
     /// <exception cref="GamephysException">Status.ErrorSingular: if it has no inverse, or is too close to
     /// such a matrix to tell</exception>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if a plane other than far lies at
-    /// infinity, as it does when the matrix is for another depth range</exception>
+    /// infinity, as it does when the matrix is for another depth range, or one lies beyond
+    /// MaxCoordinate</exception>
     public unsafe void SetProjection(Mat4 projection) {
         Check(Low.gphys_camera_set_projection(Handle, &projection));
     }
 
-    /// <summary>The viewport was resized. Perspective keeps fovY, orthographic its height.
+    /// <summary>The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
+    /// makes the width more than twice MaxCoordinate.
     /// Cost: O(1).</summary>
     /// <param name="width">pixels, 1e-3 .. 1e6</param>
     /// <param name="height">pixels, 1e-3 .. 1e6</param>
@@ -833,7 +837,8 @@ public sealed partial class Camera : IDisposable {
     }
 
     /// <summary>The seen volume, with origin at the camera's position and planes from its parameters: each number
-    /// within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    /// within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
+    /// in double precision.
     /// Cost: O(1).</summary>
     public unsafe Frustum GetFrustum() {
         var frustum = default(Frustum);
@@ -843,7 +848,7 @@ public sealed partial class Camera : IDisposable {
 
     /// <summary>World positions of the corners of the seen volume, in the order of Geometry.FrustumCorners.
     /// Cost: O(1).</summary>
-    /// <returns>null with an infinite far plane.</returns>
+    /// <returns>null with an infinite far plane, or a corner beyond the largest float.</returns>
     public unsafe Vec3[] GetCorners() {
         var corners = new Vec3[8];
         Status status;
@@ -1816,7 +1821,8 @@ public static partial class Geometry {
     /// <summary>The eight corners, each the intersection of three planes: near then far, each in the order
     /// left-bottom, right-bottom, right-top, left-top.
     /// Cost: O(1).</summary>
-    /// <returns>null if three planes do not meet in a point (infinite far plane).</returns>
+    /// <returns>null if three planes do not meet in a point (infinite far plane), or meet beyond the
+    /// largest float.</returns>
     public static unsafe Vec3[] FrustumCorners(Frustum frustum) {
         var corners = new Vec3[8];
         Status status;
@@ -1829,7 +1835,9 @@ public static partial class Geometry {
     /// origin (0, 0, 0). A camera knows its frustum better: Camera.GetFrustum.
     /// Cost: O(1).</summary>
     /// <param name="reverseZ">false: near has the low depth; true: near has the high depth</param>
-    /// <exception cref="GamephysException">Status.ErrorSingular: if the matrix has no volume</exception>
+    /// <exception cref="GamephysException">Status.ErrorSingular: if the matrix has no inverse, or what it
+    /// shows has no volume: its four near corners are not all finite points in front of the
+    /// viewer</exception>
     public static unsafe Frustum FrustumFromMatrix(Mat4 viewProjection, DepthRange depthRange, bool reverseZ) {
         var frustum = default(Frustum);
         Check(Low.gphys_frustum_from_matrix(&viewProjection, depthRange, reverseZ ? 1 : 0, &frustum));

@@ -430,8 +430,10 @@ function Scene:overlap_batch(shapes, layers)
 end
 
 --- Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
---- box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
---- more are listed, which Scene:overlap sorts out by testing the shapes.
+--- box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
+--- some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
+--- world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
+--- the view is wide. Scene:overlap sorts these out by testing the shapes.
 --- Cost: O(log n + k) expected.
 function Scene:cull(frustum, layers)
     return list(uint32_t, function(out, capacity, total)
@@ -545,7 +547,8 @@ end
 
 --- See with an orthographic projection; the distance changes no size.
 --- Cost: O(1).
---- @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+--- @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
+---     most twice MAX_COORDINATE
 --- @param near_distance metres; far at least 1e-6 above near, which may be negative
 --- @param far_distance metres; far at least 1e-6 above near, which may be negative
 function Camera:set_orthographic(height, near_distance, far_distance)
@@ -557,12 +560,13 @@ end
 --- Cost: O(1).
 --- @raise status ERROR_SINGULAR: if it has no inverse, or is too close to such a matrix to tell
 --- @raise status ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity, as it does when
----     the matrix is for another depth range
+---     the matrix is for another depth range, or one lies beyond MAX_COORDINATE
 function Camera:set_projection(projection)
     check(C.gphys_camera_set_projection(opened(self), to_value(Mat4, projection)))
 end
 
---- The viewport was resized. Perspective keeps fov_y, orthographic its height.
+--- The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
+--- makes the width more than twice MAX_COORDINATE.
 --- Cost: O(1).
 --- @param width pixels, 1e-3 .. 1e6
 --- @param height pixels, 1e-3 .. 1e6
@@ -689,7 +693,8 @@ function Camera:orbit_update()
 end
 
 --- The seen volume, with origin at the camera's position and planes from its parameters: each number
---- within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+--- within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
+--- in double precision.
 --- Cost: O(1).
 function Camera:get_frustum(out_frustum)
     out_frustum = out_frustum or Frustum.new()
@@ -699,7 +704,7 @@ end
 
 --- World positions of the corners of the seen volume, in the order of gp.frustum_corners.
 --- Cost: O(1).
---- @return nil with an infinite far plane.
+--- @return nil with an infinite far plane, or a corner beyond the largest float.
 function Camera:get_corners()
     local out_corners = Vec3.array(8)
     if found(C.gphys_camera_get_corners(opened(self), out_corners)) then return out_corners end
@@ -1500,7 +1505,8 @@ end
 --- The eight corners, each the intersection of three planes: near then far, each in the order
 --- left-bottom, right-bottom, right-top, left-top.
 --- Cost: O(1).
---- @return nil if three planes do not meet in a point (infinite far plane).
+--- @return nil if three planes do not meet in a point (infinite far plane), or meet beyond the largest
+---     float.
 function gp.frustum_corners(frustum)
     local out_corners = Vec3.array(8)
     if found(C.gphys_frustum_corners(to_value(Frustum, frustum), out_corners)) then return out_corners end
@@ -1510,7 +1516,8 @@ end
 --- origin (0, 0, 0). A camera knows its frustum better: Camera:get_frustum.
 --- Cost: O(1).
 --- @param reverse_z 0: near has the low depth; 1: near has the high depth
---- @raise status ERROR_SINGULAR: if the matrix has no volume
+--- @raise status ERROR_SINGULAR: if the matrix has no inverse, or what it shows has no volume: its four
+---     near corners are not all finite points in front of the viewer
 function gp.frustum_from_matrix(view_projection, depth_range, reverse_z, out_frustum)
     out_frustum = out_frustum or Frustum.new()
     check(C.gphys_frustum_from_matrix(to_value(Mat4, view_projection), depth_range, to_flag(reverse_z), out_frustum))

@@ -411,8 +411,10 @@ class Scene(Models):
 
     def cull(self, frustum: low.Frustum | Sequence, layers: int = low.ALL_LAYERS) -> np.ndarray:
         """Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its
-        own box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per
-        cent more are listed, which Scene.overlap sorts out by testing the shapes.
+        own box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's
+        edges: some per cent of models that are compact or not turned; of long or flat ones that are
+        turned, whose world boxes are mostly empty, about a third, and as many again as are seen where
+        they are as long as the view is wide. Scene.overlap sorts these out by testing the shapes.
         Cost: O(log n + k) expected."""
         frustum_ = value_of(frustum, low.Frustum)
         return list_of(low.gphys_scene_cull, (self._handle, frustum_.address, layers,), "<u4")
@@ -542,7 +544,8 @@ class Camera(Object):
         Cost: O(1).
 
         Args:
-            height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+            height: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is
+                at most twice MAX_COORDINATE
             near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative"""
         check(low.gphys_camera_set_orthographic(self._handle, height, near_distance, far_distance))
 
@@ -554,12 +557,13 @@ class Camera(Object):
         Raises:
             Error, status ERROR_SINGULAR: if it has no inverse, or is too close to such a matrix to tell
             InvalidArgument: if a plane other than far lies at infinity, as it does when the matrix is
-                for another depth range"""
+                for another depth range, or one lies beyond MAX_COORDINATE"""
         projection_ = value_of(projection, low.Mat4)
         check(low.gphys_camera_set_projection(self._handle, projection_.address))
 
     def set_viewport(self, width: float, height: float) -> None:
-        """The viewport was resized. Perspective keeps fov_y, orthographic its height.
+        """The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if
+        that makes the width more than twice MAX_COORDINATE.
         Cost: O(1).
 
         Args:
@@ -699,7 +703,8 @@ class Camera(Object):
 
     def get_frustum(self) -> low.Frustum:
         """The seen volume, with origin at the camera's position and planes from its parameters: each
-        number within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+        number within 2 ulp; all functions of shapes take it. A user projection gives its planes by
+        Gribb-Hartmann in double precision.
         Cost: O(1)."""
         out_frustum = low.Frustum()
         check(low.gphys_camera_get_frustum(self._handle, ctypes.byref(out_frustum)))
@@ -710,7 +715,7 @@ class Camera(Object):
         Cost: O(1).
 
         Returns:
-            None with an infinite far plane."""
+            None with an infinite far plane, or a corner beyond the largest float."""
         out_corners = np.empty(8, low.vec3_dtype)
         return out_corners if found(low.gphys_camera_get_corners(self._handle, out_corners.ctypes.data)) else None
 
@@ -1605,7 +1610,8 @@ def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
     Cost: O(1).
 
     Returns:
-        None if three planes do not meet in a point (infinite far plane)."""
+        None if three planes do not meet in a point (infinite far plane), or meet beyond the largest
+            float."""
     frustum_ = value_of(frustum, low.Frustum)
     out_corners = np.empty(8, low.vec3_dtype)
     return out_corners if found(low.gphys_frustum_corners(frustum_.address, out_corners.ctypes.data)) else None
@@ -1620,7 +1626,8 @@ def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, 
         reverse_z: False: near has the low depth; True: near has the high depth
 
     Raises:
-        Error, status ERROR_SINGULAR: if the matrix has no volume"""
+        Error, status ERROR_SINGULAR: if the matrix has no inverse, or what it shows has no volume:
+            its four near corners are not all finite points in front of the viewer"""
     view_projection_ = value_of(view_projection, low.Mat4)
     out_frustum = low.Frustum()
     check(low.gphys_frustum_from_matrix(view_projection_.address, depth_range, reverse_z, ctypes.byref(out_frustum)))

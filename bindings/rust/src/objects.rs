@@ -619,8 +619,10 @@ impl Scene {
     }
 
     /// Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-    /// box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
-    /// more are listed, which `Scene::overlap` sorts out by testing the shapes.
+    /// box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
+    /// some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
+    /// world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
+    /// the view is wide. `Scene::overlap` sorts these out by testing the shapes.
     ///
     /// Cost: O(log n + k) expected.
     pub fn cull(&self, frustum: &Frustum, layers: u32) -> Result<Vec<ModelId>> {
@@ -775,7 +777,8 @@ impl Camera {
     ///
     /// Cost: O(1).
     ///
-    /// * `height`: metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    /// * `height`: metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
+    ///   most twice `MAX_COORDINATE`
     /// * `near_distance`, `far_distance`: metres; far at least 1e-6 above near, which may be negative
     pub fn set_orthographic(&mut self, height: f32, near_distance: f32, far_distance: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_orthographic(self.handle.as_ptr(), height, near_distance, far_distance) })
@@ -789,12 +792,13 @@ impl Camera {
     /// # Errors
     /// * `Status::ERROR_SINGULAR`: if it has no inverse, or is too close to such a matrix to tell
     /// * `Status::ERROR_INVALID_ARGUMENT`: if a plane other than far lies at infinity, as it does when the
-    ///   matrix is for another depth range
+    ///   matrix is for another depth range, or one lies beyond `MAX_COORDINATE`
     pub fn set_projection(&mut self, projection: &Mat4) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_projection(self.handle.as_ptr(), projection) })
     }
 
-    /// The viewport was resized. Perspective keeps fov_y, orthographic its height.
+    /// The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
+    /// makes the width more than twice `MAX_COORDINATE`.
     ///
     /// Cost: O(1).
     ///
@@ -957,7 +961,8 @@ impl Camera {
     }
 
     /// The seen volume, with origin at the camera's position and planes from its parameters: each number
-    /// within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    /// within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
+    /// in double precision.
     ///
     /// Cost: O(1).
     pub fn get_frustum(&self) -> Result<Frustum> {
@@ -970,7 +975,7 @@ impl Camera {
     ///
     /// Cost: O(1).
     ///
-    /// Returns `None` with an infinite far plane.
+    /// Returns `None` with an infinite far plane, or a corner beyond the largest float.
     pub fn get_corners(&self) -> Result<Option<[Vec3; 8]>> {
         let mut out_corners = [Vec3::default(); 8];
         Ok(found(unsafe { sys::gphys_camera_get_corners(self.handle.as_ptr(), out_corners.as_mut_ptr()) })?.then_some(out_corners))
@@ -1917,7 +1922,8 @@ pub fn sweep_sphere(shape: &dyn Shape, sphere: &Sphere, displacement: impl Into<
 ///
 /// Cost: O(1).
 ///
-/// Returns `None` if three planes do not meet in a point (infinite far plane).
+/// Returns `None` if three planes do not meet in a point (infinite far plane), or meet beyond the
+/// largest float.
 pub fn frustum_corners(frustum: &Frustum) -> Result<Option<[Vec3; 8]>> {
     let mut out_corners = [Vec3::default(); 8];
     Ok(found(unsafe { sys::gphys_frustum_corners(frustum, out_corners.as_mut_ptr()) })?.then_some(out_corners))
@@ -1931,7 +1937,8 @@ pub fn frustum_corners(frustum: &Frustum) -> Result<Option<[Vec3; 8]>> {
 /// * `reverse_z`: false: near has the low depth; true: near has the high depth
 ///
 /// # Errors
-/// * `Status::ERROR_SINGULAR`: if the matrix has no volume
+/// * `Status::ERROR_SINGULAR`: if the matrix has no inverse, or what it shows has no volume: its four
+///   near corners are not all finite points in front of the viewer
 pub fn frustum_from_matrix(view_projection: &Mat4, depth_range: DepthRange, reverse_z: bool) -> Result<Frustum> {
     let reverse_z = i32::from(reverse_z);
     let mut out_frustum = Frustum::default();

@@ -381,8 +381,10 @@ module Gamephys
     end
 
     # Ids of all models whose world box is not wholly outside one of a frustum's six planes or of its own
-    # box, ascending: for drawing. None that is seen is missed; near the frustum's edges a few per cent
-    # more are listed, which Scene#overlap sorts out by testing the shapes.
+    # box, ascending: for drawing. None that is seen is missed. More are listed near the frustum's edges:
+    # some per cent of models that are compact or not turned; of long or flat ones that are turned, whose
+    # world boxes are mostly empty, about a third, and as many again as are seen where they are as long as
+    # the view is wide. Scene#overlap sorts these out by testing the shapes.
     # Cost: O(log n + k) expected.
     def cull(frustum, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_cull(opened, Frustum.pack(frustum), layers, out, capacity, total) }
@@ -498,7 +500,8 @@ module Gamephys
 
     # See with an orthographic projection; the distance changes no size.
     # Cost: O(1).
-    # @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport
+    # @param height metres seen from top to bottom, >= 1e-6; the width follows from the viewport and is at
+    #     most twice MAX_COORDINATE
     # @param near_distance metres; far at least 1e-6 above near, which may be negative
     # @param far_distance metres; far at least 1e-6 above near, which may be negative
     def set_orthographic(height, near_distance, far_distance)
@@ -511,13 +514,14 @@ module Gamephys
     # Cost: O(1).
     # @raise [Error] if it has no inverse, or is too close to such a matrix to tell (ERROR_SINGULAR)
     # @raise [InvalidArgument] if a plane other than far lies at infinity, as it does when the matrix is
-    #     for another depth range
+    #     for another depth range, or one lies beyond MAX_COORDINATE
     def set_projection(projection)
       Low.check(Low.gphys_camera_set_projection(opened, Mat4.pack(projection)))
       nil
     end
 
-    # The viewport was resized. Perspective keeps fov_y, orthographic its height.
+    # The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
+    # makes the width more than twice MAX_COORDINATE.
     # Cost: O(1).
     # @param width pixels, 1e-3 .. 1e6
     # @param height pixels, 1e-3 .. 1e6
@@ -653,7 +657,8 @@ module Gamephys
     end
 
     # The seen volume, with origin at the camera's position and planes from its parameters: each number
-    # within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+    # within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
+    # in double precision.
     # Cost: O(1).
     def get_frustum
       out_frustum = Frustum.room
@@ -663,7 +668,7 @@ module Gamephys
 
     # World positions of the corners of the seen volume, in the order of Gamephys.frustum_corners.
     # Cost: O(1).
-    # @return nil with an infinite far plane.
+    # @return nil with an infinite far plane, or a corner beyond the largest float.
     def get_corners
       out_corners = Vec3.room(8)
       Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_camera_get_corners(opened, out_corners))
@@ -1437,7 +1442,8 @@ module Gamephys
   # The eight corners, each the intersection of three planes: near then far, each in the order
   # left-bottom, right-bottom, right-top, left-top.
   # Cost: O(1).
-  # @return nil if three planes do not meet in a point (infinite far plane).
+  # @return nil if three planes do not meet in a point (infinite far plane), or meet beyond the largest
+  #     float.
   def self.frustum_corners(frustum)
     out_corners = Vec3.room(8)
     Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_frustum_corners(Frustum.pack(frustum), out_corners))
@@ -1447,7 +1453,8 @@ module Gamephys
   # origin (0, 0, 0). A camera knows its frustum better: Camera#get_frustum.
   # Cost: O(1).
   # @param reverse_z 0: near has the low depth; 1: near has the high depth
-  # @raise [Error] if the matrix has no volume (ERROR_SINGULAR)
+  # @raise [Error] if the matrix has no inverse, or what it shows has no volume: its four near corners
+  #     are not all finite points in front of the viewer (ERROR_SINGULAR)
   def self.frustum_from_matrix(view_projection, depth_range, reverse_z)
     out_frustum = Frustum.room
     Low.check(Low.gphys_frustum_from_matrix(Mat4.pack(view_projection), depth_range, Low.flag(reverse_z), out_frustum))

@@ -66,7 +66,8 @@ public final class Camera extends Owned {
     /**
      * See with an orthographic projection; the distance changes no size.
      * Cost: O(1).
-     * @param height metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport
+     * @param height metres seen from top to bottom, &gt;= 1e-6; the width follows from the viewport and is at
+     *     most twice MAX_COORDINATE
      * @param nearDistance metres; far at least 1e-6 above near, which may be negative
      * @param farDistance metres; far at least 1e-6 above near, which may be negative
      */
@@ -83,7 +84,7 @@ public final class Camera extends Owned {
      * @throws GamephysException with ERROR_SINGULAR: if it has no inverse, or is too close to such a
      *     matrix to tell
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity,
-     *     as it does when the matrix is for another depth range
+     *     as it does when the matrix is for another depth range, or one lies beyond MAX_COORDINATE
      */
     public void setProjection(Mat4 projection) {
         Scratch scratch = Scratch.get();
@@ -93,7 +94,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * The viewport was resized. Perspective keeps fovY, orthographic its height.
+     * The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
+     * makes the width more than twice MAX_COORDINATE.
      * Cost: O(1).
      * @param width pixels, 1e-3 .. 1e6
      * @param height pixels, 1e-3 .. 1e6
@@ -286,7 +288,8 @@ public final class Camera extends Owned {
 
     /**
      * The seen volume, with origin at the camera's position and planes from its parameters: each number
-     * within 2 ulp. A user projection gives its planes by Gribb-Hartmann in double precision.
+     * within 2 ulp; all functions of shapes take it. A user projection gives its planes by Gribb-Hartmann
+     * in double precision.
      * Cost: O(1).
      */
     public Frustum getFrustum() {
@@ -300,7 +303,7 @@ public final class Camera extends Owned {
     /**
      * World positions of the corners of the seen volume, in the order of Gamephys.frustumCorners.
      * Cost: O(1).
-     * @return empty with an infinite far plane.
+     * @return empty with an infinite far plane, or a corner beyond the largest float.
      */
     public Optional<java.util.List<Vec3>> getCorners() {
         Scratch scratch = Scratch.get();

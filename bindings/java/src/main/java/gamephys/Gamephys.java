@@ -332,7 +332,8 @@ public final class Gamephys extends GamephysBase {
      * The eight corners, each the intersection of three planes: near then far, each in the order
      * left-bottom, right-bottom, right-top, left-top.
      * Cost: O(1).
-     * @return empty if three planes do not meet in a point (infinite far plane).
+     * @return empty if three planes do not meet in a point (infinite far plane), or meet beyond the
+     *     largest float.
      */
     public static Optional<java.util.List<Vec3>> frustumCorners(Frustum frustum) {
         Scratch scratch = Scratch.get();
@@ -345,7 +346,8 @@ public final class Gamephys extends GamephysBase {
      * origin (0, 0, 0). A camera knows its frustum better: Camera.getFrustum.
      * Cost: O(1).
      * @param reverseZ false: near has the low depth; true: near has the high depth
-     * @throws GamephysException with ERROR_SINGULAR: if the matrix has no volume
+     * @throws GamephysException with ERROR_SINGULAR: if the matrix has no inverse, or what it shows has no
+     *     volume: its four near corners are not all finite points in front of the viewer
      */
     public static Frustum frustumFromMatrix(Mat4 viewProjection, int depthRange, boolean reverseZ) {
         Scratch scratch = Scratch.get();
