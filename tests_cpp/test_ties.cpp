@@ -590,7 +590,8 @@ TEST_CASE("of layers of a mesh that are closer than floats can tell from far awa
     Random random(68);
     test::Arrays arrays;
     for (uint32_t i = 0; i < layers; ++i) {
-        const float z = 5 + 1e-5f * static_cast<float>(i * 37 % layers), x = random.uniform_float(-0.1f, 0.1f);
+        const float z = 5 + 1e-5f * static_cast<float>(layers - 1 - i * 37 % layers),
+                    x = random.uniform_float(-0.1f, 0.1f);
         arrays.vertices.insert(arrays.vertices.end(), {{x - 2, -1, z}, {x + 2, -1, z}, {x, 2, z}});
         arrays.add(3 * i, 3 * i + 1, 3 * i + 2);
     }
