@@ -98,6 +98,7 @@ struct ClothContacts {
     uint64_t neighbourhood = 0;    // a hash of the models that were around when the last step ended
     bool pushed = false;           // whether any that touches is, by a model that moves
     bool sunk = false;             // whether any has been found in a model
+    bool kept = false;             // whether there was a last step, so that the above are its; not after a snapshot
 
     bool touches() const { return !touching.empty(); }
 };

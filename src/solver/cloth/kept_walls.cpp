@@ -45,7 +45,8 @@ Kept kept_walls(Body& body, const Surroundings& around) {
         looked.assign(4 * size_t{body.size()}, ClothState::not_looked);
         return Kept::nothing;
     }
-    return contacts.neighbourhood == neighbourhood(body, *around.scene) ? Kept::walls : Kept::places;
+    const bool same = contacts.kept && contacts.neighbourhood == neighbourhood(body, *around.scene);
+    return same ? Kept::walls : Kept::places;
 }
 
 void keep_walls(Body& body, const Surroundings& around) {
@@ -56,6 +57,7 @@ void keep_walls(Body& body, const Surroundings& around) {
         body.cloth.looked.clear();
         return;
     }
+    contacts.kept = true;
     contacts.neighbourhood = neighbourhood(body, *around.scene);
 }
 
