@@ -132,7 +132,8 @@ GPHYS_API const char* gphys_last_error(void);
 /** Memory functions for one object and everything in it. Both are called on the thread that calls
  *  the library, possibly from several threads if the objects that share it are used so.
  *  allocate returns NULL on failure (reported as GPHYS_ERROR_OUT_OF_MEMORY, nothing changed);
- *  release gets the same size and alignment again. The struct is copied at creation. */
+ *  release gets the same size and alignment again. The struct is copied at creation. Functions in
+ *  C++ may throw: allocate has then failed, and what release throws is ignored. */
 typedef struct gphys_allocator {
     void* (*allocate)(void* user, size_t size, size_t alignment);
     void (*release)(void* user, void* memory, size_t size, size_t alignment);
@@ -146,7 +147,9 @@ typedef void (*gphys_task)(void* context, uint32_t index);
 /** The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
  *  each once, in any order, on any threads, several at a time or not, and returns when all have
  *  returned. It is called on the thread that called the library, by several at the same time if
- *  several ask. The struct is copied at creation. */
+ *  several ask. The struct is copied at creation. A function in C++ may throw, if no call of task
+ *  begins after that; the thread that called the library waits for those under way and does what is
+ *  left, and the results are the same. */
 typedef struct gphys_task_runner {
     void (*run)(void* user, gphys_task task, void* context, uint32_t count);
     void* user;
@@ -1539,6 +1542,9 @@ GPHYS_API gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene
  *  @param frame_time    seconds, >= 0
  *  @param out_steps     steps made; may be NULL
  *  @param out_leftover  0 <= fraction of a step still owed < 1, to blend drawings; may be NULL
+ *  @return GPHYS_ERROR_OUT_OF_MEMORY if there is none for the first step: nothing has changed. If there
+ *          is none for a later one, GPHYS_OK with the steps made; the others are left out, as those beyond
+ *          max_steps are
  *  Cost: that of the steps made. */
 GPHYS_API gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene, float frame_time,
                                             uint32_t* out_steps, float* out_leftover);
@@ -1616,6 +1622,8 @@ GPHYS_API gphys_status gphys_solver_get_snapshot(const gphys_solver* solver, uin
 /** Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
  *  time of the snapshot. Steps go on with the same bits as they did then, provided that the scene,
  *  too, is as it was. On an error the solver is as before.
+ *  Any words are safe, also those of a stranger: all that is used as a number or an index is checked
+ *  first. Made-up words are refused, or taken as a state whose numbers are in range.
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another version or
  *          byte order; GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it
  *  Cost: as gphys_solver_get_snapshot; allocates. */
