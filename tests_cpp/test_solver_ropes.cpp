@@ -1,5 +1,6 @@
 // Ropes that nothing disturbs are moved side by side: with the same bits as alone, whatever the
 // instruction set, and not past what they could meet after all.
+#include <cfenv>
 #include <cstring>
 
 #include "solver/time_scheme.h"
@@ -87,6 +88,14 @@ TEST_CASE("the pieces of a cut rope move with the same bits as ropes of their ow
     moved.insert(moved.end(), rest.begin(), rest.end());
     CHECK(same_bits(cut.positions(whole), moved));
     CHECK(!same_bits(moved, points));
+}
+
+TEST_CASE("ropes divide nothing by zero, whether they yield or not") {
+    World world;
+    for (uint32_t which = 0; which < 40; ++which) add_rope(world, which);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    for (int i = 0; i < 5; ++i) REQUIRE(gphys_solver_step(world.solver, nullptr, 1.0f / 60) == GPHYS_OK);
+    REQUIRE(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
 }
 
 TEST_CASE("a damped rope falls as the closed form says") {

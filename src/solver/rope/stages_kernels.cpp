@@ -39,7 +39,9 @@ __attribute__((flatten)) void find_agility(const RopeNode<lanes>* nodes, uint32_
         const Value swinging = swings * pull * mobility;
         const Value inverse = load(a.inverse_target);
         const Value sideways = largest(turning * inverse, swinging) * inverse;
-        const Value along = select(none < compliance, swings * mobility / compliance, none);
+        // Where it is rigid nothing is divided by 0, which hosts may trap.
+        const auto yields = none < compliance;
+        const Value along = select(yields, swings * mobility / select(yields, compliance, all_of<lanes>(1)), none);
         most = largest(most, largest(sideways, along) * load(a.present));
         weight = weight_after;
     }
