@@ -2257,6 +2257,8 @@ func (o *Solver) Step(scene *Scene, dt float32) (err error) {
 // so the motion does not depend on the frame rate.
 //   - frameTime: seconds, >= 0
 // Result: steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+// The error is ErrOutOfMemory if there is none for the first step: nothing has changed. If there is
+// none for a later one.
 // Cost: that of the steps made.
 func (o *Solver) Advance(scene *Scene, frameTime float32) (steps uint32, leftover float32, err error) {
 	self, err := o.open()
@@ -2372,7 +2374,9 @@ func (o *Solver) Snapshot() (result []uint32, err error) {
 
 // Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
 // time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-// is as it was. On an error the solver is as before.
+// is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
+// that is used as a number or an index is checked first. Made-up words are refused, or taken as a
+// state whose numbers are in range.
 // The error is ErrInvalidArgument for words that are no snapshot, damaged, of another version or byte
 // order.
 // The error is ErrOutOfMemory if there is no room for it.

@@ -1092,7 +1092,9 @@ export class Solver {
      * so the motion does not depend on the frame rate.
      * Cost: that of the steps made.
      * @param frame_time - seconds, >= 0
-     * @returns steps made. 0 <= fraction of a step still owed < 1, to blend drawings. */
+     * @returns steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+     * @throws {GamephysError} ERROR_OUT_OF_MEMORY: if there is none for the first step: nothing has
+     *     changed. If there is none for a later one */
     advance(scene: Scene | null, frame_time: number): [number, number];
     /** The substeps that a body took in the last step; 0 before its first. With SolverDesc.max_strain or
      * tolerance set, each body takes as many as its own motion needs: their length follows from what the
@@ -1126,7 +1128,9 @@ export class Solver {
     getSnapshot(): Records<number>;
     /** Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
      * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-     * is as it was. On an error the solver is as before.
+     * is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
+     * that is used as a number or an index is checked first. Made-up words are refused, or taken as a
+     * state whose numbers are in range.
      * Cost: as Solver.getSnapshot; allocates.
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for words that are no snapshot, damaged, of another
      *     version or byte order

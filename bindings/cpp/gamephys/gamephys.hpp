@@ -1231,6 +1231,8 @@ public:
     // so the motion does not depend on the frame rate.
     //   - frame_time: seconds, >= 0
     // Result: steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+    // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY if there is none for the first step: nothing has
+    // changed. If there is none for a later one.
     // Cost: that of the steps made.
     std::tuple<uint32_t, float> advance(const Scene* scene, float frame_time) {
         uint32_t out_steps{};
@@ -1290,7 +1292,9 @@ public:
 
     // Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
     // time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-    // is as it was. On an error the solver is as before.
+    // is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
+    // that is used as a number or an index is checked first. Made-up words are refused, or taken as a
+    // state whose numbers are in range.
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot, damaged, of another
     // version or byte order.
     // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it.

@@ -1468,6 +1468,8 @@ public sealed partial class Solver : IDisposable {
     /// Cost: that of the steps made.</summary>
     /// <param name="frameTime">seconds, &gt;= 0</param>
     /// <returns>steps made. 0 &lt;= fraction of a step still owed &lt; 1, to blend drawings.</returns>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: if there is none for the first step:
+    /// nothing has changed. If there is none for a later one</exception>
     public unsafe (uint Steps, float Leftover) Advance(float frameTime, Scene scene = null) {
         var steps = default(uint);
         var leftover = default(float);
@@ -1562,7 +1564,9 @@ public sealed partial class Solver : IDisposable {
 
     /// <summary>Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
     /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-    /// is as it was. On an error the solver is as before.
+    /// is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
+    /// that is used as a number or an index is checked first. Made-up words are refused, or taken as a
+    /// state whose numbers are in range.
     /// Cost: as Solver.GetSnapshot; allocates.</summary>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for words that are no snapshot,
     /// damaged, of another version or byte order</exception>

@@ -132,7 +132,8 @@ public static class Constants {
 /// Memory functions for one object and everything in it. Both are called on the thread that calls
 /// the library, possibly from several threads if the objects that share it are used so.
 /// allocate returns null on failure (reported as Status.ErrorOutOfMemory, nothing changed);
-/// release gets the same size and alignment again. The struct is copied at creation.
+/// release gets the same size and alignment again. The struct is copied at creation. Functions in
+/// C++ may throw: allocate has then failed, and what release throws is ignored.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct Allocator {
@@ -146,7 +147,9 @@ public partial struct Allocator {
 /// The caller's own threads (a job system). run calls task(context, 0) .. task(context, count - 1),
 /// each once, in any order, on any threads, several at a time or not, and returns when all have
 /// returned. It is called on the thread that called the library, by several at the same time if
-/// several ask. The struct is copied at creation.
+/// several ask. The struct is copied at creation. A function in C++ may throw, if no call of task
+/// begins after that; the thread that called the library waits for those under way and does what is
+/// left, and the results are the same.
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct TaskRunner {

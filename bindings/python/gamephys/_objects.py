@@ -1283,7 +1283,11 @@ class Solver(Object):
             frame_time: seconds, >= 0
 
         Returns:
-            steps made. 0 <= fraction of a step still owed < 1, to blend drawings."""
+            steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+
+        Raises:
+            OutOfMemory: if there is none for the first step: nothing has changed. If there is none for
+                a later one"""
         out_steps = ctypes.c_uint32()
         out_leftover = ctypes.c_float()
         check(low.gphys_solver_advance(self._handle, handle_of(scene, Scene), frame_time, ctypes.byref(out_steps), ctypes.byref(out_leftover)))
@@ -1342,7 +1346,9 @@ class Solver(Object):
     def restore(self, words: ArrayLike) -> None:
         """Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of
         the time of the snapshot. Steps go on with the same bits as they did then, provided that the
-        scene, too, is as it was. On an error the solver is as before.
+        scene, too, is as it was. On an error the solver is as before. Any words are safe, also those of
+        a stranger: all that is used as a number or an index is checked first. Made-up words are
+        refused, or taken as a state whose numbers are in range.
         Cost: as Solver.get_snapshot; allocates.
 
         Raises:

@@ -1602,6 +1602,10 @@ impl Solver {
     /// * `frame_time`: seconds, >= 0
     ///
     /// Returns steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_OUT_OF_MEMORY`: if there is none for the first step: nothing has changed. If there
+    ///   is none for a later one
     pub fn advance(&mut self, scene: Option<&Scene>, frame_time: f32) -> Result<(u32, f32)> {
         let mut out_steps = u32::default();
         let mut out_leftover = f32::default();
@@ -1669,7 +1673,9 @@ impl Solver {
 
     /// Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
     /// time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-    /// is as it was. On an error the solver is as before.
+    /// is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
+    /// that is used as a number or an index is checked first. Made-up words are refused, or taken as a
+    /// state whose numbers are in range.
     ///
     /// Cost: as `Solver::get_snapshot`; allocates.
     ///

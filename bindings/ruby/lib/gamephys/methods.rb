@@ -1184,6 +1184,8 @@ module Gamephys
     # Cost: that of the steps made.
     # @param frame_time seconds, >= 0
     # @return steps made. 0 <= fraction of a step still owed < 1, to blend drawings.
+    # @raise [OutOfMemory] if there is none for the first step: nothing has changed. If there is none for
+    #     a later one
     def advance(scene, frame_time)
       out_steps = UInt32.room
       out_leftover = Float32.room
@@ -1242,7 +1244,9 @@ module Gamephys
 
     # Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
     # time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-    # is as it was. On an error the solver is as before.
+    # is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
+    # that is used as a number or an index is checked first. Made-up words are refused, or taken as a
+    # state whose numbers are in range.
     # Cost: as Solver#get_snapshot; allocates.
     # @raise [InvalidArgument] for words that are no snapshot, damaged, of another version or byte order
     # @raise [OutOfMemory] if there is no room for it

@@ -625,6 +625,8 @@ public final class Solver extends Owned {
      * Cost: that of the steps made.
      * @param frameTime seconds, &gt;= 0
      * @return steps made. 0 &lt;= fraction of a step still owed &lt; 1, to blend drawings.
+     * @throws GamephysException with ERROR_OUT_OF_MEMORY: if there is none for the first step: nothing has
+     *     changed. If there is none for a later one
      */
     public AdvanceResult advance(Scene scene, float frameTime) {
         Scratch scratch = Scratch.get();
@@ -712,7 +714,9 @@ public final class Solver extends Owned {
     /**
      * Replace the whole state by that of a snapshot, of this or of another solver. Ids are those of the
      * time of the snapshot. Steps go on with the same bits as they did then, provided that the scene, too,
-     * is as it was. On an error the solver is as before.
+     * is as it was. On an error the solver is as before. Any words are safe, also those of a stranger: all
+     * that is used as a number or an index is checked first. Made-up words are refused, or taken as a
+     * state whose numbers are in range.
      * Cost: as Solver.getSnapshot; allocates.
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for words that are no snapshot, damaged, of
      *     another version or byte order
