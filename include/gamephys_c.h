@@ -1269,7 +1269,7 @@ GPHYS_API gphys_status gphys_solver_add_particles(gphys_solver* solver, const gp
 /** Add a rope through the given points, one particle at each.
  *  @param desc         NULL: the defaults
  *  @param positions    metres; count elements, count >= 2
- *  @param link_length  rest length of each link in metres; 0: as placed
+ *  @param link_length  rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as 0.
  *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_body_desc* desc,
@@ -1281,7 +1281,8 @@ GPHYS_API gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_b
  *  @param corner         metres
  *  @param edge_u, edge_v metres, from the corner along a row and along a column
  *  @param columns, rows  >= 2
- *  @return GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if the edges are parallel or zero;
+ *          GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles, links or bodies
  *  Cost: O(columns * rows). */
 GPHYS_API gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_body_desc* desc,
                                               const gphys_vec3* corner, const gphys_vec3* edge_u,
@@ -1495,8 +1496,8 @@ typedef uint32_t gphys_joint_id;
  *  system, as stiff as one rope; a joined particle of cloth has all that hangs on it for inertia. Free
  *  particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined bodies are moved by
  *  one thread and fall asleep and wake together. A joint goes with either body.
- *  @param rest_length  metres; 0: at the same place; negative: the present distance. Particles that are not
- *                      as far apart are drawn there within a step, and get the speed of that.
+ *  @param rest_length  metres; 0: at the same place, as below 1e-9; negative: the present distance. Particles
+ *                      that are not as far apart are drawn there within a step, and get the speed of that.
  *  @param compliance   metres per newton, >= 0; 0 is rigid
  *  @return GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same body (see
  *          gphys_solver_add_distance); GPHYS_ERROR_CAPACITY beyond 2^24 - 1 joints

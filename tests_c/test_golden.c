@@ -552,7 +552,8 @@ static uint64_t shapes(uint32_t workers) {
         const gphys_vec3 way = random_point(2);
         const gphys_obb box = {q, {1, 0.5f, 0.25f}, placed(p, i % 3, 16, i % 16).rotation};
         const gphys_capsule capsule = {r, v, (float)(i % 64) / 64};
-        const gphys_triangle triangle = {corner, way, r};
+        /* Some rays begin on a corner, where weights are zero. */
+        const gphys_triangle triangle = {i % 3 == 0 ? p : corner, i % 3 == 0 ? r : way, i % 3 == 0 ? v : r};
         const gphys_ray ray = {p, way, INFINITY};
         const gphys_sphere ball = {p, 0.125f};
         const void* all[3];

@@ -1679,7 +1679,7 @@ func (o *Solver) AddParticles(positions []Vec3, desc *BodyDesc) (body BodyID, er
 // Add a rope through the given points, one particle at each.
 //   - desc: nil: the defaults
 //   - positions: metres
-//   - linkLength: rest length of each link in metres; 0: as placed
+//   - linkLength: rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as 0.
 // The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
 // Cost: O(elements).
 func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (body BodyID, err error) {
@@ -1706,7 +1706,8 @@ func (o *Solver) AddRope(positions []Vec3, linkLength float32, desc *BodyDesc) (
 //   - corner: metres
 //   - edgeU, edgeV: metres, from the corner along a row and along a column
 //   - columns, rows: >= 2
-// The error is ErrCapacity beyond 2^24 - 1 particles or bodies.
+// The error is ErrInvalidArgument if the edges are parallel or zero.
+// The error is ErrCapacity beyond 2^24 - 1 particles, links or bodies.
 // Cost: O(columns * rows).
 func (o *Solver) AddCloth(corner Vec3, edgeU Vec3, edgeV Vec3, columns uint32, rows uint32, desc *BodyDesc) (body BodyID, err error) {
 	self, err := o.open()
@@ -2178,8 +2179,8 @@ func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 // as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
 // inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
 // bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
-//   - restLength: metres; 0: at the same place; negative: the present distance. Particles that are not
-//     as far apart are drawn there within a step, and get the speed of that.
+//   - restLength: metres; 0: at the same place, as below 1e-9; negative: the present distance.
+//     Particles that are not as far apart are drawn there within a step, and get the speed of that.
 //   - compliance: metres per newton, >= 0; 0 is rigid
 // The error is ErrInvalidArgument for a particle that does not exist or twice the same body (see
 // Solver.AddDistance).

@@ -903,7 +903,8 @@ export class Solver {
      * Cost: O(elements).
      * @param desc - null: the defaults
      * @param positions - metres
-     * @param link_length - rest length of each link in metres; 0: as placed
+     * @param link_length - rest length of each link in metres; 0: as placed. A length below 1e-9 m counts
+     *     as 0.
      * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
     addRope(positions: Elements, link_length: number, desc?: Partial<BodyDesc> | null): number;
     /** Add a rectangle of cloth: particle (column, row) is number row * columns + column and stands at
@@ -915,7 +916,8 @@ export class Solver {
      * @param edge_v - metres, from the corner along a row and along a column
      * @param columns - >= 2
      * @param rows - >= 2
-     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies */
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if the edges are parallel or zero
+     * @throws {GamephysError} ERROR_CAPACITY: beyond 2^24 - 1 particles, links or bodies */
     addCloth(corner: Given<number[]>, edge_u: Given<number[]>, edge_v: Given<number[]>, columns: number, rows: number, desc?: Partial<BodyDesc> | null): number;
     /** Add cloth in the form of a mesh: a particle at each vertex, a constraint along each edge, and with
      * CLOTH_BEND one across each inner edge. Vertices at the same place stay separate.
@@ -1065,8 +1067,8 @@ export class Solver {
      * bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
      * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
      * one of a rope that is not joined.
-     * @param rest_length - metres; 0: at the same place; negative: the present distance. Particles that
-     *     are not as far apart are drawn there within a step, and get the speed of that.
+     * @param rest_length - metres; 0: at the same place, as below 1e-9; negative: the present distance.
+     *     Particles that are not as far apart are drawn there within a step, and get the speed of that.
      * @param compliance - metres per newton, >= 0; 0 is rigid
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same
      *     body (see Solver.addDistance)

@@ -260,8 +260,9 @@ Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossi
     } else if (ray.direction != Vec3{}) {
         hit.normal = -normalized(ray.direction);
     }
-    hit.u = std::clamp(crossing.u, 0.0, 1.0);
-    hit.v = std::clamp(crossing.v, 0.0, 1.0 - hit.u);
+    // Exact zeros have the sign that the arithmetic of the platform gives them; these have none.
+    hit.u = std::clamp(crossing.u, 0.0, 1.0) + 0.0;
+    hit.v = std::clamp(crossing.v, 0.0, 1.0 - hit.u) + 0.0;
     hit.point = ray.direction != Vec3{}
                     ? triangle.a + hit.u * (triangle.b - triangle.a) + hit.v * (triangle.c - triangle.a)
                     : ray.origin;

@@ -133,7 +133,7 @@ GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], cons
     }
     const Vector8 normal = normalized(select(clear, turn, {1.0, 0.0, 0.0})) * widened(load(side));
     const auto clamped = [](Double8 weight, Double8 most) {
-        return select(weight < 0, 0.0, select(most < weight, most, weight));
+        return select(weight < 0, 0.0, select(most < weight, most, weight)) + 0.0;  // as in hit_at
     };
     const Double8 u = clamped(crossing[1], 1.0), v = clamped(crossing[2], 1.0 - u);
 

@@ -929,7 +929,8 @@ public:
     // Add a rope through the given points, one particle at each.
     //   - desc: nullptr: the defaults
     //   - positions: metres
-    //   - link_length: rest length of each link in metres; 0: as placed
+    //   - link_length: rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as
+    //     0.
     // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
     // Cost: O(elements).
     gphys_body_id add_rope(Span<const Vec3> positions, float link_length, const BodyDesc* desc = nullptr) {
@@ -945,7 +946,8 @@ public:
     //   - corner: metres
     //   - edge_u, edge_v: metres, from the corner along a row and along a column
     //   - columns, rows: >= 2
-    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles or bodies.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if the edges are parallel or zero.
+    // Throws Error with GPHYS_ERROR_CAPACITY beyond 2^24 - 1 particles, links or bodies.
     // Cost: O(columns * rows).
     gphys_body_id add_cloth(const Vec3& corner, const Vec3& edge_u, const Vec3& edge_v, uint32_t columns, uint32_t rows, const BodyDesc* desc = nullptr) {
         gphys_body_id out_body{};
@@ -1188,8 +1190,8 @@ public:
     // as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for
     // inertia. Free particles of a joined body fly by the time scheme of ropes, no longer exactly. Joined
     // bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
-    //   - rest_length: metres; 0: at the same place; negative: the present distance. Particles that are
-    //     not as far apart are drawn there within a step, and get the speed of that.
+    //   - rest_length: metres; 0: at the same place, as below 1e-9; negative: the present distance.
+    //     Particles that are not as far apart are drawn there within a step, and get the speed of that.
     //   - compliance: metres per newton, >= 0; 0 is rigid
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a particle that does not exist or twice the same
     // body (see Solver::add_distance).

@@ -1074,7 +1074,8 @@ public sealed partial class Solver : IDisposable {
     /// Cost: O(elements).</summary>
     /// <param name="desc">null: the defaults</param>
     /// <param name="positions">metres</param>
-    /// <param name="linkLength">rest length of each link in metres; 0: as placed</param>
+    /// <param name="linkLength">rest length of each link in metres; 0: as placed. A length below 1e-9 m
+    /// counts as 0.</param>
     /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
     /// bodies</exception>
     public unsafe uint AddRope(ReadOnlySpan<Vec3> positions, float linkLength = 0, BodyDesc? desc = null) {
@@ -1095,7 +1096,9 @@ public sealed partial class Solver : IDisposable {
     /// <param name="edgeV">metres, from the corner along a row and along a column</param>
     /// <param name="columns">&gt;= 2</param>
     /// <param name="rows">&gt;= 2</param>
-    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles or
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if the edges are parallel or
+    /// zero</exception>
+    /// <exception cref="GamephysException">Status.ErrorCapacity: beyond 2^24 - 1 particles, links or
     /// bodies</exception>
     public unsafe uint AddCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, uint columns, uint rows, BodyDesc? desc = null) {
         var desc_ = desc.GetValueOrDefault();
@@ -1413,8 +1416,9 @@ public sealed partial class Solver : IDisposable {
     /// bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
     /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
     /// one of a rope that is not joined.</summary>
-    /// <param name="restLength">metres; 0: at the same place; negative: the present distance. Particles
-    /// that are not as far apart are drawn there within a step, and get the speed of that.</param>
+    /// <param name="restLength">metres; 0: at the same place, as below 1e-9; negative: the present
+    /// distance. Particles that are not as far apart are drawn there within a step, and get the speed of
+    /// that.</param>
     /// <param name="compliance">metres per newton, &gt;= 0; 0 is rigid</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a particle that does not exist
     /// or twice the same body (see Solver.AddDistance)</exception>

@@ -890,7 +890,8 @@ do
     --- Cost: O(elements).
     --- @param desc nil: the defaults
     --- @param positions metres
-    --- @param link_length rest length of each link in metres; 0: as placed
+    --- @param link_length rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as
+    ---     0.
     --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
     function Solver:add_rope(positions, link_length, desc)
         local positions, positions_count, positions_stride = to_array(Vec3, positions)
@@ -911,7 +912,8 @@ do
     --- @param edge_v metres, from the corner along a row and along a column
     --- @param columns >= 2
     --- @param rows >= 2
-    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
+    --- @raise status ERROR_INVALID_ARGUMENT: if the edges are parallel or zero
+    --- @raise status ERROR_CAPACITY: beyond 2^24 - 1 particles, links or bodies
     function Solver:add_cloth(corner, edge_u, edge_v, columns, rows, desc)
         check(C.gphys_solver_add_cloth(opened(self), desc and to_desc(BodyDesc, desc), to_value(Vec3, corner), to_value(Vec3, edge_u), to_value(Vec3, edge_v), columns, rows, out_body))
         return out_body[0]
@@ -1185,8 +1187,8 @@ do
     --- bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
     --- Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
     --- one of a rope that is not joined.
-    --- @param rest_length metres; 0: at the same place; negative: the present distance. Particles that are
-    ---     not as far apart are drawn there within a step, and get the speed of that.
+    --- @param rest_length metres; 0: at the same place, as below 1e-9; negative: the present distance.
+    ---     Particles that are not as far apart are drawn there within a step, and get the speed of that.
     --- @param compliance metres per newton, >= 0; 0 is rigid
     --- @raise status ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice the same body (see
     ---     Solver:add_distance)

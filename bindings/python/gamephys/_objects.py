@@ -923,7 +923,8 @@ class Solver(Object):
         Args:
             desc: None: the defaults
             positions: metres
-            link_length: rest length of each link in metres; 0: as placed
+            link_length: rest length of each link in metres; 0: as placed. A length below 1e-9 m counts
+                as 0.
 
         Raises:
             Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
@@ -946,7 +947,8 @@ class Solver(Object):
             columns, rows: >= 2
 
         Raises:
-            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies"""
+            InvalidArgument: if the edges are parallel or zero
+            Error, status ERROR_CAPACITY: beyond 2^24 - 1 particles, links or bodies"""
         desc_ = value_of(desc, low.BodyDesc)
         corner_ = value_of(corner, low.Vec3)
         edge_u_ = value_of(edge_u, low.Vec3)
@@ -1234,8 +1236,9 @@ class Solver(Object):
         as one of a rope that is not joined.
 
         Args:
-            rest_length: metres; 0: at the same place; negative: the present distance. Particles that
-                are not as far apart are drawn there within a step, and get the speed of that.
+            rest_length: metres; 0: at the same place, as below 1e-9; negative: the present distance.
+                Particles that are not as far apart are drawn there within a step, and get the speed of
+                that.
             compliance: metres per newton, >= 0; 0 is rigid
 
         Raises:

@@ -1210,7 +1210,8 @@ impl Solver {
     ///
     /// * `desc`: None: the defaults
     /// * `positions`: metres
-    /// * `link_length`: rest length of each link in metres; 0: as placed
+    /// * `link_length`: rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as
+    ///   0.
     ///
     /// # Errors
     /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or bodies
@@ -1233,7 +1234,8 @@ impl Solver {
     /// * `columns`, `rows`: >= 2
     ///
     /// # Errors
-    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles or bodies
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if the edges are parallel or zero
+    /// * `Status::ERROR_CAPACITY`: beyond 2^24 - 1 particles, links or bodies
     pub fn add_cloth(&mut self, corner: impl Into<Vec3>, edge_u: impl Into<Vec3>, edge_v: impl Into<Vec3>, columns: u32, rows: u32, desc: Option<&BodyDesc>) -> Result<BodyId> {
         let corner = &corner.into();
         let edge_u = &edge_u.into();
@@ -1548,8 +1550,8 @@ impl Solver {
     /// Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
     /// one of a rope that is not joined.
     ///
-    /// * `rest_length`: metres; 0: at the same place; negative: the present distance. Particles that are
-    ///   not as far apart are drawn there within a step, and get the speed of that.
+    /// * `rest_length`: metres; 0: at the same place, as below 1e-9; negative: the present distance.
+    ///   Particles that are not as far apart are drawn there within a step, and get the speed of that.
     /// * `compliance`: metres per newton, >= 0; 0 is rigid
     ///
     /// # Errors

@@ -852,7 +852,8 @@ module Gamephys
     # Cost: O(elements).
     # @param desc nil: the defaults
     # @param positions metres
-    # @param link_length rest length of each link in metres; 0: as placed
+    # @param link_length rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as
+    #     0.
     # @raise [Error] beyond 2^24 - 1 particles or bodies (ERROR_CAPACITY)
     def add_rope(positions, link_length: 0, **desc)
       positions = Low.array(Vec3, positions)
@@ -871,7 +872,8 @@ module Gamephys
     # @param edge_v metres, from the corner along a row and along a column
     # @param columns >= 2
     # @param rows >= 2
-    # @raise [Error] beyond 2^24 - 1 particles or bodies (ERROR_CAPACITY)
+    # @raise [InvalidArgument] if the edges are parallel or zero
+    # @raise [Error] beyond 2^24 - 1 particles, links or bodies (ERROR_CAPACITY)
     def add_cloth(corner, edge_u, edge_v, columns, rows, **desc)
       out_body = UInt32.room
       Low.check(Low.gphys_solver_add_cloth(opened, Low.desc(Low::BodyDesc, :gphys_body_desc_init, desc), Vec3.pack(corner), Vec3.pack(edge_u), Vec3.pack(edge_v), columns, rows, out_body))
@@ -1140,8 +1142,8 @@ module Gamephys
     # bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
     # Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
     # one of a rope that is not joined.
-    # @param rest_length metres; 0: at the same place; negative: the present distance. Particles that are
-    #     not as far apart are drawn there within a step, and get the speed of that.
+    # @param rest_length metres; 0: at the same place, as below 1e-9; negative: the present distance.
+    #     Particles that are not as far apart are drawn there within a step, and get the speed of that.
     # @param compliance metres per newton, >= 0; 0 is rigid
     # @raise [InvalidArgument] for a particle that does not exist or twice the same body (see
     #     Solver#add_distance)

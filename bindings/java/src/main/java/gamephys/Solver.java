@@ -106,7 +106,8 @@ public final class Solver extends Owned {
      * Cost: O(elements).
      * @param desc null: the defaults
      * @param positions metres
-     * @param linkLength rest length of each link in metres; 0: as placed
+     * @param linkLength rest length of each link in metres; 0: as placed. A length below 1e-9 m counts as
+     *     0.
      * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
      */
     public int addRope(Batch<Vec3> positions, float linkLength, BodyDesc desc) {
@@ -138,7 +139,8 @@ public final class Solver extends Owned {
      * @param edgeV metres, from the corner along a row and along a column
      * @param columns &gt;= 2
      * @param rows &gt;= 2
-     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles or bodies
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: if the edges are parallel or zero
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^24 - 1 particles, links or bodies
      */
     public int addCloth(Vec3 corner, Vec3 edgeU, Vec3 edgeV, int columns, int rows, BodyDesc desc) {
         Scratch scratch = Scratch.get();
@@ -557,8 +559,8 @@ public final class Solver extends Owned {
      * bodies are moved by one thread and fall asleep and wake together. A joint goes with either body.
      * Cost: the next step plans all joined ropes again. A link of them takes some three times as long as
      * one of a rope that is not joined.
-     * @param restLength metres; 0: at the same place; negative: the present distance. Particles that are
-     *     not as far apart are drawn there within a step, and get the speed of that.
+     * @param restLength metres; 0: at the same place, as below 1e-9; negative: the present distance.
+     *     Particles that are not as far apart are drawn there within a step, and get the speed of that.
      * @param compliance metres per newton, &gt;= 0; 0 is rigid
      * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a particle that does not exist or twice
      *     the same body (see Solver.addDistance)
