@@ -114,17 +114,17 @@ bool nearest(const PlacedModel& model, Vec3 point, gphys_nearest& out) {
     } else {
         const MeshSource& mesh = *std::get<1>(model.shape);
         const Vec3 local = model.world.inverse_apply(point);
-        double least = infinity;
+        // Of triangles that are reported at the same distance in the world the lowest is the nearest.
+        float least = std::numeric_limits<float>::infinity();
         for (uint32_t i = 0; i < mesh.triangles(); ++i) {
-            const Vec3 candidate = closest_point(triangle_of(mesh, i), local);
-            const double square = length_squared(candidate - local);
-            if (square >= least) continue;
-            least = square;
+            const Vec3 candidate = model.world.apply(closest_point(triangle_of(mesh, i), local));
+            const float distance = reported(std::sqrt(length_squared(candidate - point)));
+            if (distance >= least) continue;
+            least = distance;
             closest = candidate;
             triangle = i;
         }
-        if (least == infinity) return false;
-        closest = model.world.apply(closest);
+        if (triangle == GPHYS_NO_TRIANGLE) return false;
     }
     out = to_nearest(closest, std::sqrt(length_squared(closest - point)), triangle, model.id, model.tag);
     return true;

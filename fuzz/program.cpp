@@ -53,11 +53,12 @@ const Public& shown(const char* what, const Public& value, size_t size = sizeof(
 bool in_range(float v) { return std::fabs(v) <= GPHYS_MAX_COORDINATE; }
 bool is_size(float v) { return v >= 0 && v <= GPHYS_MAX_COORDINATE; }
 bool is_zero(const gphys_vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+/// A unit normal may have been rounded to floats.
 bool is_plane(const gphys_plane& plane) {
     const double x = plane.normal.x, y = plane.normal.y, z = plane.normal.z;
     return is_valid(plane.normal) && in_range(plane.distance) && !is_zero(plane.normal) &&
            std::fabs(static_cast<double>(plane.distance)) <=
-               double{GPHYS_MAX_COORDINATE} * std::sqrt(x * x + y * y + z * z);
+               double{GPHYS_MAX_COORDINATE} * (1 + 0x1p-22) * std::sqrt(x * x + y * y + z * z);
 }
 
 }  // namespace

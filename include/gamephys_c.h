@@ -1110,14 +1110,15 @@ GPHYS_API gphys_status gphys_camera_unproject_batch(const gphys_camera* camera, 
  *  near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
  *  For perspective the stretch before the near plane is part of the ray.
  *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
- *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections)
+ *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections), or would
+ *          begin beyond GPHYS_MAX_COORDINATE
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_pick_ray(const gphys_camera* camera, float pixel_x, float pixel_y,
                                              gphys_ray* out_ray);
 /** Rays for a rectangle of pixel centres, as gphys_camera_pick_ray, row by row.
  *  @param x, y, width, height  pixels; width * height rays, fewer than 2^32
  *  @param out_rays             width * height elements
- *  @return GPHYS_UNBOUNDED if the line of sight of a pixel does not meet the near plane
+ *  @return GPHYS_UNBOUNDED if one of them has none, as there
  *  Cost: O(width * height). */
 GPHYS_API gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32_t x, uint32_t y, uint32_t width,
                                               uint32_t height, gphys_ray* out_rays, uint32_t out_stride);

@@ -124,10 +124,10 @@ TEST_CASE("a snapshot makes another solver the same, ids and settings included")
     // What the ids say and what comes of changes is the same, too.
     CHECK(gphys_solver_remove_constraint(other, world.rope, world.rope_link) == GPHYS_OK);
     CHECK(gphys_solver_remove_constraint(world.solver, world.rope, world.rope_link) == GPHYS_OK);
-    const gphys_vec3 point{0, 0, 0};
+    const gphys_vec3 points[2] = {{0, 0, 0}, {0, 0, 0}};
     gphys_body_id here = 0, there = 1;
-    REQUIRE(gphys_solver_add_particles(world.solver, nullptr, &point, 0, 2, &here) == GPHYS_OK);
-    REQUIRE(gphys_solver_add_particles(other, nullptr, &point, 0, 2, &there) == GPHYS_OK);
+    REQUIRE(gphys_solver_add_particles(world.solver, nullptr, points, 12, 2, &here) == GPHYS_OK);
+    REQUIRE(gphys_solver_add_particles(other, nullptr, points, 12, 2, &there) == GPHYS_OK);
     CHECK(here == there);
     REQUIRE(gphys_solver_step(other, nullptr, 0.01f) == GPHYS_OK);
     REQUIRE(gphys_solver_step(world.solver, nullptr, 0.01f) == GPHYS_OK);

@@ -1424,7 +1424,8 @@ func (o *Camera) UnprojectBatch(pixels []Vec3, points []Vec3) (err error) {
 // half an ulp of a direction can be; Camera.Pick is not so limited. For perspective the stretch before
 // the near plane is part of the ray.
 //   - pixelX, pixelY: pixels; may lie outside the viewport
-// Result: found is false if the line of sight does not meet the near plane (user projections).
+// Result: found is false if the line of sight does not meet the near plane (user projections), or
+// would begin beyond MaxCoordinate.
 // Cost: O(1).
 func (o *Camera) PickRay(pixelX float32, pixelY float32) (ray Ray, found bool, err error) {
 	self, err := o.open()

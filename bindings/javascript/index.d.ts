@@ -829,7 +829,8 @@ export class Camera {
      * Cost: O(1).
      * @param pixel_x - pixels; may lie outside the viewport
      * @param pixel_y - pixels; may lie outside the viewport
-     * @returns null if the line of sight does not meet the near plane (user projections). */
+     * @returns null if the line of sight does not meet the near plane (user projections), or would begin
+     *     beyond MAX_COORDINATE. */
     pickRay(pixel_x: number, pixel_y: number): Ray | null;
     /** Rays for a rectangle of pixel centres, as Camera.pickRay, row by row.
      * Cost: O(width * height).

@@ -91,7 +91,10 @@ gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id b
     GPHYS_TRY(check_range(solver, body, first, count));
     GPHYS_TRY(check_out(out_masses, out_stride, count));
     const StridedOut<float> to(out_masses, out_stride);
-    for (uint32_t i = 0; i < count; ++i) to[i] = static_cast<float>(unwrap(solver)->body(body).mass[first + i]);
+    // Shared among many particles a mass may be less than any float; none is 0.
+    constexpr float least = std::numeric_limits<float>::denorm_min();
+    const Vector<double>& mass = unwrap(solver)->body(body).mass;
+    for (uint32_t i = 0; i < count; ++i) to[i] = std::max(static_cast<float>(mass[first + i]), least);
     return GPHYS_OK;
 }
 

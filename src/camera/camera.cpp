@@ -238,7 +238,8 @@ bool Camera::pick_ray(double pixel_x, double pixel_y, Ray& ray) const {
         std::visit([&](const auto& kind) { return kind.cast(depth_range_, image.x, image.y, lens_ray); }, projection_);
     if (!starts) return false;
     ray = {to_world(lens_ray.origin), axes_ * lens_ray.direction, lens_ray.t_max};
-    return true;
+    // A camera at the border of the range may see what lies beyond it, where nothing can be asked.
+    return max_component(abs(ray.origin)) <= GPHYS_MAX_COORDINATE && length_squared(ray.direction) > 0;
 }
 
 }  // namespace gphys

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "foundation/fixed_point.h"
+#include "foundation/floating_point.h"
 
 namespace gphys {
 

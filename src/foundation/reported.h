@@ -10,10 +10,10 @@
 
 namespace gphys {
 
-/// A t or a distance, which is not negative. The cast would trap beyond the largest float.
+/// A t or a distance, which is not negative, nor minus zero. The cast would trap beyond the largest float.
 [[gnu::always_inline]] inline float reported(double value) {
     constexpr double last = std::numeric_limits<float>::max();
-    return static_cast<float>(value < last ? value : last);
+    return static_cast<float>(value < last ? value : last) + 0.0f;
 }
 
 /// What is further than this is reported as further than what is reported as `value` is.

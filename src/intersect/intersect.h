@@ -22,19 +22,22 @@ struct Hit {
     uint32_t flags = 0;   // GPHYS_HIT_...
 };
 
-/// The public form, rounded; model 0 when the question was not of a scene. A t beyond all floats (a
-/// direction of almost no length) and a point beyond them (a plane almost parallel to the ray) stay
-/// at the largest: the cast would trap.
-inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
+/// A point that lies beyond all floats (on a plane almost parallel to the ray, in a corner of planes that are almost
+/// parallel) stays at the largest: the cast would trap.
+inline gphys_vec3 rounded_point(Vec3 point) {
     constexpr double largest = std::numeric_limits<float>::max();
     constexpr Vec3 corner{largest, largest, largest};
+    return narrow(min(max(point, -corner), corner));
+}
+
+/// The public form, rounded; model 0 when the question was not of a scene.
+inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
     const float u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
-    const Vec3 point = min(max(hit.point, -corner), corner);
-    return {model, tag, reported(hit.t), narrow(point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
+    return {model, tag, reported(hit.t), rounded_point(hit.point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
 }
 inline gphys_nearest to_nearest(Vec3 point, double distance, uint32_t triangle = GPHYS_NO_TRIANGLE, uint32_t model = 0,
                                 uint32_t tag = 0) {
-    return {model, tag, narrow(point), reported(distance), triangle};
+    return {model, tag, rounded_point(point), reported(distance), triangle};
 }
 
 enum class Side { outside = GPHYS_SIDE_OUTSIDE, crossing = GPHYS_SIDE_CROSSING, inside = GPHYS_SIDE_INSIDE };

@@ -166,7 +166,8 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
         // From the centre, for far from the origin the foot would be rounded by more than the band.
         const Triangle around{a - moving.center, b - moving.center, c - moving.center};
         if (std::fabs(height) > moving.radius && raycast(around, {up * -moving.radius, displacement, 1}, first)) {
-            first.normal = up;
+            // At a distance of mere rounding the side may be taken for the other.
+            first.normal = dot(up, displacement) <= 0 ? up : -up;
         } else {
             for (const Capsule& edge :
                  {Capsule{a, b, moving.radius}, Capsule{b, c, moving.radius}, Capsule{c, a, moving.radius}}) {
@@ -221,8 +222,12 @@ bool approach_frustum(const Frustum& frustum, const Sphere& moving, Vec3 displac
         const double gap = length(offset) - moving.radius;
         // Both points carry a few roundings of their coordinates.
         const double resolution = 0x1p-50 * (max_component(abs(center)) + max_component(abs(frustum.origin)));
-        if (gap <= resolution) break;
         const double approach = -dot(normal, displacement);
+        if (gap <= resolution) {
+            // Touching as far as rounding tells, and on its way out.
+            if (t == 0 && approach <= 0) return contact_at_start(moving, displacement, nearest, hit);
+            break;
+        }
         if (approach <= 0 || gap > approach * (1 - t)) return false;
         t += gap / approach;
     }

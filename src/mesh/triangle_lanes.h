@@ -97,7 +97,7 @@ struct Crossings8 {
         store(u, weight_b);
         store(v, weight_c);
         constexpr double last = std::numeric_limits<float>::max();
-        gphys::GPHYS_ISA::store(rounded_t, narrowed(least(last, largest(way, 0.0))));
+        gphys::GPHYS_ISA::store(rounded_t, narrowed(least(last, largest(way, 0.0) + 0.0)));
         const Double8 end = limit_of_ties(way);
         gphys::GPHYS_ISA::store(limit, narrowed(ray_limit(end, course[0], course[1], course[2], course[3])));
     }
@@ -137,7 +137,7 @@ GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], cons
     };
     const Double8 u = clamped(crossing[1], 1.0), v = clamped(crossing[2], 1.0 - u);
 
-    store_quads([&](int i) { return &out[i].t; }, rounded_place(crossing[0], a + ab * u + ac * v));
+    store_quads([&](int i) { return &out[i].t; }, rounded_place(crossing[0] + 0.0, a + ab * u + ac * v));
     store_quads([&](int i) { return &out[i].normal.x; }, rounded_normal(normal, load(triangle)));
     float us[8], vs[8];
     gphys::GPHYS_ISA::store(us, narrowed(u));

@@ -49,12 +49,20 @@ struct Touch {
 };
 constexpr uint32_t touches_per_particle = 4;  // a corner is three models; one more for good measure
 
+/// Crossing all coordinates in the shortest substep, 2e15 m in 1e-9 s, takes 2e24 m/s; beyond this, squares of speeds
+/// would soon leave the doubles.
+constexpr double fastest_particle = 1e30;
+
+inline bool is_within(double limit, Vec3 value) {
+    return std::fabs(value.x) <= limit && std::fabs(value.y) <= limit && std::fabs(value.z) <= limit;
+}
+
 /// A particle that leaves the range of coordinates stops at its border, and so does one that is no number any more:
 /// then forces were too large for doubles.
 inline void keep_in_range(Vec3& position, Vec3& velocity) {
     constexpr double limit = GPHYS_MAX_COORDINATE;
-    const auto in_range = [](double x) { return std::fabs(x) <= limit; };
-    if (in_range(position.x) && in_range(position.y) && in_range(position.z)) return;
+    if (!is_within(fastest_particle, velocity)) velocity = {};
+    if (is_within(limit, position)) return;
     const auto kept = [](double x) { return x > -limit ? (x < limit ? x : limit) : -limit; };
     position = {kept(position.x), kept(position.y), kept(position.z)};
     velocity = {};

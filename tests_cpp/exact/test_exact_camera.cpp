@@ -373,18 +373,21 @@ TEST_CASE("a pixel shows the model, and of a mesh the triangle, that the exact l
                 const uint32_t found = as_mesh ? hit.triangle : hit.tag;
                 const Sight sight(lens, pixel.x, pixel.y);
                 Sighting sightings[seen_count];
-                // No later than this something is met for certain.
+                // No later than this something is met for certain, and the triangle that is.
                 Big latest = -1;
+                uint32_t first = 0;
                 for (uint32_t k = 0; k < seen_count; ++k) {
                     sightings[k] = sighting(sight, triangles[k]);
                     const Big end = sightings[k].t + Big(sightings[k].must_be ? sightings[k].slack : 0);
-                    if (sightings[k].must_be && (latest < 0 || end < latest)) latest = end;
+                    if (sightings[k].must_be && (latest < 0 || end < latest)) latest = end, first = k;
                 }
                 bool right = !given && latest < 0;
                 if (given && found < seen_count) {
                     const Sighting& s = sightings[found];
                     const bool examined = !std::isinf(s.slack);
-                    right = s.may_be && (!examined || latest < 0 || s.t - Big(s.slack) <= latest);
+                    // Of those that are reported at the same float the lowest is the answer.
+                    const Big tie = found < first ? Big(ulp_of(rounded(latest))) : Big(0);
+                    right = s.may_be && (!examined || latest < 0 || s.t - Big(s.slack) <= latest + tie);
                     if (right && examined) {
                         score.error(error_of(hit.t, s.t) / (ulp_of(rounded(s.t)) + s.slack), lens.position, pixel);
                     }

@@ -812,7 +812,8 @@ public:
     // half an ulp of a direction can be; Camera::pick is not so limited. For perspective the stretch
     // before the near plane is part of the ray.
     //   - pixel_x, pixel_y: pixels; may lie outside the viewport
-    // Result: std::nullopt if the line of sight does not meet the near plane (user projections).
+    // Result: std::nullopt if the line of sight does not meet the near plane (user projections), or would
+    // begin beyond GPHYS_MAX_COORDINATE.
     // Cost: O(1).
     std::optional<Ray> pick_ray(float pixel_x, float pixel_y) const {
         Ray out_ray{};

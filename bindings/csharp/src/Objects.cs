@@ -909,7 +909,8 @@ public sealed partial class Camera : IDisposable {
     /// Cost: O(1).</summary>
     /// <param name="pixelX">pixels; may lie outside the viewport</param>
     /// <param name="pixelY">pixels; may lie outside the viewport</param>
-    /// <returns>null if the line of sight does not meet the near plane (user projections).</returns>
+    /// <returns>null if the line of sight does not meet the near plane (user projections), or would begin
+    /// beyond MaxCoordinate.</returns>
     public unsafe Ray? PickRay(float pixelX, float pixelY) {
         var ray = default(Ray);
         var status = Low.gphys_camera_pick_ray(Handle, pixelX, pixelY, &ray);

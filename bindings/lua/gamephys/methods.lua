@@ -760,7 +760,8 @@ end
 --- Cost: O(1).
 --- @param pixel_x pixels; may lie outside the viewport
 --- @param pixel_y pixels; may lie outside the viewport
---- @return nil if the line of sight does not meet the near plane (user projections).
+--- @return nil if the line of sight does not meet the near plane (user projections), or would begin
+---     beyond MAX_COORDINATE.
 function Camera:pick_ray(pixel_x, pixel_y, out_ray)
     out_ray = out_ray or Ray.new()
     if found(C.gphys_camera_pick_ray(opened(self), pixel_x, pixel_y, out_ray)) then return out_ray end

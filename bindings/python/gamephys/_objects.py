@@ -780,7 +780,8 @@ class Camera(Object):
             pixel_x, pixel_y: pixels; may lie outside the viewport
 
         Returns:
-            None if the line of sight does not meet the near plane (user projections)."""
+            None if the line of sight does not meet the near plane (user projections), or would begin
+                beyond MAX_COORDINATE."""
         out_ray = low.Ray()
         return out_ray if found(low.gphys_camera_pick_ray(self._handle, pixel_x, pixel_y, ctypes.byref(out_ray))) else None
 

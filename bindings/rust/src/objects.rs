@@ -1044,7 +1044,8 @@ impl Camera {
     ///
     /// * `pixel_x`, `pixel_y`: pixels; may lie outside the viewport
     ///
-    /// Returns `None` if the line of sight does not meet the near plane (user projections).
+    /// Returns `None` if the line of sight does not meet the near plane (user projections), or would begin
+    /// beyond `MAX_COORDINATE`.
     pub fn pick_ray(&self, pixel_x: f32, pixel_y: f32) -> Result<Option<Ray>> {
         let mut out_ray = Ray::default();
         Ok(found(unsafe { sys::gphys_camera_pick_ray(self.handle.as_ptr(), pixel_x, pixel_y, &mut out_ray) })?.then_some(out_ray))

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <queue>
 
+#include "foundation/floating_point.h"
+
 namespace gphys {
 namespace {
 

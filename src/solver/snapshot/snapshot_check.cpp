@@ -7,9 +7,6 @@ constexpr double range = GPHYS_MAX_COORDINATE;
 // A place that was in range, as it is relative to another origin: both origins are in range as well. Three times the
 // range, and some rounding.
 constexpr double far_range = 4 * range;
-// Crossing all coordinates in the shortest substep, 2e15 m in 1e-9 s, takes 2e24 m/s; beyond this,
-// squares of speeds would soon leave the doubles.
-constexpr double fastest = 1e30;
 // The least float, shared among as many particles as a body may have.
 constexpr double least_mass = 0x1p-149 * 0x1p-24;
 // Of a model, in whose coordinates the whole range is divided by its scale, which is 1e-15 at least.
@@ -17,10 +14,6 @@ constexpr double farthest_in_model = 1e32;
 
 bool finite(double value) { return std::isfinite(value); }
 bool finite(Vec3 value) { return finite(value.x) && finite(value.y) && finite(value.z); }
-/// Within the limit, in each coordinate.
-bool within(double limit, Vec3 value) {
-    return std::fabs(value.x) <= limit && std::fabs(value.y) <= limit && std::fabs(value.z) <= limit;
-}
 bool is_amount(double value) { return value >= 0 && value <= range; }
 bool is_finite_amount(double value) { return value >= 0 && finite(value); }
 /// Seconds of a step or a part of one; 0: none.
@@ -28,9 +21,9 @@ bool is_time(double value) { return value >= 0 && value <= longest_step; }
 /// Between two particles, wherever they are.
 bool is_length(double value) { return value >= 0 && value <= far_range; }
 /// On its way to where it is, a place may be rounded beyond the range.
-bool is_place(Vec3 value) { return within(range * (1 + 0x1p-40), value); }
-bool is_earlier_place(Vec3 value) { return within(far_range, value); }
-bool is_speed(Vec3 value) { return within(fastest, value); }
+bool is_place(Vec3 value) { return is_within(range * (1 + 0x1p-40), value); }
+bool is_earlier_place(Vec3 value) { return is_within(far_range, value); }
+bool is_speed(Vec3 value) { return is_within(fastest_particle, value); }
 
 template <class T, class Is>
 bool all(const Vector<T>& values, Is&& is) {
@@ -64,13 +57,13 @@ bool fine_box(const Box& box) {
 
 bool is_touch(const Touch& touch) {
     constexpr double unit = 1 + 0x1p-20;
-    return finite(widen(touch.point)) && within(unit, widen(touch.normal));
+    return finite(widen(touch.point)) && is_within(unit, widen(touch.normal));
 }
 
 bool looked_fine(const Vector<float>& looked) {
     for (size_t i = 0; i < looked.size(); i += 4) {
         const float reach = looked[i + 3];
-        if (!within(far_range, {looked[i], looked[i + 1], looked[i + 2]})) return false;
+        if (!is_within(far_range, {looked[i], looked[i + 1], looked[i + 2]})) return false;
         if (reach != ClothState::not_looked && !(reach >= 0 && reach <= far_range)) return false;
     }
     return true;
@@ -81,7 +74,7 @@ bool particles_fine(const Body& body) {
         const double mass = body.mass[p], inverse = body.inverse_mass[p];
         if (!(mass >= least_mass && mass <= range && (inverse == 0 || inverse == 1 / mass))) return false;
     }
-    const auto is_force = [](Vec3 force) { return within(range, force); };
+    const auto is_force = [](Vec3 force) { return is_within(range, force); };
     const auto is_finite = [](float value) { return std::isfinite(value); };
     return all(body.position, is_place) && all(body.velocity, is_speed) && all(body.force, is_force) &&
            all(body.radius, is_amount) && all(body.rest_position, is_place) && all(body.placed, is_place) &&
@@ -102,7 +95,7 @@ bool impulses_fine(const Body& body) {
 bool attachments_fine(const Body& body) {
     for (size_t i = 0; i < body.attachments.size(); ++i) {
         const Attachment& a = body.attachments[i];
-        if (a.particle >= body.size() || !body.pinned(a.particle) || !within(farthest_in_model, a.local) ||
+        if (a.particle >= body.size() || !body.pinned(a.particle) || !is_within(farthest_in_model, a.local) ||
             !is_earlier_place(a.begin) || !is_earlier_place(a.end)) {
             return false;
         }
@@ -203,7 +196,7 @@ bool is_seen(const PlacedModel& seen) {
 const char* defect_of_globals(const SolverState& state) {
     const SolverSettings& settings = state.settings;
     const auto is_substeps = [](uint32_t count) { return count >= 1 && count <= most_substeps; };
-    if (!within(range, settings.gravity) || !within(range, state.origin) || !is_amount(settings.sleep_speed) ||
+    if (!is_within(range, settings.gravity) || !is_within(range, state.origin) || !is_amount(settings.sleep_speed) ||
         !is_amount(settings.sleep_strain) || !is_amount(settings.sleep_time) || !is_amount(settings.max_strain) ||
         !is_amount(settings.tolerance) || !is_substeps(settings.substeps) || !is_substeps(settings.max_substeps) ||
         settings.max_steps < 1 || !(settings.fixed_step >= shortest_step && settings.fixed_step <= longest_step) ||

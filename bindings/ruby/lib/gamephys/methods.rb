@@ -724,7 +724,8 @@ module Gamephys
     # Cost: O(1).
     # @param pixel_x pixels; may lie outside the viewport
     # @param pixel_y pixels; may lie outside the viewport
-    # @return nil if the line of sight does not meet the near plane (user projections).
+    # @return nil if the line of sight does not meet the near plane (user projections), or would begin
+    #     beyond MAX_COORDINATE.
     def pick_ray(pixel_x, pixel_y)
       out_ray = Ray.room
       Ray.unpack(out_ray) if Low.found(Low.gphys_camera_pick_ray(opened, pixel_x, pixel_y, out_ray))

@@ -387,7 +387,8 @@ public final class Camera extends Owned {
      * Cost: O(1).
      * @param pixelX pixels; may lie outside the viewport
      * @param pixelY pixels; may lie outside the viewport
-     * @return empty if the line of sight does not meet the near plane (user projections).
+     * @return empty if the line of sight does not meet the near plane (user projections), or would begin
+     *     beyond MAX_COORDINATE.
      */
     public Optional<Ray> pickRay(float pixelX, float pixelY) {
         Scratch scratch = Scratch.get();
