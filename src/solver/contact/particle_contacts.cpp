@@ -7,10 +7,17 @@ namespace gphys {
 namespace {
 
 // In the list, and as contacts, for each particle. Of equal spheres in the densest packing each touches 12
-// others and has 18 within 1.4 diameters; a pair counts once. What does not fit is left out, those with the
+// others and has 18 within 1.4 diameters; a pair counts once. Contacts that do not fit are left out, those with the
 // highest numbers first.
 constexpr uint32_t pairs_per_particle = 12;
 constexpr uint32_t contacts_per_particle = 6;
+// Where there are more pairs than that, those of the particles with the highest numbers are left out. If more than one
+// of so many in the list overlaps deeply, particles lie in each other, and n at one place have n^2 / 2 pairs. Each of
+// them then takes at most so many pairs, from at most so many particles of each cell around it: the cost is O(n), and
+// in time all are parted.
+constexpr uint32_t one_deep_of = 8;
+constexpr uint32_t crowded_pairs = 4;
+constexpr uint32_t crowded_tests = 8;
 // The margin of a particle at rest, in radii: a list made for more holds longer, and is longer.
 constexpr double least_margin = 0.2;
 // How many substeps at its present speed the margin of a particle in motion is for.
@@ -23,6 +30,9 @@ constexpr double near = 0.02;
 // Pairs that overlap from the beginning are parted by this much in a substep, in sums of their radii: all at once
 // would shoot them apart.
 constexpr double most_parting = 0.1;
+// Pairs that overlap by more than this when a substep begins, in sums of their radii, were put there: impacts do not
+// press particles so deep.
+constexpr double deep = 0.5;
 
 bool touches_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
 
@@ -55,6 +65,19 @@ uint64_t key_of(const int64_t (&cell)[3]) {
         key ^= key >> 32;
     }
     return key;
+}
+
+/// Unit, for a pair in one place: each pair has its own, so that a pile parts in all directions. Of its numbers alone,
+/// by operations that give the same bits everywhere; no component is 0.
+Vec3 direction_of_pair(uint32_t a, uint32_t b) {
+    constexpr int bits = 21;
+    const uint64_t key = key_of({a, b, 0});
+    const auto component = [&](int k) {
+        const uint64_t part = (key >> (bits * k)) & ((uint64_t{1} << bits) - 1);
+        return (static_cast<double>(part) + 0.5) / (1 << (bits - 1)) - 1;
+    };
+    const Vec3 direction{component(0), component(1), component(2)};
+    return direction / length(direction);
 }
 
 struct Grid {
@@ -204,6 +227,9 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
         begin = range.buckets[b + 1];
         end = b + 1 < range.table_size ? range.buckets[b + 2] : range.count;
     };
+    bool full = false;
+    uint32_t deep_pairs = 0;
+    uint32_t found = 0;  // by the particle that looks
     const auto meet = [&](uint32_t i, uint32_t j) {
         const Particle &p = range.particles[i], &q = range.particles[j];
         // The one that reaches further finds the other.
@@ -213,9 +239,18 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
         const Body &a = bodies[p.body], &b = bodies[q.body];
         const bool may = p.body == q.body ? collide_within(a, p.number, q.number)
                                           : (a.settings.body_layers & b.settings.body_layers) != 0;
-        if (may && count < range.most_pairs) range.pairs[count++] = {std::min(i, j), std::max(i, j)};
+        if (!may) return;
+        if (count == range.most_pairs) {
+            full = true;
+            return;
+        }
+        const double radii = (p.radius + q.radius) * (1 - deep);
+        if (length_squared(p.at - q.at) < radii * radii) ++deep_pairs;
+        range.pairs[count++] = {std::min(i, j), std::max(i, j)};
+        ++found;
     };
-    for (uint32_t i = 0; i < range.count; ++i) {
+    // The parts of sorted that particle i has to look at; false if these are more than the particles.
+    const auto each_cell = [&](uint32_t i, auto&& visit) {
         const Particle& p = range.particles[i];
         const double reach = 2 * p.reach();
         int64_t low[3], high[3];
@@ -225,28 +260,55 @@ void ParticleContacts::find_pairs(const Range& range, const Vector<Body>& bodies
             high[k] = grid.along(p.at[k] + reach);
             cells *= static_cast<double>(high[k] - low[k] + 1);
         }
-        if (cells > range.count) {
-            for (uint32_t j = 0; j < range.count; ++j) meet(i, j);
-            continue;
-        }
+        if (cells > range.count) return false;
         for (int64_t x = low[0]; x <= high[0]; ++x) {
             for (int64_t y = low[1]; y <= high[1]; ++y) {
                 for (int64_t z = low[2]; z <= high[2]; ++z) {
                     const uint64_t key = key_of({x, y, z});
                     uint32_t begin, end;
                     bucket(static_cast<uint32_t>(key & mask), begin, end);
-                    for (; begin < end; ++begin) {
-                        if (range.keys[range.sorted[begin]] == key) meet(i, range.sorted[begin]);
-                    }
+                    if (begin < end) visit(key, begin, end);
                 }
             }
         }
+        return true;
+    };
+    for (uint32_t i = 0; i < range.count && !full; ++i) {
+        const bool few = each_cell(i, [&](uint64_t key, uint32_t begin, uint32_t end) {
+            for (; begin < end && !full; ++begin) {
+                if (range.keys[range.sorted[begin]] == key) meet(i, range.sorted[begin]);
+            }
+        });
+        if (few) continue;
+        for (uint32_t j = 0; j < range.count && !full; ++j) meet(i, j);
+    }
+    if (!full || uint64_t{deep_pairs} * one_deep_of <= count) return;
+    // Those with the next numbers, cyclically, so that all are in pairs alike.
+    count = 0;
+    for (uint32_t i = 0; i < range.count; ++i) {
+        found = 0;
+        const auto look = [&](uint32_t entries, uint32_t next, auto&& entry) {
+            for (uint32_t k = 0; k < std::min(entries, crowded_tests) && found < crowded_pairs; ++k) {
+                entry(next + k < entries ? next + k : next + k - entries);
+            }
+        };
+        const bool few = each_cell(i, [&](uint64_t key, uint32_t begin, uint32_t end) {
+            if (found == crowded_pairs) return;
+            const uint32_t *const list = range.sorted + begin, *const list_end = range.sorted + end;
+            const auto next = static_cast<uint32_t>(std::upper_bound(list, list_end, i) - list);
+            look(end - begin, next % (end - begin), [&](uint32_t k) {
+                if (range.keys[list[k]] == key) meet(i, list[k]);
+            });
+        });
+        if (!few) look(range.count, (i + 1) % range.count, [&](uint32_t j) { meet(i, j); });
     }
 }
 
-void ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const {
+/// Whether particles lie in each other: more than one contact of one_deep_of is deep.
+bool ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const {
     uint32_t& count = *range.contact_count;
     count = 0;
+    uint32_t deep_contacts = 0;
     for (uint32_t i = 0; i < *range.pair_count && count < range.most_contacts; ++i) {
         const Pair& pair = range.pairs[i];
         const Particle &a = range.particles[pair.a], &b = range.particles[pair.b];
@@ -254,10 +316,10 @@ void ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
         const Vec3 before = b.before - a.before, now = b.at - a.at;
         const double t = time_of_touch(before, now, radii);
         if (t > 1 && length_squared(now) > radii * radii * (1 + near) * (1 + near)) continue;
+        if (length_squared(before) < radii * radii * (1 - deep) * (1 - deep)) ++deep_contacts;
         const Vec3 met = t > 1 ? now : before + (now - before) * t;
         const double length = gphys::length(met);
-        // Those in one place part along a fixed axis.
-        const Vec3 normal = length > 0 ? met / length : Vec3{1, 0, 0};
+        const Vec3 normal = length > 0 ? met / length : direction_of_pair(pair.a, pair.b);
         const BodySettings &of_a = bodies[a.body].settings, &of_b = bodies[b.body].settings;
         // What they fly at when they meet: later they would be faster, and bounce for ever.
         const Vec3 arrived = b.velocity - a.velocity, gained = (arrived - (now - before) / h) * 2;
@@ -275,6 +337,7 @@ void ParticleContacts::find_contacts(const Range& range, const Vector<Body>& bod
                                    0,
                                    0};
     }
+    return uint64_t{deep_contacts} * one_deep_of > count;
 }
 
 namespace {
@@ -402,37 +465,39 @@ void ParticleContacts::each_body(const Island& island, Vector<Body>& bodies, con
     }
 }
 
-/// Whether there are any contacts.
-bool ParticleContacts::part_contacts(const Island& island, const Vector<Body>& bodies, double quiet, double h) {
+ParticleContacts::Found ParticleContacts::part_contacts(const Island& island, const Vector<Body>& bodies, double quiet,
+                                                        double h) {
     const Range range = this->range(island);
     gather(range, bodies);
     if (!list_holds(range)) find_pairs(range, bodies);
-    find_contacts(range, bodies, quiet, h);
+    const bool any_deep = find_contacts(range, bodies, quiet, h);
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (uint32_t i = 0; i < *range.contact_count; ++i) {
             Contact& contact = range.contacts[i];
             gphys::part(contact, range.particles[contact.a], range.particles[contact.b]);
         }
     }
-    return *range.contact_count > 0;
+    return {*range.contact_count > 0, any_deep};
 }
 
 void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
                             const Surroundings& around, Vec3 gravity, double h) {
     const double quiet = quiet_speed(gravity, h);
-    const bool any = part_contacts(island, bodies, quiet, h);
+    const Found contacts = part_contacts(island, bodies, quiet, h);
     const Range range = this->range(island);
     for (uint32_t i = 0; i < *range.pair_count; ++i) {
         for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b}) bodies[range.particles[p].body].near = true;
     }
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (body.near) body.cloth.balance.closed = false;  // others do work
-        if (!any) return;
+        if (!contacts.any) return;
         if (!moves_freely(body)) {
             push_predicted(first, end, body);
             return;
         }
-        each_moved(first, end, [&](uint32_t p, Vec3 way) { body.velocity[p] += way / h; });
+        // Where many pairs overlap deeply no velocity follows from the parting, or it would shoot them apart. Those
+        // that approach each other are stopped when velocities are turned.
+        if (!contacts.deep) each_moved(first, end, [&](uint32_t p, Vec3 way) { body.velocity[p] += way / h; });
         push_arrived(first, end, body, around, quiet);
     });
 }
@@ -469,7 +534,7 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
 void ParticleContacts::settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
                               const Surroundings& around, Vec3 gravity, double h) {
     const double quiet = quiet_speed(gravity, h);
-    if (!part_contacts(island, bodies, quiet, h)) return;
+    if (!part_contacts(island, bodies, quiet, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
         if (!moves_freely(body)) push_arrived(first, end, body, around, quiet);
     });

@@ -7,6 +7,9 @@
 // whatever its speed. Some sweeps over the contacts part them and let friction act; the velocities follow,
 // and are turned as the restitution says.
 //
+// Where many pairs overlap deeply, such as particles at one place, each particle takes a bounded number of pairs, and
+// parting changes positions only, so that a pile spreads without being shot apart.
+//
 // Everything lies in arrays that are made large enough before the step and kept. An island has its own range
 // of each.
 #pragma once
@@ -85,14 +88,17 @@ private:
         uint32_t* sorted;
         uint64_t* keys;
     };
+    struct Found {
+        bool any, deep;  // contacts; many that overlap deeply
+    };
     Range range(const Island& island);
     template <class Visit>
     void each_body(const Island& island, Vector<Body>& bodies, const uint32_t* slots, Visit&& visit);
     void gather(const Range& range, const Vector<Body>& bodies) const;
     bool list_holds(const Range& range) const;
     void find_pairs(const Range& range, const Vector<Body>& bodies) const;
-    void find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const;
-    bool part_contacts(const Island& island, const Vector<Body>& bodies, double quiet, double h);
+    bool find_contacts(const Range& range, const Vector<Body>& bodies, double quiet, double h) const;
+    Found part_contacts(const Island& island, const Vector<Body>& bodies, double quiet, double h);
 
     Vector<Particle> particles_;
     Vector<Pair> pairs_;
