@@ -101,8 +101,6 @@ pkg-config and CMake.")
 set(CPACK_GAMEPHYS_CONTROL ${generated}/control)
 file(WRITE ${CPACK_GAMEPHYS_CONTROL}/shlibs "libgamephys ${PROJECT_VERSION_MAJOR} ${runtime} (>= ${PROJECT_VERSION})\n")
 file(WRITE ${CPACK_GAMEPHYS_CONTROL}/triggers "activate-noawait ldconfig\n")
-if(EXISTS ${PROJECT_SOURCE_DIR}/cmake/gamephys.symbols) # by function
-  configure_file(cmake/gamephys.symbols ${CPACK_GAMEPHYS_CONTROL}/symbols COPYONLY)
-endif()
+configure_file(cmake/gamephys.symbols ${CPACK_GAMEPHYS_CONTROL}/symbols COPYONLY) # by function
 set(CPACK_POST_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/gamephys_debian_finish.cmake)
 include(CPack)
