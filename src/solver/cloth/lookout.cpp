@@ -199,6 +199,7 @@ double Lookout::push_out(float* ball, Neighbour& found) const {
             put(ball, get(ball) + wall.normal * depth);
         }
     }
+    if (found.sunk_walls == 0) return 0;
     for (uint32_t i = 0; i < found.wall_count; ++i) {
         Wall& wall = found.walls[i];
         if (found.sunk_walls >> i & 1) wall.offset = std::min(wall.offset, dot(wall.normal, get(ball)));
