@@ -89,7 +89,12 @@ gphys_body_id World::any_body() {
 void World::add_body() {
     if (!solver_) return create_solver();
     if (bodies_.size() >= 6) return remove_body();
-    gphys_body_desc desc;
+    // A desc may say that it is larger than this: then there is room behind it.
+    struct {
+        gphys_body_desc desc;
+        unsigned char behind[256];
+    } sized{};
+    gphys_body_desc& desc = sized.desc;
     call(gphys_body_desc_init, &desc, static_cast<uint32_t>(sizeof desc));
     desc.radius = p_.one_in(3) ? p_.size() / 8 : 0.05f;
     desc.mass = p_.one_in(6) ? p_.size() + 1e-3f : 1;
