@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Tests the library: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage]
+# Tests the library: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage [--write]]
 # Installs what is missing, builds and runs the whole suite as users get the library, then again
 # under the address and undefined-behaviour sanitizers. --long adds a build with clang, tests of
 # minutes, such as a million queries of each kind against a linear scan, an hour of tests against
@@ -9,7 +9,7 @@
 # WebAssembly (Node); both install what they need. --fuzz runs random programs on each instruction set
 # and libFuzzer under sanitizers for so many minutes (fuzz/campaign.py). --soak runs a million frames of
 # a game's main loop (fuzz/soak.cpp). --coverage says which lines and branches the tests reach, file by
-# file (fuzz/coverage.py).
+# file, and with --write puts that into docs/reliability.md (fuzz/coverage.py).
 # The last line is "N passed, N failed", then what was skipped because something is not installed; a
 # build that fails counts as one failed test.
 set -uo pipefail
@@ -19,10 +19,10 @@ source cmake/test_summary.sh
 
 presets=(release asan-ubsan)
 packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
-    python3 python3-cffi luajit abigail-tools libmpfr-dev)
+    libbenchmark-dev python3 python3-cffi luajit abigail-tools libmpfr-dev)
 configuration=()
 usage() {
-    echo "usage: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage]" >&2
+    echo "usage: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage [--write]]" >&2
     exit 2
 }
 case ${1:-} in
@@ -48,7 +48,10 @@ case ${1:-} in
         packages+=(libclang-rt-14-dev)
         ;;
     --soak) ;;
-    --coverage) packages+=(llvm) ;;
+    --coverage)
+        [[ ${2:-} =~ ^(--write|--missing)?$ ]] || usage
+        packages+=(llvm)
+        ;;
     *)
         usage
         ;;
@@ -90,7 +93,7 @@ if [ "${1:-}" = --coverage ]; then
         failed=1
         finish
     }
-    exec fuzz/coverage.py build/coverage
+    exec fuzz/coverage.py build/coverage "${@:2}"
 fi
 
 if [ "${1:-}" = --soak ]; then

@@ -1,6 +1,9 @@
 # The instruction sets that kernels are compiled for (src/foundation/isa.h has the same lists):
 #   GAMEPHYS_ISAS               their names
+#   GAMEPHYS_WIDE_ISAS          those of them, and others, whose registers hold four doubles or more
 #   GAMEPHYS_OPTIONS_<isa>      the compiler options of each, the definition of GPHYS_ISA among them
+
+set(GAMEPHYS_WIDE_ISAS avx2 avx512)
 
 set(isa_options_sse2 -msse2)
 set(isa_options_avx2 -mavx2)

@@ -9,6 +9,9 @@ file(GLOB_RECURSE GAMEPHYS_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*
 file(GLOB_RECURSE GAMEPHYS_KERNELS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*_kernels.cpp)
 file(GLOB GAMEPHYS_INTERFACE CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/c_api/*.cpp)
 list(REMOVE_ITEM GAMEPHYS_SOURCES ${GAMEPHYS_KERNELS} ${GAMEPHYS_INTERFACE})
+# Those that no set but the wide ones uses.
+set(GAMEPHYS_WIDE_KERNELS ${PROJECT_SOURCE_DIR}/src/scene/hit_kernels.cpp)
+list(REMOVE_ITEM GAMEPHYS_KERNELS ${GAMEPHYS_WIDE_KERNELS})
 include(${CMAKE_CURRENT_LIST_DIR}/gamephys_isas.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/gamephys_compiler.cmake)
 
@@ -19,6 +22,9 @@ endfunction()
 
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
+
+set(GAMEPHYS_LIBRARY_OPTIONS "" CACHE STRING "Further compiler options for the library alone, such as those that count its lines")
+mark_as_advanced(GAMEPHYS_LIBRARY_OPTIONS)
 
 # How everything in src is compiled. Exceptions stay inside, and have to be there. A unity build
 # would join files whose local names are the same.
@@ -35,7 +41,7 @@ function(gamephys_compilation target)
                POSITION_INDEPENDENT_CODE ON
                UNITY_BUILD OFF)
   gamephys_warnings(${target})
-  target_compile_options(${target} PRIVATE ${GAMEPHYS_OPTIMISATION} ${GAMEPHYS_IEEE} -fno-rtti)
+  target_compile_options(${target} PRIVATE ${GAMEPHYS_OPTIMISATION} ${GAMEPHYS_IEEE} ${GAMEPHYS_LIBRARY_OPTIONS} -fno-rtti)
   if(NOT EMSCRIPTEN) # which has -fwasm-exceptions instead
     target_compile_options(${target} PRIVATE -fexceptions)
   endif()
@@ -54,7 +60,11 @@ function(gamephys_objects target)
 endfunction()
 gamephys_objects(gamephys_core ${GAMEPHYS_SOURCES})
 foreach(isa ${GAMEPHYS_ISAS})
-  gamephys_objects(gamephys_${isa} ${GAMEPHYS_KERNELS})
+  set(wide)
+  if(isa IN_LIST GAMEPHYS_WIDE_ISAS)
+    set(wide ${GAMEPHYS_WIDE_KERNELS})
+  endif()
+  gamephys_objects(gamephys_${isa} ${GAMEPHYS_KERNELS} ${wide})
   target_compile_options(gamephys_${isa} PRIVATE ${GAMEPHYS_OPTIONS_${isa}})
 endforeach()
 

@@ -1,13 +1,14 @@
 // A target as a program of its own, for every compiler: replays inputs and runs random ones.
 //
 //   fuzz_TARGET [--seconds S | --programs N | --program I] [--seed K] [--ignore CHECK]... [--keep FOLDER] [--digests]
-//               [--print] [--exceptions] [--round up|down|zero] [--flush] [FILE or FOLDER]...
+//               [--print] [--exceptions] [--round up|down|zero] [--flush] [--modes] [FILE or FOLDER]...
 //
 // --program runs one of the random programs alone and keeps its input. A check that does not hold is reported once, its
 // first input is kept, and the run goes on. What ends the process, and what takes longer than 20 s, keeps its input
 // too. --digests prints the digest of each program, to find the one in which two instruction sets differ. --print shows
 // what each program draws. --exceptions checks that calls with valid input raise no floating-point exception that a
-// host may trap; --round and --flush make the calls in another rounding mode, or with denormal numbers flushed to zero.
+// host may trap; --round and --flush make the calls in another rounding mode, or with denormal numbers flushed to zero;
+// --modes takes these modes in turn, one for each program, and checks only what holds in all of them.
 #include <algorithm>
 #include <cfenv>
 #include <chrono>
@@ -77,7 +78,7 @@ struct Random {
 struct Tally {
     uint64_t programs = 0, digest = 0;
     std::map<std::string, uint64_t> findings;  // by check
-    bool print_digests = false;
+    bool print_digests = false, other_modes = false;
 };
 
 void keep(const std::string& name) {
@@ -93,8 +94,18 @@ std::string as_file_name(std::string text) {
     return text;
 }
 
+/// The number-th of the modes that the header promises no answers in.
+void set_mode(uint64_t number) {
+    constexpr int roundings[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST};
+    fuzz::Session& session = fuzz::session();
+    session.answers = false;
+    session.rounding = roundings[number % 4];
+    session.flush = number % 4 == 3 || number % 8 == 4;
+}
+
 void run_present(Tally& tally, const std::string& source) {
     fuzz::session().digest = 0;
+    if (tally.other_modes) set_mode(tally.programs);
     limit_time(20);
     fuzz::Program program(present.data(), present.size());
     try {
@@ -190,6 +201,8 @@ int main(int count, char** arguments) {
             fuzz::session().rounding = way == "up" ? FE_UPWARD : way == "down" ? FE_DOWNWARD : FE_TOWARDZERO;
         } else if (argument == "--flush") {
             fuzz::session().flush = true;
+        } else if (argument == "--modes") {
+            tally.other_modes = true;
         } else {
             paths.push_back(argument);
         }

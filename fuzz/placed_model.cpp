@@ -1,5 +1,8 @@
 #include "placed_model.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fuzz {
 
 using namespace gphys;
@@ -7,6 +10,76 @@ using namespace gphys;
 namespace {
 
 Triangle triangle_of(const MeshSource& mesh, uint32_t i) { return widen(mesh.triangle(i)); }
+
+/// A segment is what its ends say, in the space of a mesh too: t is 1 exactly at its end there.
+Ray into_mesh(const Ray& ray, const Transform& world) {
+    const Vec3 origin = world.inverse_apply(ray.origin);
+    if (!ray.is_segment) return {origin, world.inverse_apply_to_vector(ray.direction), ray.t_max};
+    return ray_along({origin, world.inverse_apply(end_of(ray))});
+}
+
+/// The largest coordinate as seen from a point; of a plane or frustum the distances that define it.
+double reach(const Shape& shape, Vec3 from) {
+    return std::visit(
+        [from](const auto& s) {
+            using S = std::decay_t<decltype(s)>;
+            const S seen = relative_to(from, s);
+            double most = 0;
+            if constexpr (std::is_same_v<S, Plane>) {
+                most = std::fabs(seen.distance) / length(seen.normal);
+            } else if constexpr (std::is_same_v<S, Frustum>) {
+                most = max_component(abs(seen.origin));
+                for (const Plane& plane : seen.planes) {
+                    if (plane.normal != Vec3{}) most = std::max(most, std::fabs(plane.distance) / length(plane.normal));
+                }
+            } else {
+                const Box box = bounds(seen);
+                for (int k = 0; k < 3; ++k) {
+                    most = std::max({most, std::fabs(double{box.min[k]}), std::fabs(double{box.max[k]})});
+                }
+            }
+            return most;
+        },
+        shape);
+}
+
+/// Whether the answer about a model and a query takes no rounding, or the same in every function. A mesh is asked in
+/// its own space, where a box of the world is turned.
+bool is_exact(const PlacedModel& model, const Shape& query) {
+    const auto is_one = [](const Shape& shape, bool box) {
+        return std::holds_alternative<Plane>(shape) || std::holds_alternative<Triangle>(shape) ||
+               std::holds_alternative<Frustum>(shape) || (box && std::holds_alternative<Aabb>(shape));
+    };
+    const Shape* shape = std::get_if<Shape>(&model.shape);
+    return is_one(query, shape != nullptr) && (!shape || is_one(*shape, true));
+}
+
+/// Moves the surface of a solid outward, or inward if `by` is negative. False for what has no inside that far from its
+/// surface: it stays as it is.
+bool grow(Shape& shape, double by) {
+    return std::visit(
+        [by](auto& s) {
+            using S = std::decay_t<decltype(s)>;
+            if constexpr (std::is_same_v<S, Sphere> || std::is_same_v<S, Capsule>) {
+                if (s.radius + by < 0) return false;
+                s.radius += by;
+            } else if constexpr (std::is_same_v<S, Obb>) {
+                if (std::min(s.half.x, std::min(s.half.y, s.half.z)) + by < 0) return false;
+                s.half += Vec3{by, by, by};
+            } else if constexpr (std::is_same_v<S, Aabb>) {
+                const Vec3 size = s.max - s.min;
+                if (std::min(size.x, std::min(size.y, size.z)) + 2 * by < 0) return false;
+                s.min -= Vec3{by, by, by};
+                s.max += Vec3{by, by, by};
+            } else if constexpr (std::is_same_v<S, Frustum>) {
+                for (Plane& plane : s.planes) plane.distance -= by * length(plane.normal);
+            } else {
+                return false;
+            }
+            return true;
+        },
+        shape);
+}
 
 }  // namespace
 
@@ -51,8 +124,7 @@ bool raycast(const PlacedModel& model, const Ray& ray, gphys_hit& out) {
         found = gphys::raycast(*shape, ray, first);
     } else {
         const MeshSource& mesh = *std::get<1>(model.shape);
-        const Ray local{model.world.inverse_apply(ray.origin), model.world.inverse_apply_to_vector(ray.direction),
-                        ray.t_max};
+        const Ray local = into_mesh(ray, model.world);
         for (uint32_t i = 0; i < mesh.triangles(); ++i) {
             Hit hit;
             if (!gphys::raycast(triangle_of(mesh, i), local, hit)) continue;
@@ -102,7 +174,32 @@ bool overlaps(const PlacedModel& model, const Shape& query) {
     return false;
 }
 
-bool nearest(const PlacedModel& model, Vec3 point, gphys_nearest& out) {
+bool is_clear(const PlacedModel& model, const Shape& query) {
+    if (is_exact(model, query)) return true;
+    const Vec3 from = model.world.position;
+    double of_model = 0;
+    if (const Shape* shape = std::get_if<Shape>(&model.shape)) {
+        of_model = reach(*shape, from);
+    } else {
+        const MeshSource& mesh = *std::get<1>(model.shape);
+        for (uint32_t i = 0; i < mesh.triangles(); ++i) of_model = std::max(of_model, reach(triangle_of(mesh, i), {}));
+        of_model *= 2 * model.world.scale;  // turned, a coordinate is at most sqrt(3) of the largest
+    }
+    // No coordinates differ by more than the sum. The bound is 2^-40 of it, also for the larger or smaller shapes.
+    const double by = 0x1p-38 * (of_model + reach(query, from));
+    const auto answer = [&](double grown, bool& has_grown) {
+        PlacedModel other = model;
+        Shape other_query = query;
+        Shape* shape = std::get_if<Shape>(&other.shape);
+        has_grown = grow(other_query, grown) || (shape && grow(*shape, grown));
+        return overlaps(other, other_query);
+    };
+    bool is_larger, is_smaller;
+    const bool larger_overlaps = answer(by, is_larger), smaller_overlaps = answer(-by, is_smaller);
+    return (is_larger && !larger_overlaps) || (is_smaller && smaller_overlaps);
+}
+
+bool nearest(const PlacedModel& model, Vec3 point, double within, gphys_nearest& out) {
     Vec3 closest;
     uint32_t triangle = GPHYS_NO_TRIANGLE;
     if (const Shape* shape = std::get_if<Shape>(&model.shape)) {
@@ -118,15 +215,18 @@ bool nearest(const PlacedModel& model, Vec3 point, gphys_nearest& out) {
         float least = std::numeric_limits<float>::infinity();
         for (uint32_t i = 0; i < mesh.triangles(); ++i) {
             const Vec3 candidate = model.world.apply(closest_point(triangle_of(mesh, i), local));
-            const float distance = reported(std::sqrt(length_squared(candidate - point)));
-            if (distance >= least) continue;
+            const double squared = length_squared(candidate - point);
+            const float distance = reported(std::sqrt(squared));
+            if (squared > within * within || distance >= least) continue;
             least = distance;
             closest = candidate;
             triangle = i;
         }
         if (triangle == GPHYS_NO_TRIANGLE) return false;
     }
-    out = to_nearest(closest, std::sqrt(length_squared(closest - point)), triangle, model.id, model.tag);
+    const double squared = length_squared(closest - point);
+    if (squared > within * within) return false;
+    out = to_nearest(closest, std::sqrt(squared), triangle, model.id, model.tag);
     return true;
 }
 

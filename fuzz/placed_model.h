@@ -4,7 +4,7 @@
 
 #include <variant>
 
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "mesh_source.h"
 
 namespace fuzz {
@@ -22,8 +22,11 @@ PlacedModel placed(gphys_model_id id, uint32_t tag, const gphys_transform& world
 bool raycast(const PlacedModel& model, const gphys::Ray& ray, gphys_hit& hit);
 bool sweep(const PlacedModel& model, const gphys::Sphere& moving, gphys::Vec3 displacement, gphys_hit& hit);
 bool overlaps(const PlacedModel& model, const gphys::Shape& query);
-/// False for an empty mesh.
-bool nearest(const PlacedModel& model, gphys::Vec3 point, gphys_nearest& near);
+/// Whether the answer of overlaps is the same if the query, or else the model, is larger, or smaller, by more than the
+/// error that the header allows for the pair: then it has to be right.
+bool is_clear(const PlacedModel& model, const gphys::Shape& query);
+/// False if nothing is within that distance, which the doubles decide: what is reported at it may be beyond.
+bool nearest(const PlacedModel& model, gphys::Vec3 point, double within, gphys_nearest& near);
 
 gphys::Shape widened(const AnyShape& shape);
 

@@ -95,12 +95,13 @@ private:
     void settings();
     void move_solver_origin(const double* origin);
     void step();
+    void follow_solver();
     void snapshot();
     void inspect_solver();
     void solver_misuse();
     gphys_body_id any_body();
     uint64_t hash(const gphys_solver* solver) const;
-    /// Make the same call on both solvers: on an error neither has changed.
+    /// Make the same call on both solvers, on the first at times without memory: on an error neither has changed.
     template <class Call>
     gphys_status on_both(const char* failing_call_changes_nothing, Call&& make);
 

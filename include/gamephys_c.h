@@ -64,7 +64,12 @@
  * Threads    Different objects: any threads. One object: functions that take it as const may run
  *            at the same time; all others need external synchronisation. No thread is started unless a
  *            desc asks for it (gphys_scene_create and gphys_solver_create say which calls its workers
- *            share). Callbacks come on the thread that called the library, never on a worker.
+ *            share). Callbacks come on the thread that called the library, never on a worker. A call
+ *            takes at most 96 KiB of stack on each thread at work, besides its callbacks.
+ * Host       Rounding is to nearest and denormal numbers are kept (on x86: neither FTZ nor DAZ), as
+ *            programs start: in the thread that calls, and in the one that created an object with
+ *            workers. In other modes calls return, and what is said of statuses, errors and memory
+ *            holds, but answers and states may be others and valid input may be refused.
  */
 #ifndef GAMEPHYS_C_H
 #define GAMEPHYS_C_H
@@ -256,7 +261,7 @@ typedef struct gphys_hit {
     uint32_t tag;      /* the model's tag, 0 likewise */
     float t;           /* 0 .. t_max; along a segment or sweep 0 .. 1 */
     gphys_vec3 point;  /* where the surfaces meet */
-    gphys_vec3 normal; /* unit, against the motion: dot(normal, direction) <= 0 */
+    gphys_vec3 normal; /* unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding */
     uint32_t triangle; /* index within a mesh, else GPHYS_NO_TRIANGLE */
     float u, v;        /* barycentric weights of b and c of a triangle, else 0 */
     uint32_t flags;    /* GPHYS_HIT_... */
@@ -321,7 +326,7 @@ GPHYS_API gphys_status gphys_shape_transform(gphys_shape_type type, const void* 
 
 /** Whether the point is within tolerance metres of the shape (solid or surface).
  *  With tolerance 0 the answer is exact: on the plane, on the segment, inside the box (an OBB's
- *  axes are those of its rotation in double precision).
+ *  axes are those of its rotation in double precision). Others are as gphys_shape_overlaps with a sphere.
  *  @param tolerance     metres, >= 0
  *  @param out_contains  0 or 1
  *  Cost: O(1); O(log n) expected for a mesh. */
@@ -434,9 +439,10 @@ GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const voi
  *  triangle, frustum or mesh.
  *  @param displacement  metres; may be zero
  *  @param out_hit  t in 0..1 of the displacement; point: of contact, on the shape; normal: from
- *                  the point to the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
- *                  and where the centre itself is in a solid, the normal is opposite to the
- *                  displacement (zero if that is zero).
+ *                  the point to the sphere's centre; in double precision its dot with the
+ *                  displacement is never above 0. Already overlapping: t = 0, GPHYS_HIT_INSIDE,
+ *                  and the normal may be along the displacement too; where the centre itself is in
+ *                  a solid, it is opposite to the displacement (zero if that is zero).
  *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape
  *  Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
  *  Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh. */
@@ -1176,7 +1182,7 @@ typedef struct gphys_solver_desc {
     float sleep_speed;     /* m/s, see gphys_solver_get_sleeping; 0: bodies never sleep; default 0 */
     float sleep_strain;    /* of rigid constraints, |length / rest length - 1|; default 0.01 */
     float sleep_time;      /* seconds; default 0.5 */
-    float max_strain;      /* target of rigid constraints, see gphys_solver_get_substeps; 0: none; default 0 */
+    float max_strain;      /* of rigid constraints, see gphys_solver_get_substeps; 0: none, of cloth 0.02; default 0 */
     float tolerance;       /* target of positions: metres of error that a second of motion adds; 0: none; default 0 */
     uint32_t max_substeps; /* the most that a target may ask for, 1 .. 1000; default 64 */
     uint32_t reserved;     /* must be 0 */

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "test.h"
 
 namespace test {

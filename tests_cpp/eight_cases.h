@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "scene/placed.h"
 #include "stored_cases.h"
 

@@ -4,7 +4,7 @@
 
 #include <cfenv>
 
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "quad.h"
 #include "test.h"
 

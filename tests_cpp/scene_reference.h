@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "test.h"
 
 namespace test {

@@ -1,5 +1,5 @@
 // Sides of planes and frusta: the book's defect, and every shape beside its corners.
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 
 #include "convex_hull.h"
 #include "test.h"

@@ -1,6 +1,6 @@
 // Containment and closest points: the book's defects by name, exact signs beside integer and
 // 128-bit float arithmetic, and closest points beside a slow minimiser.
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 
 #include "convex_hull.h"
 #include "test.h"
@@ -34,6 +34,34 @@ TEST_CASE("a point off the triangle's plane is not in the triangle, unless the t
     REQUIRE_FALSE(contains(unit_triangle, {.3, .3, .05}, .0499));
     REQUIRE(contains(unit_triangle, {.3, .3, .05}, .05));
     REQUIRE(contains(unit_triangle, {.3, .3, 0}, 0));
+}
+
+TEST_CASE("the closest point of a triangle does not leave it by rounding") {
+    // Beyond the far end of a sliver: at 1e15 m, rounding takes the edges' sides of a foot for the other.
+    const Triangle sliver{{3, 0, 2}, {2, 0, 3}, {3, -0x1.a3386p+49, 3}};
+    const double far = -0x1.c6bf52p+49;
+    REQUIRE(closest_point(sliver, Vec3{far, far, far}) == sliver.c);
+    // Beyond a corner, by less than a rounding of the other corners.
+    const Triangle triangle{{1, 0, 0}, {0, 0, 1}, {1, 0, 1}};
+    REQUIRE(closest_point(triangle, Vec3{-0x1.c3cffap-58, 0, 1}) == triangle.b);
+}
+
+TEST_CASE("the closest point of a frustum is in it, though two of its planes are almost parallel") {
+    // Planes 1 and 4 are at an angle of 1e-14, and 11048575.5 m from the point, one above it and one below.
+    const Frustum frustum{{3.5, -0x1.57e94cp+2, -2e7},
+                          {{{-0x1.ff973cp+48, 0x1.ffffbp+19, -0x1.b2f13p+2}, 0x1.fffff8p+19},
+                           {{1.25, -0x1.f8a88p-3, -0x1.4df48p+48}, 0},
+                           {{0x1.fffffep-3, 0, 0x1.000014p+20}, 0},
+                           {{-2, 0, 0}, 0},
+                           {{0x1.995d78p+1, -0x1.41b2f8p-2, 0x1.46d982p+48}, -2.5},
+                           {{1, 0, 0}, -0x1.fffffep+23}}};
+    const Vec3 point{-4, 4, -2e7 + 11048575.5};
+    Vec3 nearest;
+    REQUIRE(closest_point(frustum, point, nearest));
+    REQUIRE(distance(nearest, point) >= 11048575.5 * (1 - 0x1p-40));
+    REQUIRE(distance(nearest, point) < 11048580);
+    REQUIRE_FALSE(contains(frustum, point, 11048575));
+    REQUIRE(contains(frustum, point, 11048580));
 }
 
 TEST_CASE("a collinear triangle answers as the segment that it is") {

@@ -132,7 +132,7 @@ TEST_CASE("a running error bound covers the error") {
     for (int i = 0; i < 100000; ++i) {
         const Vec3 a = widen(random.point(1000)), b = widen(random.point(1000)), c = widen(random.point(1000));
         const auto polynomial = [&](auto number) {
-            using V = VecOf<decltype(number)>;
+            using V = Vec<decltype(number)>;
             return dot(cross(V::difference(a, b), V::difference(c, b)), V::of(a)) - dot(V::of(b), V::of(c));
         };
         const Bounded quick = polynomial(Bounded());
@@ -161,7 +161,7 @@ TEST_CASE("determinants in integers are those of expansions, as long as their nu
             const double unit = std::ldexp(1.0, static_cast<int>(random.index(120)) - 60);
             a[axis] *= unit, b[axis] *= unit, c[axis] *= unit;
         }
-        using V = VecOf<Exact>;
+        using V = Vec<Exact>;
         const double expected = dot(V::of(a), cross(V::of(b), V::of(c))).value();
         double value = 0;
         if (!integer_determinant(a, b, c, value)) {  // a common scale may not do for a

@@ -16,6 +16,15 @@ HitEight kernel_for(const EightCases<gphys_sphere>&) { return &HitKernels::spher
 HitEight kernel_for(const EightCases<gphys_aabb>&) { return &HitKernels::aabbs; }
 HitEight kernel_for(const EightCases<gphys_obb>&) { return &HitKernels::obbs; }
 
+/// Those of the wide sets that this processor has.
+std::vector<const HitKernels*> all_kernels() {
+    std::vector<const HitKernels*> all;
+    for (const Isa isa : test::isas()) {
+        if (const HitKernels* kernels = hit_kernels(isa)) all.push_back(kernels);
+    }
+    return all;
+}
+
 struct HitTallies : Tallies {
     int inside = 0;  // of those left open
 };
@@ -29,15 +38,17 @@ bool same_hit(const Hits8& hits, int k, const Hit& hit) {
 
 }  // namespace
 
-TEST_CASE("of eight rays each gets the hit that it gets alone, or is left open, the same on any instruction set") {
+TEST_CASE("of eight rays each gets the hit that it gets alone, or is left open, the same on any wide instruction set") {
+    const std::vector<const HitKernels*> all = all_kernels();
+    if (all.empty()) return;
     HitTallies spheres, aabbs, obbs;
-    compare_many_eights(74, spheres, aabbs, obbs, [](const auto& eight, HitTallies& tallies) {
+    compare_many_eights(74, spheres, aabbs, obbs, [&all](const auto& eight, HitTallies& tallies) {
         const auto pairs = eight.pairs(eight.rays);
         const HitEight meet = kernel_for(eight);
         Hits8 hits, same_hits;
-        const Verdicts8 verdicts = (hit_kernels(Isa::scalar).*meet)(pairs, hits);
-        for (const Isa isa : test::isas()) {
-            const Verdicts8 same = (hit_kernels(isa).*meet)(pairs, same_hits);
+        const Verdicts8 verdicts = (all.front()->*meet)(pairs, hits);
+        for (const HitKernels* kernels : all) {
+            const Verdicts8 same = (kernels->*meet)(pairs, same_hits);
             REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));
             for (int k = 0; k < 8; ++k) {
                 if ((verdicts.yes >> k & 1) == 0) continue;
@@ -72,6 +83,7 @@ TEST_CASE("of eight rays each gets the hit that it gets alone, or is left open, 
 }
 
 TEST_CASE("of eight rays those that miss the ball around a mesh are told so, however far away, and no other") {
+    const std::vector<const HitKernels*> all = all_kernels();
     test::Random random(75);
     int missed = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -92,8 +104,8 @@ TEST_CASE("of eight rays those that miss the ball around a mesh are told so, how
         const bool meets = raycast(placed, ray, hit);
         const Sphere larger{placed.center, placed.radius + 1e-11 * (far + placed.radius)};
         const bool meets_larger = raycast(larger, ray, hit);
-        for (const Isa isa : test::isas()) {
-            const uint32_t no = hit_kernels(isa).miss_balls(pairs);
+        for (const HitKernels* kernels : all) {
+            const uint32_t no = kernels->miss_balls(pairs);
             REQUIRE((no == 0 || no == 0xff));
             if (meets) REQUIRE(no == 0);
             if (!meets_larger) REQUIRE(no == 0xff);
@@ -109,6 +121,7 @@ TEST_CASE("hits of eight raise no floating-point exception, however far the rays
     const gphys_sphere sphere{{1e15f, 0, 0}, 1e15f}, point{{}, 0};
     const gphys_aabb box{{-1e15f, -1, 0}, {1e15f, 1, 0}};
     const gphys_obb obb{{1e15f, 0, 0}, {1e15f, 1e15f, 1e15f}, {0, 0, 0.6f, 0.8f}};
+    const std::vector<const HitKernels*> all = all_kernels();
     int met = 0;
     std::feclearexcept(FE_ALL_EXCEPT);
     for (const gphys_transform& at : {world, unturned}) {
@@ -122,18 +135,17 @@ TEST_CASE("hits of eight raise no floating-point exception, however far the rays
                     std::fill_n(pairs.other, 8, other);
                     return pairs;
                 };
-                for (const Isa isa : test::isas()) {
-                    const HitKernels& kernels = hit_kernels(isa);
+                for (const HitKernels* kernels : all) {
                     Hits8 hits;
-                    met += kernels.spheres(pairs_with({at, sphere}, &sphere.center.x), hits).yes != 0;
-                    met += kernels.spheres(pairs_with({at, point}, &point.center.x), hits).yes != 0;
-                    met += kernels.aabbs(pairs_with({at, box}, nullptr), hits).yes != 0;
-                    met += kernels.obbs(pairs_with({at, obb}, &obb.rotation.x), hits).yes != 0;
-                    met += kernels.miss_balls(pairs_with({at, sphere}, &sphere.center.x)) == 0;
+                    met += kernels->spheres(pairs_with({at, sphere}, &sphere.center.x), hits).yes != 0;
+                    met += kernels->spheres(pairs_with({at, point}, &point.center.x), hits).yes != 0;
+                    met += kernels->aabbs(pairs_with({at, box}, nullptr), hits).yes != 0;
+                    met += kernels->obbs(pairs_with({at, obb}, &obb.rotation.x), hits).yes != 0;
+                    met += kernels->miss_balls(pairs_with({at, sphere}, &sphere.center.x)) == 0;
                 }
             }
         }
     }
     CHECK(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
-    CHECK(met > 0);
+    CHECK((met > 0 || all.empty()));
 }

@@ -54,6 +54,16 @@ TEST_CASE("rooms of threads share no page, and begin with a line") {
     CHECK(heap.given_back == taken);
 }
 
+TEST_CASE("what one object has allocated another cannot give back") {
+    const Memory memory(nullptr), other(nullptr);
+    CHECK(memory.is_equal(memory));
+    CHECK_FALSE(memory.is_equal(other));
+    test::WatchedMemory heap;
+    const RoomMemory rooms(&heap), more_rooms(&heap);
+    CHECK(rooms.is_equal(rooms));
+    CHECK_FALSE(rooms.is_equal(more_rooms));
+}
+
 TEST_CASE("a room that cannot be had is refused") {
     test::WatchedMemory heap;
     RoomMemory memory(&heap);

@@ -2,6 +2,7 @@
 
 #include <cfenv>
 #include <cstring>
+#include <ctime>
 #include <memory>
 #include <set>
 
@@ -433,6 +434,71 @@ TEST_CASE("rays from where all of a mesh is divide nothing by zero") {
         REQUIRE((found >> k & 1) == 1);
         REQUIRE(hits[k].t == 0);
     }
+}
+
+TEST_CASE("a mesh of denormal size answers as a large one does, in at most three times its time") {
+    // Coordinates of 23 - 12 bits, so that they are exact at either size.
+    test::Arrays large = test::sphere(5);
+    for (gphys_vec3& v : large.vertices) {
+        for (float* c : {&v.x, &v.y, &v.z}) *c = std::round(*c * 0x1p11f) * 0x1p-11f;
+    }
+    static constexpr double by = 0x1p-135;
+    const MeshHolder ordinary = hold(large), denormal = hold(large.placed({}, {by, by, by}));
+    REQUIRE(denormal->bounds().max[0] < std::numeric_limits<float>::min());
+    const auto larger = [](Vec3 v) { return v / by; };
+
+    test::Random random(12);
+    std::vector<Ray> rays;
+    std::vector<Vec3> points;
+    for (int i = 0; i < 2000; ++i) {
+        const auto exact = [&](Vec3 v) {
+            return Vec3{std::round(v.x * 512), std::round(v.y * 512), std::round(v.z * 512)} / 512;
+        };
+        const Vec3 from = exact(random.direction() * random.uniform(0, 3)), to = exact(random.direction());
+        if (from == to) continue;
+        rays.push_back({from, to - from, random.index(2) ? infinity : random.uniform(0, 2)});
+        points.push_back(from);
+    }
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const Ray small{rays[i].origin * by, rays[i].direction * by, rays[i].t_max};
+        Hit hit, expected;
+        REQUIRE(denormal->raycast(small, hit) == ordinary->raycast(rays[i], expected));
+        REQUIRE((hit.t == expected.t && larger(hit.point) == expected.point && hit.normal == expected.normal));
+        REQUIRE((hit.triangle == expected.triangle && hit.u == expected.u && hit.v == expected.v));
+        REQUIRE(denormal->raycast_any(small) == ordinary->raycast_any(rays[i]));
+        int count = 0, expected_count = 0;
+        denormal->raycast_all(small, [&](const Hit&) { ++count; });
+        ordinary->raycast_all(rays[i], [&](const Hit&) { ++expected_count; });
+        REQUIRE(count == expected_count);
+        const Sphere moving{points[i], .125};
+        REQUIRE(denormal->sweep({moving.center * by, moving.radius * by}, small.direction, hit, Ties::as_computed) ==
+                ordinary->sweep(moving, rays[i].direction, expected, Ties::as_computed));
+        REQUIRE((hit.t == expected.t && larger(hit.point) == expected.point && hit.triangle == expected.triangle));
+        Vec3 near, expected_near;
+        uint32_t triangle, expected_triangle;
+        const auto squared = [](Vec3, double square) { return square; };
+        const auto limit = [](double square) { return std::sqrt(square) * (1 + 0x1p-50); };
+        REQUIRE(denormal->closest_point(points[i] * by, infinity, squared, limit, near, triangle));
+        REQUIRE(ordinary->closest_point(points[i], infinity, squared, limit, expected_near, expected_triangle));
+        REQUIRE((larger(near) == expected_near && triangle == expected_triangle));
+    }
+
+    // Without magnification a ray asks all triangles: a hundred times as long.
+    const auto seconds = [&](const Mesh& mesh, double scale) {
+        double least = infinity;
+        for (int round = 0; round < 5; ++round) {
+            const std::clock_t begin = std::clock();
+            for (const Ray& ray : rays) {
+                Hit hit;
+                mesh.raycast({ray.origin * scale, ray.direction * scale, ray.t_max}, hit);
+            }
+            least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+        }
+        return least;
+    };
+    const double of_ordinary = seconds(*ordinary, 1), of_denormal = seconds(*denormal, by);
+    INFO(of_denormal << " s against " << of_ordinary << " s");
+    CHECK(of_denormal <= 3 * of_ordinary);
 }
 
 TEST_CASE("a shape overlaps exactly the triangles of a mesh that it overlaps one by one") {

@@ -468,7 +468,7 @@ TEST_CASE("rays at once find in an octree what each finds alone, in company or n
 TEST_CASE("queries side by side find in an octree what each finds alone, on every processor") {
     test::Random random(29);
     uint32_t complete = 0, too_much = 0, inside = 0;
-    const auto compare = [&](const ItemsMet& met, const auto& alone) {
+    const auto compare = [&](const OverlapItems& met, const auto& alone) {
         too_much += !met.complete;
         if (!met.complete) return;
         ++complete;
@@ -489,9 +489,9 @@ TEST_CASE("queries side by side find in an octree what each finds alone, on ever
                 Octree tree(std::pmr::get_default_resource(), isa);
                 build(tree, items);
                 for (int round = 0; round < 10; ++round) {
-                    const uint32_t queries = 1 + random.index(ItemsMet::most_queries);
-                    Box boxes[ItemsMet::most_queries];
-                    Sphere balls[ItemsMet::most_queries];
+                    const uint32_t queries = 1 + random.index(OverlapItems::most_queries);
+                    Box boxes[OverlapItems::most_queries];
+                    Sphere balls[OverlapItems::most_queries];
                     for (uint32_t k = 0; k < queries; ++k) {
                         boxes[k] = random_box(random, kind);
                         const Vec3 low{boxes[k].min[0], boxes[k].min[1], boxes[k].min[2]};
@@ -499,12 +499,12 @@ TEST_CASE("queries side by side find in an octree what each finds alone, on ever
                         balls[k] = {low, size};
                         if (random.index(2)) boxes[k] = bounds(balls[k]);
                     }
-                    ItemsMet met[ItemsMet::most_queries];
-                    tree.meet_boxes(boxes, queries, {}, {}, met);
+                    OverlapItems met[OverlapItems::most_queries];
+                    tree.overlap_boxes(boxes, queries, {}, {}, met);
                     for (uint32_t k = 0; k < queries; ++k) {
                         compare(met[k], [&](const auto& visit) { tree.overlap_box(boxes[k], visit); });
                     }
-                    tree.meet_balls(balls, queries, {}, {}, met);
+                    tree.overlap_balls(balls, queries, {}, {}, met);
                     for (uint32_t k = 0; k < queries; ++k) {
                         compare(met[k],
                                 [&](const auto& visit) { tree.overlap_ball(balls[k].center, balls[k].radius, visit); });

@@ -1,6 +1,6 @@
 // Overlaps: the book's defects by name, and every pair of convex shapes against support functions,
 // at random and moved to within a hair of touching.
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 
 #include "convex_hull.h"
 #include "shapes/halfspaces.h"
@@ -85,6 +85,32 @@ TEST_CASE("parallel planes overlap only when they are the same") {
     REQUIRE(both_ways(Plane{{1, 2, 3}, 4}, Plane{{-2, -4, -6}, -8}));
     REQUIRE_FALSE(both_ways(Plane{{1, 2, 3}, 4}, Plane{{2, 4, 6}, 8.5}));
     REQUIRE(both_ways(Plane{{1, 2, 3}, 4}, Plane{{1, 2, 3.0000002384185791015625}, 4e9}));
+}
+
+TEST_CASE("no shape overlaps an empty frustum, however little it lacks to have a point") {
+    const auto slab = [](double low, double high) {
+        return Frustum{{},
+                       {{{0, 0, 1}, low},
+                        {{0, 0, -1}, -high},
+                        {{1, 0, 0}, -1},
+                        {{-1, 0, 0}, -1},
+                        {{0, 1, 0}, -1},
+                        {{0, -1, 0}, -1}}};
+    };
+    const Shape shapes[] = {Sphere{{0, 0, 2}, 2.5},
+                            Capsule{{0, 0, 2}, {1, 0, 3}, 2.5},
+                            Capsule{{3, 0, 0}, {3, 0, 1}, 4},
+                            Capsule{{0, 3, -1}, {0, 3, 1}, 2.5},
+                            box_at({}, {3, 3, 3}),
+                            Obb{{0, 0, .5}, {1, 1, 1}, rotation_about({1, 0, 0}, .3)},
+                            Plane{{0, 0, 1}, 0},
+                            Triangle{{0, 0, -1}, {0, 0, 1}, {.5, .5, 0}}};
+    for (const double lacks : {0x1p-60, 0x1p-50, 0x1p-45}) {
+        for (const Shape& shape : shapes) {
+            REQUIRE_FALSE(both_ways(shape, slab(lacks, 0)));
+            REQUIRE(both_ways(shape, slab(-lacks, 0)));
+        }
+    }
 }
 
 namespace {

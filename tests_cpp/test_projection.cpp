@@ -1,5 +1,6 @@
 #include "camera/projection.h"
 
+#include <cfenv>
 #include <vector>
 
 #include "test.h"
@@ -293,4 +294,16 @@ TEST_CASE("a line of sight that never meets an oblique near plane has no ray") {
     REQUIRE(user(oblique).cast(depth_range, 0.5, 0, ray));
     REQUIRE(std::fabs(ray.origin.x - 1) < 1e-15);
     REQUIRE_FALSE(user(oblique).cast(depth_range, -0.5, 0, ray));
+}
+
+TEST_CASE("planes too close to be told apart leave no line of sight, and divide nothing by zero") {
+    Mat4 flat;  // near at z = 1, far at z = 1 + 1e-30
+    flat(0, 0) = flat(1, 1) = flat(3, 3) = 1;
+    flat(2, 2) = 1e30;
+    flat(2, 3) = -1e30;
+    const UserProjection projection = user(flat);
+    Ray ray;
+    std::feclearexcept(FE_ALL_EXCEPT);
+    REQUIRE_FALSE(projection.cast({GPHYS_DEPTH_ZERO_TO_ONE, false}, 0.25, 0.5, ray));
+    REQUIRE(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW) == 0);
 }

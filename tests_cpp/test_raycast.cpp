@@ -376,6 +376,33 @@ TEST_CASE("raycast: spheres agree with the quadratic formula in quadruple precis
     CHECK(worst_ulps <= 0x1p-5);
 }
 
+TEST_CASE("raycast: the normal on a round shape is right although its radius is less than a rounding of the way there",
+          "[raycast]") {
+    Hit hit;
+    const auto expect = [&](const Shape& shape, const Ray& ray, Vec3 normal) {
+        REQUIRE(raycast(shape, ray, hit));
+        // As far as 2^21 radii away the ray's point at t may be off by 2^-30 of the radius, beyond by less.
+        CHECK(length(hit.normal - normal) <= 0x1p-30);
+        CHECK(dot(hit.normal, ray.direction) <= 0);
+    };
+    // 3, 4, 5 in a plane across the axis.
+    for (const double size : {1.0, 0x1p-60, 0x1p-140}) {
+        for (const double far : {0x1p22, 0x1p48}) {
+            for (const double speed : {1.0, 0x1p-20, 0x1p30 / 3}) {
+                const Ray ray{{-far, 3 * size, 0}, {speed, 0, 0}, infinity};
+                expect(Sphere{{}, 5 * size}, ray, {-.8, .6, 0});
+                expect(Capsule{{0, 0, -far}, {0, 0, far}, 5 * size}, ray, {-.8, .6, 0});
+                // Tangents.
+                expect(Sphere{{}, 3 * size}, ray, {0, 1, 0});
+                expect(Capsule{{0, 0, -far}, {0, 0, far}, 3 * size}, ray, {0, 1, 0});
+            }
+        }
+    }
+    // A segment whose b - a is not a double.
+    const Ray segment = ray_along({{-0x1p48, 0x1p-60, 0}, {0x1p-60, 0x1p-60, 0}});
+    expect(Sphere{{-1, 0, 0}, 0x1p-60}, segment, {0, 1, 0});
+}
+
 TEST_CASE("raycast: capsules agree with cylinder and balls in quadruple precision", "[raycast]") {
     const NoTraps watch;
     Random random(4);

@@ -149,3 +149,159 @@ TEST_CASE("meshes with triangles of no area make calm cloth") {
         }
     }
 }
+
+namespace {
+
+/// Bodies of all kinds with parameters from the ends of their ranges.
+struct Extremes {
+    test::Random random;
+    std::string story;
+    World world;
+    std::vector<gphys_body_id> bodies;
+
+    explicit Extremes(uint64_t seed) : random(seed), world(settings()) {
+        if (random.index(2)) add_models();
+        const uint32_t count = 1 + random.index(3);
+        for (uint32_t i = 0; i < count; ++i) add_body();
+        for (const gphys_body_id body : bodies) change(body);
+        if (bodies.size() > 1 && random.index(2)) {
+            gphys_joint_id joint;
+            const float rest = pick({-1, 0, 1e-30f, 1, 1e10f});
+            gphys_solver_join(world.solver, bodies[0], 0, bodies[1], 0, rest, compliance(), &joint);
+        }
+    }
+
+    float pick(std::initializer_list<float> values) {
+        return values.begin()[random.index(static_cast<uint32_t>(values.size()))];
+    }
+    float compliance() { return pick({0, 0, 0, 1e-40f, 1e-10f, 1, 1e15f}); }
+    gphys_solver_desc settings() {
+        const float g = pick({0, 1e-40f, 9.81f, 9.81f, 1e5f, 1e15f});
+        gphys_solver_desc desc = World::desc(1 + random.index(10), {0, -g, 0});
+        desc.max_strain = pick({0, 0, 1e-30f, 0.01f});
+        desc.tolerance = pick({0, 0, 1e-30f, 0.01f});
+        desc.max_substeps = 16;
+        desc.sleep_speed = pick({0, 1e-30f, 1});
+        story += "gravity " + std::to_string(g);
+        return desc;
+    }
+    void add_models() {
+        const float size = pick({1e-30f, 1, 1e6f, 1e14f});
+        const gphys_sphere sphere{{0, -size, 0}, size};
+        world.model(GPHYS_SHAPE_SPHERE, &sphere);
+        const gphys_plane plane{{0, 1, 0}, -2};
+        world.model(GPHYS_SHAPE_PLANE, &plane);
+        story += ", models of " + std::to_string(size);
+    }
+    void add_body() {
+        gphys_body_desc desc = World::body_desc();
+        desc.mass = pick({1e-45f, 1e-30f, 1e-10f, 1, 1, 1e10f, 1e15f});
+        desc.radius = pick({0, 1e-40f, 0.01f, 0.01f, 10, 1e10f, 1e15f});
+        desc.damping = pick({0, 0.5f, 1e-40f, 1e6f, 1e15f});
+        desc.friction = pick({0, 0.5f, 1e-40f, 1e15f});
+        desc.restitution = pick({0, 0.5f, 1});
+        desc.compliance = compliance();
+        desc.bend_compliance = compliance();
+        desc.self_collision = random.index(2);
+        desc.body_layers = random.index(2);
+        const float size = pick({1e-45f, 1e-38f, 1e-25f, 1e-15f, 1e-8f, 0.1f, 0.1f, 1, 1e6f, 1e13f});
+        const float off = pick({0, 0, 1, 1e10f, 9e14f});
+        const uint32_t kind = random.index(4), count = 2 + random.index(14);
+        std::vector<gphys_vec3> at;
+        for (uint32_t i = 0; i < count; ++i) {
+            const gphys_vec3 p = random.point(size);
+            at.push_back({p.x + off, p.y, p.z + off});
+        }
+        gphys_body_id body = 0;
+        gphys_status status;
+        if (kind == 0) {
+            status = gphys_solver_add_particles(world.solver, &desc, at.data(), 12, count, &body);
+        } else if (kind == 1) {
+            const float link = pick({0, 1e-45f, 1e-24f, 1e-9f, 0.1f, 1e10f, 1e15f});
+            status = gphys_solver_add_rope(world.solver, &desc, at.data(), 12, count, link, &body);
+        } else if (kind == 2) {
+            const gphys_vec3 corner{off, 0, off}, u = random.point(size), v = random.point(size);
+            status = gphys_solver_add_cloth(world.solver, &desc, &corner, &u, &v, 2 + random.index(5),
+                                            2 + random.index(5), &body);
+        } else {
+            std::vector<float> vertices;
+            for (const gphys_vec3& p : at) vertices.insert(vertices.end(), {p.x, p.y, p.z});
+            std::vector<uint32_t> indices;
+            for (uint32_t i = 0; i < 3 * count; ++i) indices.push_back(random.index(count));
+            const test::MeshHandle mesh(vertices, indices);
+            status = gphys_solver_add_cloth_mesh(world.solver, &desc, mesh.mesh, nullptr, &body);
+        }
+        story += "; kind " + std::to_string(kind) + " size " + std::to_string(std::log10(size)) + " off " +
+                 std::to_string(off) + " mass " + std::to_string(std::log10(desc.mass)) + " radius " +
+                 std::to_string(desc.radius) + " damping " + std::to_string(desc.damping) + " compliance " +
+                 std::to_string(desc.compliance) + " self " + std::to_string(desc.self_collision);
+        if (status == GPHYS_OK) bodies.push_back(body);
+    }
+    void change(gphys_body_id body) {
+        if (random.index(2)) world.pin(body, 0);
+        const gphys_vec3 velocity = random.point(pick({0, 1e-40f, 10, 1e6f, 1e14f}));
+        if (random.index(3) == 0) world.set_velocity(body, 1, velocity);
+        const gphys_vec3 force = random.point(pick({0, 1e-40f, 10, 1e10f, 1e15f}));
+        if (random.index(3) == 0) REQUIRE(gphys_solver_set_forces(world.solver, body, 1, 1, &force, 12) == GPHYS_OK);
+        const float mass = pick({1e-45f, 1e-20f, 1, 1e15f});
+        if (random.index(3) == 0) REQUIRE(gphys_solver_set_masses(world.solver, body, 1, 1, &mass, 4) == GPHYS_OK);
+        if (random.index(4) == 0)
+            gphys_solver_set_volume(world.solver, body, pick({-1, 1e-30f, 1, 1e15f}), compliance());
+    }
+};
+
+bool are_within(const std::vector<gphys_vec3>& values, double limit) {
+    return std::all_of(values.begin(), values.end(),
+                       [&](gphys_vec3 v) { return max_component(abs(gphys::widen(v))) <= limit; });
+}
+
+/// Places are in the range of coordinates; what is beyond all floats is reported as the largest.
+bool is_finite(const World& world, gphys_body_id body) {
+    const gphys_solver_stats stats = world.stats(body);
+    return test::all_finite(world.positions(body)) && test::all_finite(world.velocities(body)) &&
+           are_within(world.positions(body), GPHYS_MAX_COORDINATE) && std::isfinite(stats.kinetic_energy) &&
+           std::isfinite(stats.potential_energy) && std::isfinite(stats.strain_max) && std::isfinite(stats.strain_rms);
+}
+
+bool contacts_are_finite(const World& world) {
+    gphys_contact contacts[256];
+    gphys_impulse impulses[64];
+    uint32_t total = 0;
+    REQUIRE(gphys_solver_get_contacts(world.solver, contacts, 256, &total) >= GPHYS_OK);
+    std::vector<gphys_vec3> all;
+    for (uint32_t i = 0; i < std::min(total, 256u); ++i) all.insert(all.end(), {contacts[i].point, contacts[i].normal});
+    REQUIRE(gphys_solver_get_impulses(world.solver, impulses, 64, &total) >= GPHYS_OK);
+    for (uint32_t i = 0; i < std::min(total, 64u); ++i)
+        all.insert(all.end(), {impulses[i].linear, impulses[i].angular});
+    return test::all_finite(all);
+}
+
+void check_extremes(uint64_t seed) {
+    Extremes extremes(seed);
+    const float step = extremes.pick({1e-6f, 1.0f / 60, 1.0f / 60, 0.5f});
+    INFO("seed " << seed << ": " << extremes.story << ", dt " << step);
+    World restored;
+    for (int i = 0; i < 10; ++i) {
+        extremes.world.step(step);
+        bool finite = contacts_are_finite(extremes.world);
+        for (const gphys_body_id body : extremes.bodies) finite = finite && is_finite(extremes.world, body);
+        REQUIRE(finite);
+        uint32_t total = 0, hash[2], hash_restored[2];
+        REQUIRE(gphys_solver_get_snapshot(extremes.world.solver, nullptr, 0, &total) == GPHYS_INCOMPLETE);
+        std::vector<uint32_t> words(total);
+        REQUIRE(gphys_solver_get_snapshot(extremes.world.solver, words.data(), total, &total) == GPHYS_OK);
+        REQUIRE(gphys_solver_restore(restored.solver, words.data(), total) == GPHYS_OK);
+        REQUIRE(gphys_solver_get_hash(extremes.world.solver, hash) == GPHYS_OK);
+        REQUIRE(gphys_solver_get_hash(restored.solver, hash_restored) == GPHYS_OK);
+        REQUIRE((hash[0] == hash_restored[0] && hash[1] == hash_restored[1]));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("bodies with extreme parameters stay in range, and their snapshots are restored") {
+    for (uint64_t seed = 0; seed < 100; ++seed) check_extremes(seed);
+    // Tensions, impulses, places of contacts and histories that were no numbers.
+    for (const uint64_t seed : {168, 193, 203, 236, 421, 663, 815, 825, 880, 1131, 1303, 1625, 1823, 1998, 2610})
+        check_extremes(seed);
+}

@@ -327,6 +327,52 @@ TEST_CASE("sweep: a centre inside gets a normal against the motion", "[sweep]") 
     CHECK(hit.v == .25);
 }
 
+TEST_CASE("sweep: a reported normal is not along the motion, however little is left to tell it from", "[sweep]") {
+    const auto check = [](const Shape& shape, const Sphere& moving, Vec3 displacement) {
+        Hit hit;
+        REQUIRE(sweep(shape, moving, displacement, hit));
+        REQUIRE((hit.flags & GPHYS_HIT_INSIDE) == 0);
+        const Vec3 normal = widen(to_contact(hit, displacement).normal);
+        CHECK(dot(normal, displacement) <= 0);
+        CHECK(std::fabs(length(normal) - 1) < 0x1p-22);
+    };
+    // Radii far below a rounding of the coordinates.
+    const Triangle line{
+        {-0x1.666666p-1, -0x1.1a61fcp-54, 0x1.555556p-1}, {.1, 0x1.777a5cp-25, 0}, {.1, 0x1.777a5cp-25, 0}};
+    check(line, {{-0x1.666666p-1, -0x1.eb852p-6, 0x1.555556p-1}, 0x1p-129}, {0, 1, 0});
+    const Aabb box{{0x1.c3cffap-58, -0x1.ee8a72p-1, -0x1.111112p-5}, {0x1.eb852p-6, 0x1.99999ap-4, -0x1.039d66p-103}};
+    check(box, {{0x1.99999ap-3, 0x1.2c61e4p-27, 0x1.777a5cp-25}, 0x1.4484cp-100},
+          {-0x1.41b2f8p-2, -0x1.0907dcp-2, -0x1.47ae16p-7});
+    // Past a frustum that is 4e14 m away by its coordinates.
+    const Frustum frustum{{0x1.78967p+48, 0x1.92e1p+1, 0x1.41b2f8p-2},
+                          {{{0, 0, 1}, 3},
+                           {{0, 0, -1}, 1},
+                           {{0, 1, -0x1.d4f54cp+48}, -1},
+                           {{0, 1, -0x1.d4f54cp+48}, 0},
+                           {{1, 1, -0x1.d4f54cp+48}, 0},
+                           {{-1, 1, -0x1.d4f54cp+48}, 0}}};
+    Hit hit;
+    const Sphere moving{{0x1.fffffep+0, -0x1p-147, -0x1.c99f8cp+2}, 1};
+    const Vec3 displacement{0x1.66d2f6p+49, 0x1.ffffbp+19, 0x1.ffffe8p+19};
+    if (sweep(frustum, moving, displacement, hit)) check(frustum, moving, displacement);
+    // Edges that are grazed: the normal is across the motion, up to its rounding to floats.
+    Random random(31);
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 way = as_floats({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+        const Vec3 across = normalized(cross(way, {random.uniform(-1, 1), random.uniform(-1, 1), 1}));
+        const Sphere swept{as_floats(across * 2 - way * .5), 1};
+        for (const Shape& shape :
+             {Shape(Sphere{{}, .999999}), Shape(Capsule{{}, as_floats(cross(way, across)), .999999}),
+              Shape(Aabb{as_floats(across * -1), as_floats(across * .9999)}), Shape(Plane{across, .999999})}) {
+            Hit grazed;
+            if (!sweep(shape, swept, way, grazed) || (grazed.flags & GPHYS_HIT_INSIDE)) continue;
+            const Vec3 normal = widen(to_contact(grazed, way).normal);
+            CHECK(dot(normal, way) <= 0);
+            CHECK(length(normal - grazed.normal) < 0x1p-21);
+        }
+    }
+}
+
 TEST_CASE("sweep: the largest and smallest numbers raise no exception", "[sweep]") {
     const NoTraps watch;
     Random random(29);
@@ -353,7 +399,8 @@ TEST_CASE("sweep: the largest and smallest numbers raise no exception", "[sweep]
             Hit hit;
             if (sweep(shape, moving, displacement, hit)) {
                 CHECK((hit.t >= 0 && hit.t <= 1));
-                to_hit(hit);
+                const Vec3 reported = widen(to_contact(hit, displacement).normal);
+                CHECK(((hit.flags & GPHYS_HIT_INSIDE) || dot(reported, displacement) <= 0));
             }
         }
     }

@@ -11,6 +11,8 @@ bindings_current() {
     [ -s generated.txt ] || fail "nothing was generated"
     while read -r file; do
         cmp "made/$file" "$2/$file" || fail "bindings/$file is not that of the header: $advice"
+        grep -qxF "bindings/${file#./} linguist-generated" "$SOURCE/.gitattributes" ||
+            fail "bindings/${file#./} is generated: say so in .gitattributes"
     done <generated.txt
 }
 

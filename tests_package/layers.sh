@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
 # A folder of src is a layer. Every #include points to its own layer or to one that it may know:
-#   foundation -> shapes -> intersect -> mesh, scene -> solver;  shapes -> octree -> mesh
+#   foundation -> shapes -> geometry -> octree -> mesh -> scene -> solver
 #   shapes -> camera;  pick joins camera and scene;  c_api sits on top
-# The octree knows boxes and integers, not the questions; camera and scene do not know each other.
+# The octree knows boxes and integers, and of the questions those about boxes; camera and scene do not know each other.
 source "$SOURCE/tests_package/common.sh"
 
 declare -A knows=(
     [foundation]=""
     [shapes]="foundation"
-    [intersect]="foundation shapes"
-    [octree]="foundation shapes"
-    [mesh]="foundation shapes intersect octree"
-    [scene]="foundation shapes intersect octree mesh"
-    [solver]="foundation shapes intersect octree mesh scene"
+    [geometry]="foundation shapes"
+    [octree]="foundation shapes geometry"
+    [mesh]="foundation shapes geometry octree"
+    [scene]="foundation shapes geometry octree mesh"
+    [solver]="foundation shapes geometry octree mesh scene"
     [camera]="foundation shapes"
-    [pick]="foundation shapes intersect octree mesh scene camera"
-    [c_api]="foundation shapes intersect octree mesh scene solver camera pick"
+    [pick]="foundation shapes geometry octree mesh scene camera"
+    [c_api]="foundation shapes geometry octree mesh scene solver camera pick"
 )
 
 shopt -s globstar

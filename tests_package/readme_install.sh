@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The README's "Install", then "Ten lines", as written: root's lines install into the system, which is
+# The README's "Install", then "First program", as written: root's lines install into the system, which is
 # this one under a layer of its own that is gone afterwards. readme_install.sh [build] builds the library
 # anew; otherwise what the tests have built takes the place of the line that builds it.
 # The status 77 says that such a layer cannot be had here.
@@ -16,9 +16,9 @@ block() {
 }
 block Install 1 console >from_source.sh
 block Install 2 console >packages.sh
-block "Ten lines" 1 sh >client.sh
-block "Ten lines" 1 c >client.c
-block "Ten lines" 1 cmake >CMakeLists.txt
+block "First program" 1 sh >client.sh
+block "First program" 1 c >client.c
+block "First program" 1 cmake >CMakeLists.txt
 grep -n 'cmake --build build/install' from_source.sh | cut -d: -f1 >line.txt
 [ "$(wc -l <line.txt)" = 1 ] || fail "the README builds in another way: $(cat from_source.sh)"
 for file in packages.sh client.sh client.c CMakeLists.txt; do
@@ -51,7 +51,7 @@ if [ "${1:-}" != build ]; then
 fi
 sed "$(cat line.txt)q" from_source.sh >without_install.sh
 
-# says_hit NAME SCRIPT...: run in the clone in a layer, they make the ten lines work in both ways.
+# says_hit NAME SCRIPT...: run in the clone in a layer, they make the first program work in both ways.
 says_hit() {
     local name=$1
     shift

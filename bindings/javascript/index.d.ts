@@ -158,7 +158,7 @@ export interface Hit {
     t: number;
     /** where the surfaces meet */
     point: number[];
-    /** unit, against the motion: dot(normal, direction) <= 0 */
+    /** unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding */
     normal: number[];
     /** index within a mesh, else NO_TRIANGLE */
     triangle: number;
@@ -304,7 +304,7 @@ export interface SolverDesc {
     sleep_strain: number;
     /** seconds; default 0.5 */
     sleep_time: number;
-    /** target of rigid constraints, see Solver.getSubsteps; 0: none; default 0 */
+    /** of rigid constraints, see Solver.getSubsteps; 0: none, of cloth 0.02; default 0 */
     max_strain: number;
     /** target of positions: metres of error that a second of motion adds; 0: none; default 0 */
     tolerance: number;
@@ -1156,7 +1156,7 @@ export function validate(shape: AnyShape): void;
 export function bounds(shape: AnyShape): Aabb | null;
 /** Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
  * answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
- * rotation in double precision).
+ * rotation in double precision). Others are as overlaps with a sphere.
  * Cost: O(1); O(log n) expected for a mesh.
  * @param tolerance - metres, >= 0 */
 export function contains(shape: AnyShape, point: Given<number[]>, tolerance: number): boolean;
@@ -1234,9 +1234,10 @@ export function segmentTest(shape: AnyShape, segment: Given<Segment>): Hit | nul
  * mesh.
  * @param displacement - metres; may be zero
  * @returns t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
- *     the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself is in a
- *     solid, the normal is opposite to the displacement (zero if that is zero). null if nothing is
- *     found.
+ *     the sphere's centre; in double precision its dot with the displacement is never above 0. Already
+ *     overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement too; where the
+ *     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). null if
+ *     nothing is found.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement: Given<number[]>): Hit | null;
 /** The eight corners, each the intersection of three planes: near then far, each in the order

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <new>
 
@@ -15,15 +16,16 @@ namespace gphys {
 
 inline gphys_status invalid(const char* message) noexcept { return fail(GPHYS_ERROR_INVALID_ARGUMENT, message); }
 
-/// Run the body of an entry point; whatever it throws becomes a status.
+/// The whole of an entry point (tests_package/entry_points.py sees to it): whatever its body throws becomes a
+/// status, or ends here if it returns none.
 template <class Body>
-gphys_status guarded(Body&& body) noexcept {
+auto guarded(Body&& body) noexcept -> decltype(body()) {
     try {
         return body();
     } catch (const std::bad_alloc&) {
-        return fail(GPHYS_ERROR_OUT_OF_MEMORY, "out of memory");
+        return static_cast<decltype(body())>(fail(GPHYS_ERROR_OUT_OF_MEMORY, "out of memory"));
     } catch (...) {
-        return fail(GPHYS_ERROR_INTERNAL, "unexpected exception");
+        return static_cast<decltype(body())>(fail(GPHYS_ERROR_INTERNAL, "unexpected exception"));
     }
 }
 
@@ -57,14 +59,31 @@ inline void write_origin(Vec3 from, double* to) {
 
 inline bool is_bool(int32_t value) { return value == 0 || value == 1; }
 
-inline bool valid_stride(uint32_t stride, size_t element) {
-    return stride % 4 == 0 && (stride == 0 || stride >= element);
+/// Bytes between elements that are written; `name` is the parameter's.
+inline gphys_status check_out_stride(const char* name, uint32_t stride, size_t element) noexcept {
+    if (stride % 4 == 0 && stride >= element) return GPHYS_OK;
+    char message[128];
+    std::snprintf(message, sizeof message, "%s: %u is not a multiple of 4 from %u up", name,
+                  static_cast<unsigned>(stride), static_cast<unsigned>(element));
+    return invalid(message);
+}
+/// Between elements that are read: 0 repeats one.
+inline gphys_status check_stride(const char* name, uint32_t stride, size_t element) noexcept {
+    if (stride == 0) return GPHYS_OK;
+    return check_out_stride(name, stride, element);
 }
 /// Several particles at one place are a mistake, so 0 does not repeat a position.
-inline bool valid_position_stride(uint32_t stride, uint32_t count) {
-    return valid_stride(stride, sizeof(gphys_vec3)) && (stride != 0 || count <= 1);
+inline gphys_status check_position_stride(const char* name, uint32_t stride, uint32_t count) noexcept {
+    return count <= 1 ? check_stride(name, stride, sizeof(gphys_vec3))
+                      : check_out_stride(name, stride, sizeof(gphys_vec3));
 }
-inline bool valid_out_stride(uint32_t stride, size_t element) { return stride % 4 == 0 && stride >= element; }
+/// There is one mesh, whatever the count.
+inline gphys_status check_mesh_stride(const char* name, uint32_t stride) noexcept {
+    if (stride == 0) return GPHYS_OK;
+    char message[128];
+    std::snprintf(message, sizeof message, "%s: %u is not 0, as for a mesh", name, static_cast<unsigned>(stride));
+    return invalid(message);
+}
 
 /// A desc that uses what a later release added.
 inline gphys_status newer_desc() noexcept {

@@ -7,6 +7,7 @@
 
 #include "c_api/api.h"
 #include "c_api/shape_input.h"
+#include "foundation/compiler.h"
 #include "foundation/image_tiles.h"
 #include "foundation/results.h"
 #include "foundation/strided.h"
@@ -69,18 +70,15 @@ void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uin
         out[i] = no_hit;
         return false;
     };
-    const auto fetch = [&](uint32_t i) {
-        __builtin_prefetch(&in[i]);
-        __builtin_prefetch(&out[i], 1);
-    };
-    cast_by_tiles(scene, tiles, ray_or_no_hit, fetch, [&](Ray* rays, const uint32_t* items, uint32_t size) {
-        gphys_hit* hits[ImageTiles::most];
-        for (uint32_t k = 0; k < size; ++k) {
-            hits[k] = &out[items[k]];
-            *hits[k] = no_hit;
-        }
-        scene.raycast_many(rays, size, layers, hits);
-    });
+    cast_by_tiles(scene, tiles, ray_or_no_hit, prefetch_elements(in, out),
+                  [&](Ray* rays, const uint32_t* items, uint32_t size) {
+                      gphys_hit* hits[ImageTiles::most];
+                      for (uint32_t k = 0; k < size; ++k) {
+                          hits[k] = &out[items[k]];
+                          *hits[k] = no_hit;
+                      }
+                      scene.raycast_many(rays, size, layers, hits);
+                  });
 }
 
 /// How many elements of an array there are to check: a stride of 0 repeats one.

@@ -15,8 +15,7 @@ constexpr size_t mesh_desc_size = sizeof(gphys_mesh_desc);  // of release 1.0
 
 gphys_status check_arrays(const MeshArrays& arrays) {
     GPHYS_REQUIRE(arrays.vertex_count == 0 || arrays.vertices, "vertices is null");
-    GPHYS_REQUIRE(valid_out_stride(arrays.vertex_stride, sizeof(gphys_vec3)),
-                  "vertex_stride: must be a multiple of 4 and at least 12");
+    GPHYS_TRY(check_out_stride("vertex_stride", arrays.vertex_stride, sizeof(gphys_vec3)));
     GPHYS_REQUIRE(arrays.index_count == 0 || arrays.indices, "indices is null");
     GPHYS_REQUIRE(arrays.index_count % 3 == 0, "index_count: must be a multiple of 3");
     return GPHYS_OK;
@@ -45,7 +44,7 @@ gphys_status gphys_mesh_check(const float* vertices, uint32_t vertex_stride, uin
 }
 
 gphys_status gphys_mesh_desc_init(gphys_mesh_desc* desc, uint32_t size) {
-    return write_desc(desc, size, gphys_mesh_desc{}, mesh_desc_size);
+    return guarded([&] { return write_desc(desc, size, gphys_mesh_desc{}, mesh_desc_size); });
 }
 
 gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertices, uint32_t vertex_stride,
@@ -68,49 +67,61 @@ gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertice
 }
 
 void gphys_mesh_destroy(gphys_mesh* mesh) {
-    if (mesh) Mesh::release(unwrap(mesh));
+    guarded([&] {
+        if (mesh) Mesh::release(unwrap(mesh));
+    });
 }
 
 gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report) {
-    GPHYS_REQUIRE(mesh, "mesh is null");
-    GPHYS_REQUIRE(out_report, "out_report is null");
-    *out_report = unwrap(mesh)->report();
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        GPHYS_REQUIRE(out_report, "out_report is null");
+        *out_report = unwrap(mesh)->report();
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_mesh_get_vertices(const gphys_mesh* mesh, gphys_vec3* out_vertices, uint32_t capacity,
                                      uint32_t* out_total) {
-    GPHYS_REQUIRE(mesh, "mesh is null");
-    return copy_out(unwrap(mesh)->vertices(), out_vertices, capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        return copy_out(unwrap(mesh)->vertices(), out_vertices, capacity, out_total);
+    });
 }
 
 gphys_status gphys_mesh_get_indices(const gphys_mesh* mesh, uint32_t* out_indices, uint32_t capacity,
                                     uint32_t* out_total) {
-    GPHYS_REQUIRE(mesh, "mesh is null");
-    return copy_out(unwrap(mesh)->indices(), out_indices, capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        return copy_out(unwrap(mesh)->indices(), out_indices, capacity, out_total);
+    });
 }
 
 gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray, gphys_hit* out_hits,
                                     uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE(mesh, "mesh is null");
-    GPHYS_REQUIRE(ray, "ray is null");
-    GPHYS_REQUIRE_VALID(*ray);
-    GPHYS_TRY(check_list(out_hits, capacity, out_total));
-    const auto earlier = [](const gphys_hit& a, const gphys_hit& b) {
-        return a.t < b.t || (a.t == b.t && a.triangle < b.triangle);
-    };
-    Smallest<gphys_hit, decltype(earlier)> hits(out_hits, capacity, earlier);
-    unwrap(mesh)->raycast_all(widen(*ray), [&](const Hit& hit) { hits.add(to_hit(hit)); });
-    return listed(hits.finish(), capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        GPHYS_REQUIRE(ray, "ray is null");
+        GPHYS_REQUIRE_VALID(*ray);
+        GPHYS_TRY(check_list(out_hits, capacity, out_total));
+        const auto earlier = [](const gphys_hit& a, const gphys_hit& b) {
+            return a.t < b.t || (a.t == b.t && a.triangle < b.triangle);
+        };
+        Smallest<gphys_hit, decltype(earlier)> hits(out_hits, capacity, earlier);
+        unwrap(mesh)->raycast_all(widen(*ray), [&](const Hit& hit) { hits.add(to_hit(hit)); });
+        return listed(hits.finish(), capacity, out_total);
+    });
 }
 
 gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray, int32_t* out_hit) {
-    GPHYS_REQUIRE(mesh, "mesh is null");
-    GPHYS_REQUIRE(ray, "ray is null");
-    GPHYS_REQUIRE_VALID(*ray);
-    GPHYS_REQUIRE(out_hit, "out_hit is null");
-    *out_hit = unwrap(mesh)->raycast_any(widen(*ray));
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        GPHYS_REQUIRE(ray, "ray is null");
+        GPHYS_REQUIRE_VALID(*ray);
+        GPHYS_REQUIRE(out_hit, "out_hit is null");
+        *out_hit = unwrap(mesh)->raycast_any(widen(*ray));
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, const void* shape,
@@ -130,14 +141,18 @@ gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, c
 }
 
 gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_stats* out_stats) {
-    GPHYS_REQUIRE(mesh, "mesh is null");
-    GPHYS_REQUIRE(out_stats, "out_stats is null");
-    *out_stats = unwrap(mesh)->octree_stats();
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        GPHYS_REQUIRE(out_stats, "out_stats is null");
+        *out_stats = unwrap(mesh)->octree_stats();
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys_octree_box* out_boxes, uint32_t capacity,
                                          uint32_t* out_total) {
-    GPHYS_REQUIRE(mesh, "mesh is null");
-    return copy_boxes(*unwrap(mesh), out_boxes, capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        return copy_boxes(*unwrap(mesh), out_boxes, capacity, out_total);
+    });
 }

@@ -26,8 +26,7 @@ gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const v
     switch (type) {
         case GPHYS_SHAPE_MESH:
             GPHYS_REQUIRE(shapes, "shape is null");
-            GPHYS_REQUIRE(stride == 0, "shape_stride: must be 0 for a mesh");
-            return GPHYS_OK;
+            return check_mesh_stride("shape_stride", stride);
         case GPHYS_SHAPE_FRUSTUM:
         case GPHYS_SHAPE_RAY:
         case GPHYS_SHAPE_SEGMENT:
@@ -37,7 +36,7 @@ gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const v
     }
     const size_t size = shape_struct_size(type);
     GPHYS_REQUIRE(size != 0, "type: no such shape type");
-    GPHYS_REQUIRE(valid_stride(stride, size), "shape_stride: must be 0 or a multiple of 4 that spans the struct");
+    GPHYS_TRY(check_stride("shape_stride", stride, size));
     const Strided<char> shape(static_cast<const char*>(shapes), stride);
     return check_each(workers, distinct(stride, count), [&](uint32_t i) {
         Shape widened;
@@ -47,8 +46,7 @@ gphys_status check_shapes(const Workers& workers, gphys_shape_type type, const v
 
 gphys_status check_transforms(const Workers& workers, const gphys_transform* transforms, uint32_t stride,
                               uint32_t count) {
-    GPHYS_REQUIRE(valid_stride(stride, sizeof(gphys_transform)),
-                  "transform_stride: must be 0 or a multiple of 4 that spans the struct");
+    GPHYS_TRY(check_stride("transform_stride", stride, sizeof(gphys_transform)));
     const Strided<gphys_transform> transform(transforms, stride);
     return check_each(workers, distinct(stride, count), [&](uint32_t i) -> gphys_status {
         GPHYS_REQUIRE_VALID(transform[i]);
@@ -59,16 +57,14 @@ gphys_status check_transforms(const Workers& workers, const gphys_transform* tra
 gphys_status add_models(gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                         const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
                         const gphys_model_desc* desc, gphys_model_id* out_models) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(scene, "scene is null");
-        GPHYS_REQUIRE(out_models || count == 0, "out_models is null");
-        const Workers& workers = unwrap(scene)->workers();
-        GPHYS_TRY(check_shapes(workers, type, shapes, shape_stride, count));
-        if (transforms) GPHYS_TRY(check_transforms(workers, transforms, transform_stride, count));
-        gphys_model_desc known = default_model_desc;
-        GPHYS_TRY(read_desc(desc, known, model_desc_size));
-        return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count, known, out_models);
-    });
+    GPHYS_REQUIRE(scene, "scene is null");
+    GPHYS_REQUIRE(out_models || count == 0, "out_models is null");
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_shapes(workers, type, shapes, shape_stride, count));
+    if (transforms) GPHYS_TRY(check_transforms(workers, transforms, transform_stride, count));
+    gphys_model_desc known = default_model_desc;
+    GPHYS_TRY(read_desc(desc, known, model_desc_size));
+    return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count, known, out_models);
 }
 
 using TransformOf = const gphys_transform& (Scene::*)(gphys_model_id) const;
@@ -77,8 +73,7 @@ gphys_status copy_transforms(const gphys_scene* scene, const gphys_model_id* mod
                              gphys_transform* out_transforms, uint32_t out_stride, TransformOf transform_of) {
     GPHYS_REQUIRE(scene, "scene is null");
     GPHYS_REQUIRE((models && out_transforms) || count == 0, "models or out_transforms is null");
-    GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(gphys_transform)),
-                  "out_stride: must be a multiple of 4 that spans the struct");
+    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_transform)));
     const Scene& known = *unwrap(scene);
     GPHYS_TRY(check_each(known.workers(), count, [&](uint32_t i) { return known.check(models[i]); }));
     const StridedOut<gphys_transform> out(out_transforms, out_stride);
@@ -93,7 +88,7 @@ gphys_aabb to_aabb(const Box& box) {
 }  // namespace
 
 gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t size) {
-    return write_desc(desc, size, default_scene_desc, scene_desc_size);
+    return guarded([&] { return write_desc(desc, size, default_scene_desc, scene_desc_size); });
 }
 
 gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_scene) {
@@ -122,27 +117,33 @@ gphys_status gphys_scene_set_origin(gphys_scene* scene, const double origin[3]) 
 }
 
 gphys_status gphys_scene_get_origin(const gphys_scene* scene, double out_origin[3]) {
-    GPHYS_REQUIRE(scene && out_origin, "scene or out_origin is null");
-    write_origin(unwrap(scene)->origin(), out_origin);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene && out_origin, "scene or out_origin is null");
+        write_origin(unwrap(scene)->origin(), out_origin);
+        return GPHYS_OK;
+    });
 }
 
-void gphys_scene_destroy(gphys_scene* scene) { destroy(unwrap(scene)); }
+void gphys_scene_destroy(gphys_scene* scene) {
+    guarded([&] { destroy(unwrap(scene)); });
+}
 
 gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t size) {
-    return write_desc(desc, size, default_model_desc, model_desc_size);
+    return guarded([&] { return write_desc(desc, size, default_model_desc, model_desc_size); });
 }
 
 gphys_status gphys_scene_add(gphys_scene* scene, gphys_shape_type type, const void* shape,
                              const gphys_transform* transform, const gphys_model_desc* desc,
                              gphys_model_id* out_model) {
-    return add_models(scene, type, shape, 0, transform, 0, 1, desc, out_model);
+    return guarded([&] { return add_models(scene, type, shape, 0, transform, 0, 1, desc, out_model); });
 }
 
 gphys_status gphys_scene_add_batch(gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                                    const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
                                    const gphys_model_desc* desc, gphys_model_id* out_models) {
-    return add_models(scene, type, shapes, shape_stride, transforms, transform_stride, count, desc, out_models);
+    return guarded([&] {
+        return add_models(scene, type, shapes, shape_stride, transforms, transform_stride, count, desc, out_models);
+    });
 }
 
 gphys_status gphys_scene_remove(gphys_scene* scene, gphys_model_id model) {
@@ -173,8 +174,10 @@ gphys_status gphys_scene_clear(gphys_scene* scene) {
 }
 
 gphys_status gphys_scene_has(const gphys_scene* scene, gphys_model_id model) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    return unwrap(scene)->check(model);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        return unwrap(scene)->check(model);
+    });
 }
 
 gphys_status gphys_scene_get_models(const gphys_scene* scene, gphys_model_id* out_models, uint32_t capacity,
@@ -189,56 +192,68 @@ gphys_status gphys_scene_get_models(const gphys_scene* scene, gphys_model_id* ou
 }
 
 gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model, gphys_model_info* out_info) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    GPHYS_REQUIRE(out_info, "out_info is null");
-    const Scene& known = *unwrap(scene);
-    GPHYS_TRY(known.check(model));
-    *out_info = {known.type(model), known.parent(model), known.layers(model), known.tag(model),
-                 known.child_count(model)};
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(out_info, "out_info is null");
+        const Scene& known = *unwrap(scene);
+        GPHYS_TRY(known.check(model));
+        *out_info = {known.type(model), known.parent(model), known.layers(model), known.tag(model),
+                     known.child_count(model)};
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_scene_get_shape(const gphys_scene* scene, gphys_model_id model, void* out_shape, uint32_t out_size) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    GPHYS_REQUIRE(out_shape, "out_shape is null");
-    const Scene& known = *unwrap(scene);
-    GPHYS_TRY(known.check(model));
-    if (known.type(model) == GPHYS_SHAPE_MESH) {
-        return fail(GPHYS_ERROR_UNSUPPORTED, "model: a mesh is not copied out; see gphys_mesh_get_vertices");
-    }
-    const size_t size = shape_struct_size(known.type(model));
-    GPHYS_REQUIRE(out_size >= size, "out_size: below the size of the model's shape struct");
-    known.copy_shape(model, out_shape);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(out_shape, "out_shape is null");
+        const Scene& known = *unwrap(scene);
+        GPHYS_TRY(known.check(model));
+        if (known.type(model) == GPHYS_SHAPE_MESH) {
+            return fail(GPHYS_ERROR_UNSUPPORTED, "model: a mesh is not copied out; see gphys_mesh_get_vertices");
+        }
+        const size_t size = shape_struct_size(known.type(model));
+        GPHYS_REQUIRE(out_size >= size, "out_size: below the size of the model's shape struct");
+        known.copy_shape(model, out_shape);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_model_id model, gphys_aabb* out_bounds) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    GPHYS_REQUIRE(out_bounds, "out_bounds is null");
-    GPHYS_TRY(unwrap(scene)->check(model));
-    Box box;
-    if (!unwrap(scene)->bounds(model, box)) return GPHYS_UNBOUNDED;
-    *out_bounds = to_aabb(box);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(out_bounds, "out_bounds is null");
+        GPHYS_TRY(unwrap(scene)->check(model));
+        Box box;
+        if (!unwrap(scene)->bounds(model, box)) return GPHYS_UNBOUNDED;
+        *out_bounds = to_aabb(box);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    GPHYS_REQUIRE(out_bounds, "out_bounds is null");
-    const Octree& octree = unwrap(scene)->octree();
-    if (octree.size() == 0) return GPHYS_NO_HIT;
-    *out_bounds = to_aabb(octree.bounds());
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(out_bounds, "out_bounds is null");
+        const Octree& octree = unwrap(scene)->octree();
+        if (octree.size() == 0) return GPHYS_NO_HIT;
+        *out_bounds = to_aabb(octree.bounds());
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_scene_set_layers(gphys_scene* scene, gphys_model_id model, uint32_t layers) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    return unwrap(scene)->set_layers(model, layers);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        return unwrap(scene)->set_layers(model, layers);
+    });
 }
 
 gphys_status gphys_scene_set_tag(gphys_scene* scene, gphys_model_id model, uint32_t tag) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    return unwrap(scene)->set_tag(model, tag);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        return unwrap(scene)->set_tag(model, tag);
+    });
 }
 
 gphys_status gphys_scene_set_parent(gphys_scene* scene, gphys_model_id model, gphys_model_id parent,
@@ -266,31 +281,37 @@ gphys_status gphys_scene_set_transforms(gphys_scene* scene, const gphys_model_id
 
 gphys_status gphys_scene_get_transforms(const gphys_scene* scene, const gphys_model_id* models, uint32_t count,
                                         gphys_transform* out_transforms, uint32_t out_stride) {
-    return copy_transforms(scene, models, count, out_transforms, out_stride, &Scene::local);
+    return guarded([&] { return copy_transforms(scene, models, count, out_transforms, out_stride, &Scene::local); });
 }
 
 gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene, const gphys_model_id* models, uint32_t count,
                                               gphys_transform* out_transforms, uint32_t out_stride) {
-    return copy_transforms(scene, models, count, out_transforms, out_stride, &Scene::world);
+    return guarded([&] { return copy_transforms(scene, models, count, out_transforms, out_stride, &Scene::world); });
 }
 
 gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    GPHYS_REQUIRE(out_stats, "out_stats is null");
-    gphys_octree_stats stats = unwrap(scene)->octree().stats();
-    stats.unbounded_count = unwrap(scene)->unbounded_count();
-    *out_stats = stats;
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(out_stats, "out_stats is null");
+        gphys_octree_stats stats = unwrap(scene)->octree().stats();
+        stats.unbounded_count = unwrap(scene)->unbounded_count();
+        *out_stats = stats;
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_scene_get_octree_boxes(const gphys_scene* scene, gphys_octree_box* out_boxes, uint32_t capacity,
                                           uint32_t* out_total) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    return copy_boxes(unwrap(scene)->octree(), out_boxes, capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        return copy_boxes(unwrap(scene)->octree(), out_boxes, capacity, out_total);
+    });
 }
 
 gphys_status gphys_scene_validate(const gphys_scene* scene) {
-    GPHYS_REQUIRE(scene, "scene is null");
-    const char* wrong = unwrap(scene)->defect();
-    return wrong ? fail(GPHYS_ERROR_INTERNAL, wrong) : GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        const char* wrong = unwrap(scene)->defect();
+        return wrong ? fail(GPHYS_ERROR_INTERNAL, wrong) : GPHYS_OK;
+    });
 }

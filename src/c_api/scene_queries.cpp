@@ -6,6 +6,7 @@
 #include "c_api/handles.h"
 #include "c_api/lists.h"
 #include "c_api/shape_input.h"
+#include "foundation/compiler.h"
 
 using namespace gphys;
 
@@ -13,9 +14,9 @@ namespace {
 
 /// The input array of a batch: there, well spaced and, element by element, valid.
 template <class T>
-gphys_status check_inputs(const Workers& workers, const T* inputs, uint32_t stride, uint32_t count) {
+gphys_status check_inputs(const Workers& workers, const T* inputs, const char* name, uint32_t stride, uint32_t count) {
     GPHYS_REQUIRE(inputs || count == 0, "the input array is null");
-    GPHYS_REQUIRE(valid_stride(stride, sizeof(T)), "input stride: must be 0 or a multiple of 4 that spans the struct");
+    GPHYS_TRY(check_stride(name, stride, sizeof(T)));
     const Strided<T> input(inputs, stride);
     return check_each(workers, distinct(stride, count), [&](uint32_t i) -> gphys_status {
         GPHYS_REQUIRE_VALID(input[i]);
@@ -26,8 +27,7 @@ gphys_status check_inputs(const Workers& workers, const T* inputs, uint32_t stri
 template <class T>
 gphys_status check_outputs(const T* outputs, uint32_t stride, uint32_t count) {
     GPHYS_REQUIRE(outputs || count == 0, "the output array is null");
-    GPHYS_REQUIRE(valid_out_stride(stride, sizeof(T)), "out_stride: must be a multiple of 4 that spans the struct");
-    return GPHYS_OK;
+    return check_out_stride("out_stride", stride, sizeof(T));
 }
 
 gphys_status check_concatenation(const void* out, uint32_t capacity, const uint32_t* out_offsets) {
@@ -36,13 +36,13 @@ gphys_status check_concatenation(const void* out, uint32_t capacity, const uint3
     return GPHYS_OK;
 }
 
-/// The overlaps of shapes first .. first + count - 1, at most ItemsMet::most_queries; by list_of(i, add_all) as in
+/// The overlaps of shapes first .. first + count - 1, at most OverlapItems::most_queries; by list_of(i, add_all) as in
 /// concatenate.
 template <class ListOf>
 void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char>& shapes, uint32_t first,
                    uint32_t count, uint32_t layers, const ListOf& list_of) {
-    Shape queries[ItemsMet::most_queries];
-    ItemsMet met[ItemsMet::most_queries];
+    Shape queries[OverlapItems::most_queries];
+    OverlapItems met[OverlapItems::most_queries];
     // They have been checked; if the caller has spoiled one since then, nothing is found, but all lists are there.
     bool valid = true;
     for (uint32_t k = 0; k < count; ++k) valid &= read_shape(type, &shapes[first + k], queries[k]) == GPHYS_OK;
@@ -73,7 +73,7 @@ gphys_status gphys_scene_raycast_batch(const gphys_scene* scene, const gphys_ray
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         const Workers& workers = unwrap(scene)->workers();
-        GPHYS_TRY(check_inputs(workers, rays, ray_stride, count));
+        GPHYS_TRY(check_inputs(workers, rays, "ray_stride", ray_stride, count));
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_ray> ray(rays, ray_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
@@ -102,7 +102,7 @@ gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         const Workers& workers = unwrap(scene)->workers();
-        GPHYS_TRY(check_inputs(workers, rays, ray_stride, count));
+        GPHYS_TRY(check_inputs(workers, rays, "ray_stride", ray_stride, count));
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_ray> ray(rays, ray_stride);
         const StridedOut<int32_t> out(out_hits, out_stride);
@@ -111,14 +111,11 @@ gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, const gphys
             return true;
         };
         const ImageTiles tiles(ray.beginnings<float>(), ray_coordinates, count);
-        const auto fetch = [&](uint32_t i) {
-            __builtin_prefetch(&ray[i]);
-            __builtin_prefetch(&out[i], 1);
-        };
-        cast_by_tiles(*unwrap(scene), tiles, ray_of, fetch, [&](Ray* tile, const uint32_t* items, uint32_t size) {
-            const uint64_t met = unwrap(scene)->raycast_any_many(tile, size, layers);
-            for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(met >> k & 1);
-        });
+        cast_by_tiles(*unwrap(scene), tiles, ray_of, prefetch_elements(ray, out),
+                      [&](Ray* tile, const uint32_t* items, uint32_t size) {
+                          const uint64_t met = unwrap(scene)->raycast_any_many(tile, size, layers);
+                          for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(met >> k & 1);
+                      });
         return GPHYS_OK;
     });
 }
@@ -142,7 +139,7 @@ gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         const Workers& workers = unwrap(scene)->workers();
-        GPHYS_TRY(check_inputs(workers, rays, ray_stride, count));
+        GPHYS_TRY(check_inputs(workers, rays, "ray_stride", ray_stride, count));
         GPHYS_TRY(check_concatenation(out_hits, capacity, out_offsets));
         const Strided<gphys_ray> ray(rays, ray_stride);
         return concatenate<gphys_hit, FirstHit>(
@@ -171,7 +168,7 @@ gphys_status gphys_scene_segment_test_batch(const gphys_scene* scene, const gphy
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         const Workers& workers = unwrap(scene)->workers();
-        GPHYS_TRY(check_inputs(workers, segments, segment_stride, count));
+        GPHYS_TRY(check_inputs(workers, segments, "segment_stride", segment_stride, count));
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_segment> segment(segments, segment_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
@@ -203,8 +200,7 @@ gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_typ
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         const Workers& workers = unwrap(scene)->workers();
-        GPHYS_REQUIRE(valid_stride(shape_stride, shape_struct_size(type)),
-                      "shape_stride: must be 0 or a multiple of 4 that spans the struct");
+        GPHYS_TRY(check_stride("shape_stride", shape_stride, shape_struct_size(type)));
         const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
         GPHYS_TRY(check_each(workers, distinct(shape_stride, count), [&](uint32_t i) {
             Shape query;
@@ -213,8 +209,8 @@ gphys_status gphys_scene_overlap_batch(const gphys_scene* scene, gphys_shape_typ
         GPHYS_TRY(check_concatenation(out_models, capacity, out_offsets));
         return concatenate<gphys_model_id, std::less<gphys_model_id>>(
             workers, out_models, capacity, count, out_offsets, [&](uint32_t begin, uint32_t end, const auto& list_of) {
-                for (uint32_t first = begin; first < end; first += ItemsMet::most_queries) {
-                    const uint32_t size = std::min(end - first, ItemsMet::most_queries);
+                for (uint32_t first = begin; first < end; first += OverlapItems::most_queries) {
+                    const uint32_t size = std::min(end - first, OverlapItems::most_queries);
                     list_overlaps(*unwrap(scene), type, shape, first, size, layers, list_of);
                 }
             });
@@ -251,7 +247,7 @@ gphys_status gphys_scene_nearest_batch(const gphys_scene* scene, const gphys_vec
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         const Workers& workers = unwrap(scene)->workers();
-        GPHYS_TRY(check_inputs(workers, points, point_stride, count));
+        GPHYS_TRY(check_inputs(workers, points, "point_stride", point_stride, count));
         GPHYS_REQUIRE(valid_max_distance(max_distance), "max_distance: must be 0 or more and not NaN");
         GPHYS_TRY(check_outputs(out_nearest, out_stride, count));
         const Strided<gphys_vec3> point(points, point_stride);
@@ -285,8 +281,8 @@ gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, const gphy
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         const Workers& workers = unwrap(scene)->workers();
-        GPHYS_TRY(check_inputs(workers, spheres, sphere_stride, count));
-        GPHYS_TRY(check_inputs(workers, displacements, displacement_stride, count));
+        GPHYS_TRY(check_inputs(workers, spheres, "sphere_stride", sphere_stride, count));
+        GPHYS_TRY(check_inputs(workers, displacements, "displacement_stride", displacement_stride, count));
         GPHYS_TRY(check_outputs(out_hits, out_stride, count));
         const Strided<gphys_sphere> sphere(spheres, sphere_stride);
         const Strided<gphys_vec3> displacement(displacements, displacement_stride);

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "c_api/api.h"
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 
 namespace gphys {
 

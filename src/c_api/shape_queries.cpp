@@ -72,7 +72,7 @@ bool overlaps(const ShapeOrMesh& a, const ShapeOrMesh& b) {
 }
 
 gphys_status check_points(const gphys_vec3* points, uint32_t stride, uint32_t count) {
-    GPHYS_REQUIRE(valid_stride(stride, sizeof(gphys_vec3)), "point_stride: 0 or a multiple of 4 of at least 12");
+    GPHYS_TRY(check_stride("point_stride", stride, sizeof(gphys_vec3)));
     const Strided<gphys_vec3> each(points, stride);
     for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
     return GPHYS_OK;
@@ -83,13 +83,9 @@ class Shapes {
 public:
     Shapes(gphys_shape_type type, const void* first, uint32_t stride) : type_(type), first_(first), stride_(stride) {}
 
-    gphys_status check(uint32_t count) {
-        if (type_ == GPHYS_SHAPE_MESH) {
-            GPHYS_REQUIRE(stride_ == 0, "stride: must be 0 for a mesh");
-        } else {
-            GPHYS_REQUIRE(valid_stride(stride_, shape_struct_size(type_)),
-                          "stride: 0 or a multiple of 4 of at least the struct's size");
-        }
+    gphys_status check(const char* stride_name, uint32_t count) {
+        GPHYS_TRY(type_ == GPHYS_SHAPE_MESH ? check_mesh_stride(stride_name, stride_)
+                                            : check_stride(stride_name, stride_, shape_struct_size(type_)));
         if (stride_ == 0) return read(0);
         for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(read(i));
         return GPHYS_OK;
@@ -135,7 +131,7 @@ gphys_status gphys_shape_contains_batch(gphys_shape_type type, const void* shape
                                         uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE((points && out_contains) || count == 0, "points or out_contains is null");
-        GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(int32_t)), "out_stride: a multiple of 4 of at least 4");
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
         GPHYS_REQUIRE(std::isgreaterequal(tolerance, 0.0f) && tolerance <= GPHYS_MAX_COORDINATE,
                       "tolerance: must be 0 or more and at most GPHYS_MAX_COORDINATE");
         Target target;
@@ -164,8 +160,7 @@ gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* 
                                              uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE((points && out_nearest) || count == 0, "points or out_nearest is null");
-        GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(gphys_nearest)),
-                      "out_stride: a multiple of 4 of at least the struct's size");
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_nearest)));
         Target target;
         GPHYS_TRY(read_target(type, shape, target));
         GPHYS_TRY(check_points(points, point_stride, count));
@@ -188,10 +183,10 @@ gphys_status gphys_shape_overlaps_batch(gphys_shape_type a_type, const void* a, 
                                         int32_t* out_overlaps, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(out_overlaps || count == 0, "out_overlaps is null");
-        GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(int32_t)), "out_stride: a multiple of 4 of at least 4");
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
         Shapes first(a_type, a, a_stride), second(b_type, b, b_stride);
-        GPHYS_TRY(first.check(count));
-        GPHYS_TRY(second.check(count));
+        GPHYS_TRY(first.check("a_stride", count));
+        GPHYS_TRY(second.check("b_stride", count));
         const StridedOut<int32_t> out(out_overlaps, out_stride);
         for (uint32_t i = 0; i < count; ++i) out[i] = overlaps(first[i], second[i]);
         return GPHYS_OK;

@@ -1,5 +1,6 @@
 // Rays, segments and sweeps against one shape or mesh.
 #include "c_api/shape_input.h"
+#include "foundation/compiler.h"
 #include "foundation/image_tiles.h"
 #include "mesh/mesh.h"
 
@@ -14,11 +15,7 @@ void raycast_by_tiles(const Mesh& mesh, const Strided<gphys_ray>& ray, uint32_t 
                       const StridedOut<gphys_hit>& out) {
     static_assert(ImageTiles::most <= Mesh::rays_at_once);
     const ImageTiles tiles(ray.beginnings<float>(), ray_coordinates, count);
-    const auto fetch = [&](uint32_t i) {
-        __builtin_prefetch(&ray[i]);
-        __builtin_prefetch(&out[i], 1);
-    };
-    tiles.for_each(0, tiles.count(), fetch, [&](const uint32_t* items, uint32_t size) {
+    tiles.for_each(0, tiles.count(), prefetch_elements(ray, out), [&](const uint32_t* items, uint32_t size) {
         const gphys_ray* rays[ImageTiles::most];
         gphys_hit* hits[ImageTiles::most];
         for (uint32_t k = 0; k < size; ++k) {
@@ -58,8 +55,8 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape,
                                        uint32_t ray_stride, uint32_t count, gphys_hit* out_hits, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE((rays && out_hits) || count == 0, "rays or out_hits is null");
-        GPHYS_REQUIRE(valid_stride(ray_stride, sizeof(gphys_ray)), "ray_stride");
-        GPHYS_REQUIRE(valid_out_stride(out_stride, sizeof(gphys_hit)), "out_stride");
+        GPHYS_TRY(check_stride("ray_stride", ray_stride, sizeof(gphys_ray)));
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_hit)));
         ShapeOrMesh target;
         GPHYS_TRY(read_shape(type, shape, target));
         const Strided<gphys_ray> each(rays, ray_stride);
@@ -101,7 +98,7 @@ gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void* shape, 
         GPHYS_REQUIRE_VALID(*displacement);
         Hit hit;
         if (!sweep(target, widen(*sphere), widen(*displacement), hit)) return GPHYS_NO_HIT;
-        *out_hit = to_hit(hit);
+        *out_hit = to_contact(hit, widen(*displacement));
         return GPHYS_OK;
     });
 }

@@ -36,7 +36,6 @@ constexpr gphys_body_desc default_body_desc{sizeof(gphys_body_desc),
 
 bool is_substeps(uint32_t substeps) { return substeps >= 1 && substeps <= most_substeps; }
 bool is_step(float seconds) { return seconds >= shortest_step && seconds <= longest_step; }
-bool is_amount(float value) { return value >= 0 && value <= GPHYS_MAX_COORDINATE; }
 
 gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) {
     desc = default_body_desc;
@@ -65,8 +64,7 @@ gphys_status check_count(uint64_t count, uint32_t least) {
 
 gphys_status check_positions(const gphys_vec3* positions, uint32_t stride, uint32_t count) {
     GPHYS_REQUIRE(positions, "positions is null");
-    GPHYS_REQUIRE(valid_position_stride(stride, count),
-                  "position_stride: must be a multiple of 4, 12 at least; 0 is for one particle only");
+    GPHYS_TRY(check_position_stride("position_stride", stride, count));
     const Strided<gphys_vec3> position(positions, stride);
     for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(position[i]);
     return GPHYS_OK;
@@ -82,11 +80,11 @@ gphys_status check_placed(Vec3 position) {
 }  // namespace
 
 gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size) {
-    return write_desc(desc, size, default_solver_desc, solver_desc_size);
+    return guarded([&] { return write_desc(desc, size, default_solver_desc, solver_desc_size); });
 }
 
 gphys_status gphys_body_desc_init(gphys_body_desc* desc, uint32_t size) {
-    return write_desc(desc, size, default_body_desc, body_desc_size);
+    return guarded([&] { return write_desc(desc, size, default_body_desc, body_desc_size); });
 }
 
 gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** out_solver) {
@@ -117,35 +115,45 @@ gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** o
     });
 }
 
-void gphys_solver_destroy(gphys_solver* solver) { destroy(unwrap(solver)); }
+void gphys_solver_destroy(gphys_solver* solver) {
+    guarded([&] { destroy(unwrap(solver)); });
+}
 
 gphys_status gphys_solver_set_origin(gphys_solver* solver, const double origin[3]) {
-    GPHYS_REQUIRE(solver && origin, "solver or origin is null");
-    GPHYS_REQUIRE(is_origin(origin), "origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
-    GPHYS_REQUIRE(unwrap(solver)->set_origin({origin[0], origin[1], origin[2]}),
-                  "origin: a particle would be beyond GPHYS_MAX_COORDINATE");
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver && origin, "solver or origin is null");
+        GPHYS_REQUIRE(is_origin(origin), "origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
+        GPHYS_REQUIRE(unwrap(solver)->set_origin({origin[0], origin[1], origin[2]}),
+                      "origin: a particle would be beyond GPHYS_MAX_COORDINATE");
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_get_origin(const gphys_solver* solver, double out_origin[3]) {
-    GPHYS_REQUIRE(solver && out_origin, "solver or out_origin is null");
-    write_origin(unwrap(solver)->origin(), out_origin);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver && out_origin, "solver or out_origin is null");
+        write_origin(unwrap(solver)->origin(), out_origin);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_REQUIRE(gravity, "gravity is null");
-    GPHYS_REQUIRE_VALID(*gravity);
-    unwrap(solver)->set_gravity(widen(*gravity));
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_REQUIRE(gravity, "gravity is null");
+        GPHYS_REQUIRE_VALID(*gravity);
+        unwrap(solver)->set_gravity(widen(*gravity));
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_REQUIRE(is_substeps(substeps), "substeps: must be 1 to 1000");
-    unwrap(solver)->set_substeps(substeps);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_REQUIRE(is_substeps(substeps), "substeps: must be 1 to 1000");
+        unwrap(solver)->set_substeps(substeps);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_add_particles(gphys_solver* solver, const gphys_body_desc* desc, const gphys_vec3* positions,
@@ -218,44 +226,52 @@ gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const gphys_body_
 }
 
 gphys_status gphys_solver_remove_body(gphys_solver* solver, gphys_body_id body) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    return guarded([&] { return unwrap(solver)->remove(body); });
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        return unwrap(solver)->remove(body);
+    });
 }
 
 gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
                                      uint32_t* out_total) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(check_list(out_bodies, capacity, out_total));
-    Smallest<gphys_body_id> bodies(out_bodies, capacity);
-    unwrap(solver)->list(bodies);
-    return listed(bodies.finish(), capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(check_list(out_bodies, capacity, out_total));
+        Smallest<gphys_body_id> bodies(out_bodies, capacity);
+        unwrap(solver)->list(bodies);
+        return listed(bodies.finish(), capacity, out_total);
+    });
 }
 
 gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
                                        uint32_t* out_total) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(check_list(out_bodies, capacity, out_total));
-    Smallest<gphys_body_id> bodies(out_bodies, capacity);
-    unwrap(solver)->list_sleeping(bodies);
-    return listed(bodies.finish(), capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(check_list(out_bodies, capacity, out_total));
+        Smallest<gphys_body_id> bodies(out_bodies, capacity);
+        unwrap(solver)->list_sleeping(bodies);
+        return listed(bodies.finish(), capacity, out_total);
+    });
 }
 
 gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id body) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    if (body == 0) {
-        unwrap(solver)->wake_all();
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        if (body == 0) {
+            unwrap(solver)->wake_all();
+            return GPHYS_OK;
+        }
+        GPHYS_TRY(unwrap(solver)->check(body));
+        unwrap(solver)->edit(body);
         return GPHYS_OK;
-    }
-    GPHYS_TRY(unwrap(solver)->check(body));
-    unwrap(solver)->edit(body);
-    return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body, gphys_body_info* out_info) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_REQUIRE(out_info, "out_info is null");
     return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_REQUIRE(out_info, "out_info is null");
         const Body& b = unwrap(solver)->body(body);
         const gphys_solve_method method = b.plan.chains_current ? b.plan.method : method_of(b);
         *out_info = {b.kind, method, b.size(), b.constraint_ids.size(), static_cast<uint32_t>(b.triangles.size() / 3)};
@@ -264,22 +280,26 @@ gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_i
 }
 
 gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body, uint32_t* out_substeps) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_REQUIRE(out_substeps, "out_substeps is null");
-    *out_substeps = unwrap(solver)->body(body).substeps;
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_REQUIRE(out_substeps, "out_substeps is null");
+        *out_substeps = unwrap(solver)->body(body).substeps;
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
                                         uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_TRY(check_list(out_indices, capacity, out_total));
-    const Vector<uint32_t>& indices = unwrap(solver)->body(body).triangles;
-    const uint32_t total = static_cast<uint32_t>(indices.size());
-    std::copy_n(indices.begin(), std::min(total, capacity), out_indices);
-    return listed(total, capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_list(out_indices, capacity, out_total));
+        const Vector<uint32_t>& indices = unwrap(solver)->body(body).triangles;
+        const uint32_t total = static_cast<uint32_t>(indices.size());
+        std::copy_n(indices.begin(), std::min(total, capacity), out_indices);
+        return listed(total, capacity, out_total);
+    });
 }
 
 gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt) {
@@ -311,18 +331,22 @@ gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene
 }
 
 gphys_status gphys_solver_get_hash(const gphys_solver* solver, uint32_t out_hash[2]) {
-    GPHYS_REQUIRE(solver && out_hash, "solver or out_hash is null");
-    uint32_t hash[2];
-    unwrap(solver)->hash(hash);
-    std::memcpy(out_hash, hash, sizeof hash);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver && out_hash, "solver or out_hash is null");
+        uint32_t hash[2];
+        unwrap(solver)->hash(hash);
+        std::memcpy(out_hash, hash, sizeof hash);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_get_snapshot(const gphys_solver* solver, uint32_t* out_words, uint32_t capacity,
                                        uint32_t* out_total) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(check_list(out_words, capacity, out_total));
-    return unwrap(solver)->snapshot(out_words, capacity, *out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(check_list(out_words, capacity, out_total));
+        return unwrap(solver)->snapshot(out_words, capacity, *out_total);
+    });
 }
 
 gphys_status gphys_solver_restore(gphys_solver* solver, const uint32_t* words, uint32_t count) {
@@ -334,27 +358,33 @@ gphys_status gphys_solver_restore(gphys_solver* solver, const uint32_t* words, u
 }
 
 gphys_status gphys_solver_get_stats(const gphys_solver* solver, gphys_body_id body, gphys_solver_stats* out_stats) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_REQUIRE(out_stats, "out_stats is null");
-    *out_stats = unwrap(solver)->stats(body);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_REQUIRE(out_stats, "out_stats is null");
+        *out_stats = unwrap(solver)->stats(body);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact* out_contacts, uint32_t capacity,
                                        uint32_t* out_total) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(check_list(out_contacts, capacity, out_total));
-    Smallest<gphys_contact, ContactOrder> contacts(out_contacts, capacity);
-    unwrap(solver)->contacts(contacts);
-    return listed(contacts.finish(), capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(check_list(out_contacts, capacity, out_total));
+        Smallest<gphys_contact, ContactOrder> contacts(out_contacts, capacity);
+        unwrap(solver)->contacts(contacts);
+        return listed(contacts.finish(), capacity, out_total);
+    });
 }
 
 gphys_status gphys_solver_get_impulses(const gphys_solver* solver, gphys_impulse* out_impulses, uint32_t capacity,
                                        uint32_t* out_total) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(check_list(out_impulses, capacity, out_total));
-    Smallest<gphys_impulse, ImpulseOrder> impulses(out_impulses, capacity);
-    unwrap(solver)->impulses(impulses);
-    return listed(impulses.finish(), capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(check_list(out_impulses, capacity, out_total));
+        Smallest<gphys_impulse, ImpulseOrder> impulses(out_impulses, capacity);
+        unwrap(solver)->impulses(impulses);
+        return listed(impulses.finish(), capacity, out_total);
+    });
 }

@@ -28,7 +28,7 @@ gphys_status check_particle(const gphys_solver* solver, gphys_body_id body, uint
 template <class T, class IsFine>
 gphys_status check_array(const T* elements, uint32_t stride, uint32_t count, IsFine&& is_fine) {
     GPHYS_REQUIRE(count == 0 || elements, "the array is null");
-    GPHYS_REQUIRE(valid_stride(stride, sizeof(T)), "stride: must be 0 or a multiple of 4 that spans an element");
+    GPHYS_TRY(check_stride("stride", stride, sizeof(T)));
     const Strided<T> element(elements, stride);
     for (uint32_t i = 0; i < count; ++i) {
         GPHYS_REQUIRE(is_fine(element[i]), "an element of the array is NaN, infinite or out of range");
@@ -38,13 +38,11 @@ gphys_status check_array(const T* elements, uint32_t stride, uint32_t count, IsF
 
 bool is_vector(const gphys_vec3& value) { return !defect(value); }
 bool is_mass(float value) { return value > 0 && value <= GPHYS_MAX_COORDINATE; }
-bool is_amount(float value) { return value >= 0 && value <= GPHYS_MAX_COORDINATE; }
 
 template <class T>
 gphys_status check_out(const T* out, uint32_t stride, uint32_t count) {
     GPHYS_REQUIRE(count == 0 || out, "the output array is null");
-    GPHYS_REQUIRE(valid_out_stride(stride, sizeof(T)), "out_stride: must be a multiple of 4 that spans an element");
-    return GPHYS_OK;
+    return check_out_stride("out_stride", stride, sizeof(T));
 }
 
 gphys_status copy_out(const Vector<Vec3>& values, uint32_t first, uint32_t count, gphys_vec3* out, uint32_t stride) {
@@ -58,76 +56,93 @@ gphys_status copy_out(const Vector<Vec3>& values, uint32_t first, uint32_t count
 
 gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                         gphys_vec3* out_positions, uint32_t out_stride) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    return copy_out(unwrap(solver)->body(body).position, first, count, out_positions, out_stride);
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        return copy_out(unwrap(solver)->body(body).position, first, count, out_positions, out_stride);
+    });
 }
 
 gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                         const gphys_vec3* positions, uint32_t stride) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    GPHYS_REQUIRE(valid_position_stride(stride, count),
-                  "stride: must be a multiple of 4, 12 at least; 0 is for one particle only");
-    GPHYS_TRY(check_array(positions, stride, count, is_vector));
-    set_positions(unwrap(solver)->edit(body), first, count, positions, stride);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_position_stride("stride", stride, count));
+        GPHYS_TRY(check_array(positions, stride, count, is_vector));
+        set_positions(unwrap(solver)->edit(body), first, count, positions, stride);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                          gphys_vec3* out_velocities, uint32_t out_stride) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    return copy_out(unwrap(solver)->body(body).velocity, first, count, out_velocities, out_stride);
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        return copy_out(unwrap(solver)->body(body).velocity, first, count, out_velocities, out_stride);
+    });
 }
 
 gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                          const gphys_vec3* velocities, uint32_t stride) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    GPHYS_TRY(check_array(velocities, stride, count, is_vector));
-    set_velocities(unwrap(solver)->edit(body), first, count, velocities, stride);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_array(velocities, stride, count, is_vector));
+        set_velocities(unwrap(solver)->edit(body), first, count, velocities, stride);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      float* out_masses, uint32_t out_stride) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    GPHYS_TRY(check_out(out_masses, out_stride, count));
-    const StridedOut<float> to(out_masses, out_stride);
-    // Shared among many particles a mass may be less than any float; none is 0.
-    constexpr float least = std::numeric_limits<float>::denorm_min();
-    const Vector<double>& mass = unwrap(solver)->body(body).mass;
-    for (uint32_t i = 0; i < count; ++i) to[i] = std::max(static_cast<float>(mass[first + i]), least);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_out(out_masses, out_stride, count));
+        const StridedOut<float> to(out_masses, out_stride);
+        // Shared among many particles a mass may be less than any float; none is 0.
+        constexpr float least = std::numeric_limits<float>::denorm_min();
+        const Vector<double>& mass = unwrap(solver)->body(body).mass;
+        for (uint32_t i = 0; i < count; ++i) to[i] = std::max(static_cast<float>(mass[first + i]), least);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      const float* masses, uint32_t stride) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    GPHYS_TRY(check_array(masses, stride, count, is_mass));
-    set_masses(unwrap(solver)->edit(body), first, count, masses, stride);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_array(masses, stride, count, is_mass));
+        set_masses(unwrap(solver)->edit(body), first, count, masses, stride);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                     const float* radii, uint32_t stride) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    GPHYS_TRY(check_array(radii, stride, count, is_amount));
-    set_radii(unwrap(solver)->edit(body), first, count, radii, stride);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_array(radii, stride, count, is_amount));
+        set_radii(unwrap(solver)->edit(body), first, count, radii, stride);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      const gphys_vec3* forces, uint32_t stride) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    GPHYS_TRY(check_array(forces, stride, count, is_vector));
-    set_forces(unwrap(solver)->edit(body), first, count, forces, stride);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_array(forces, stride, count, is_vector));
+        set_forces(unwrap(solver)->edit(body), first, count, forces, stride);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      int32_t pinned) {
-    GPHYS_TRY(check_range(solver, body, first, count));
-    GPHYS_REQUIRE(is_bool(pinned), "pinned: must be 0 or 1");
-    set_pinned(unwrap(solver)->edit(body), first, count, pinned != 0);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_REQUIRE(is_bool(pinned), "pinned: must be 0 or 1");
+        set_pinned(unwrap(solver)->edit(body), first, count, pinned != 0);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene, gphys_body_id body, uint32_t particle,
@@ -147,10 +162,12 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
 }
 
 gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle) {
-    GPHYS_TRY(check_particle(solver, body, particle));
-    GPHYS_REQUIRE(is_attached(unwrap(solver)->body(body), particle), "particle: not attached");
-    set_pinned(unwrap(solver)->edit(body), particle, 1, false);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_particle(solver, body, particle));
+        GPHYS_REQUIRE(is_attached(unwrap(solver)->body(body), particle), "particle: not attached");
+        set_pinned(unwrap(solver)->edit(body), particle, 1, false);
+        return GPHYS_OK;
+    });
 }
 
 namespace {
@@ -158,16 +175,14 @@ namespace {
 /// A distance, or with limit = 1 a maximum distance.
 gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float length,
                       float compliance, uint64_t limit, gphys_constraint_id* out_constraint) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_TRY(check_particle(solver, body, particle_a));
-        GPHYS_TRY(check_particle(solver, body, particle_b));
-        GPHYS_REQUIRE(particle_a != particle_b, "particle_a and particle_b: must be different");
-        GPHYS_REQUIRE(std::fabs(length) <= GPHYS_MAX_COORDINATE, "length: not finite or out of range");
-        GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
-        GPHYS_REQUIRE(out_constraint, "out_constraint is null");
-        return add_constraint(unwrap(solver)->body(body), {particle_a, particle_b, length, compliance, 0, limit},
-                              *out_constraint);
-    });
+    GPHYS_TRY(check_particle(solver, body, particle_a));
+    GPHYS_TRY(check_particle(solver, body, particle_b));
+    GPHYS_REQUIRE(particle_a != particle_b, "particle_a and particle_b: must be different");
+    GPHYS_REQUIRE(std::fabs(length) <= GPHYS_MAX_COORDINATE, "length: not finite or out of range");
+    GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
+    GPHYS_REQUIRE(out_constraint, "out_constraint is null");
+    return add_constraint(unwrap(solver)->body(body), {particle_a, particle_b, length, compliance, 0, limit},
+                          *out_constraint);
 }
 
 }  // namespace
@@ -175,21 +190,25 @@ gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particl
 gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
                                        uint32_t particle_b, float rest_length, float compliance,
                                        gphys_constraint_id* out_constraint) {
-    return add_link(solver, body, particle_a, particle_b, rest_length, compliance, 0, out_constraint);
+    return guarded(
+        [&] { return add_link(solver, body, particle_a, particle_b, rest_length, compliance, 0, out_constraint); });
 }
 
 gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
                                            uint32_t particle_b, float max_length, float compliance,
                                            gphys_constraint_id* out_constraint) {
-    return add_link(solver, body, particle_a, particle_b, max_length, compliance, 1, out_constraint);
+    return guarded(
+        [&] { return add_link(solver, body, particle_a, particle_b, max_length, compliance, 1, out_constraint); });
 }
 
 gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_body_id body,
                                                  gphys_constraint_id constraint, float damping) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_REQUIRE(is_amount(damping), "damping: must be at least 0 and in range");
-    return set_damping(unwrap(solver)->body(body), constraint, damping);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_REQUIRE(is_amount(damping), "damping: must be at least 0 and in range");
+        return set_damping(unwrap(solver)->body(body), constraint, damping);
+    });
 }
 
 gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, float rest_volume, float compliance) {
@@ -209,30 +228,36 @@ gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, f
 
 gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
                                      float* out_pressure) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(unwrap(solver)->check(body));
-    const Body& b = unwrap(solver)->body(body);
-    if (!b.volume.held) return fail(GPHYS_ERROR_UNSUPPORTED, "body: no volume is held");
-    if (out_volume) *out_volume = to_float(volume_of(b));
-    if (out_pressure) *out_pressure = to_float(b.volume.pressure);
-    return GPHYS_OK;
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(unwrap(solver)->check(body));
+        const Body& b = unwrap(solver)->body(body);
+        if (!b.volume.held) return fail(GPHYS_ERROR_UNSUPPORTED, "body: no volume is held");
+        if (out_volume) *out_volume = to_float(volume_of(b));
+        if (out_pressure) *out_pressure = to_float(b.volume.pressure);
+        return GPHYS_OK;
+    });
 }
 
 gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body, gphys_constraint_id constraint) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(unwrap(solver)->check(body));
-    return remove_constraint(unwrap(solver)->body(body), constraint);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(unwrap(solver)->check(body));
+        return remove_constraint(unwrap(solver)->body(body), constraint);
+    });
 }
 
 gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,
                                           gphys_constraint_info* out_constraints, uint32_t capacity,
                                           uint32_t* out_total) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_TRY(check_list(out_constraints, capacity, out_total));
-    Smallest<gphys_constraint_info, ConstraintOrder> constraints(out_constraints, capacity);
-    list_constraints(unwrap(solver)->body(body), constraints);
-    return listed(constraints.finish(), capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_list(out_constraints, capacity, out_total));
+        Smallest<gphys_constraint_info, ConstraintOrder> constraints(out_constraints, capacity);
+        list_constraints(unwrap(solver)->body(body), constraints);
+        return listed(constraints.finish(), capacity, out_total);
+    });
 }
 
 gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b,
@@ -249,16 +274,20 @@ gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint3
 }
 
 gphys_status gphys_solver_unjoin(gphys_solver* solver, gphys_joint_id joint) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    return unwrap(solver)->unjoin(joint);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        return unwrap(solver)->unjoin(joint);
+    });
 }
 
 gphys_status gphys_solver_get_joints(const gphys_solver* solver, gphys_body_id body, gphys_joint_info* out_joints,
                                      uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE(solver, "solver is null");
-    if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_TRY(check_list(out_joints, capacity, out_total));
-    Smallest<gphys_joint_info, JointOrder> joints(out_joints, capacity);
-    unwrap(solver)->list_joints(body, joints);
-    return listed(joints.finish(), capacity, out_total);
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(solver, "solver is null");
+        if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_TRY(check_list(out_joints, capacity, out_total));
+        Smallest<gphys_joint_info, JointOrder> joints(out_joints, capacity);
+        unwrap(solver)->list_joints(body, joints);
+        return listed(joints.finish(), capacity, out_total);
+    });
 }

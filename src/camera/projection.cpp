@@ -136,9 +136,11 @@ bool UserProjection::cast(const DepthRange& depth_range, double x, double y, Ray
     const Vec3 end_image{x, y, depth_range.far_depth};
     const Vec4 start = from_clip * Vec4{x, y, depth_range.near_depth, 1};
     const Vec4 end = from_clip * Vec4{x, y, depth_range.far_depth, 1};
-    if (start.w <= 0) return false;
+    const Vec3 along = direction_part(end) * start.w - direction_part(start) * end.w;
+    // Of planes too close for doubles to tell apart, a pixel has no line of sight.
+    if (start.w <= 0 || along == Vec3{}) return false;
     ray.origin = direction_part(start) / start.w;
-    ray.direction = normalized(direction_part(end) * start.w - direction_part(start) * end.w);
+    ray.direction = normalized(along);
     ray.t_max = is_finite(from_clip, end_image, end.w) ? distance(direction_part(end) / end.w, ray.origin) : infinity;
     return true;
 }

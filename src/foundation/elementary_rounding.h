@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "foundation/compiler.h"
 #include "foundation/fixed_point.h"
 #include "foundation/floating_point.h"
 
@@ -37,7 +38,7 @@ inline Approximation approximation(Parts x) { return {{x.integer << 11, 0}, x.ex
 
 /// With the first bit of the fraction set.
 inline Approximation normalized(Approximation y) {
-    const int zeros = __builtin_clzll(y.fraction.high);
+    const int zeros = leading_zeros(y.fraction.high);
     return {y.fraction << zeros, y.exponent - zeros};
 }
 

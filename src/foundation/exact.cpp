@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "foundation/compiler.h"
+
 namespace gphys {
 
 namespace {
@@ -132,7 +134,7 @@ bool difference_is_exact(Vec3 a, Vec3 b, Vec3& out) {
     return rest == Vec3{};
 }
 
-#ifdef __SIZEOF_INT128__
+#if GPHYS_HAS_INT128
 namespace {
 
 constexpr int integer_bits = 41;
@@ -187,9 +189,9 @@ bool integer_determinant(Vec3 a, Vec3 b, Vec3 c, double& out) {
     for (int k = 0; k < 3; ++k) {
         if (!to_integer(scaled_a[k] * factor, whole_a[k])) return false;
     }
-    __extension__ using Wide = __int128;
     const auto term = [&](int k, int i, int j) {
-        return whole_a[k] * (static_cast<Wide>(whole_b[i]) * whole_c[j] - static_cast<Wide>(whole_b[j]) * whole_c[i]);
+        return whole_a[k] *
+               (static_cast<Int128>(whole_b[i]) * whole_c[j] - static_cast<Int128>(whole_b[j]) * whole_c[i]);
     };
     out = static_cast<double>(term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1)) / (scale_of_all * factor);
     return true;
@@ -207,7 +209,7 @@ int orientation(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
                              (std::fabs(ab.x * ac.y) + std::fabs(ab.y * ac.x)) * std::fabs(ad.z);
     if (std::fabs(volume) > 8 * 0x1p-53 * permanent) return volume > 0 ? 1 : -1;
     return sign_of([&](auto number) {
-        using V = VecOf<decltype(number)>;
+        using V = Vec<decltype(number)>;
         return dot(cross(V::difference(b, a), V::difference(c, a)), V::difference(d, a));
     });
 }

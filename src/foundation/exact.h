@@ -107,26 +107,6 @@ inline Exact two_terms(double value, double rest) {
 /// compared with these, spread over more than 41 bits, or on a processor without such integers.
 bool integer_determinant(Vec3 a, Vec3 b, Vec3 c, double& out);
 
-/// A vector over a number type of predicates.
-template <class N>
-struct VecOf {
-    N x, y, z;
-
-    static VecOf of(Vec3 v) { return {N(v.x), N(v.y), N(v.z)}; }
-    static VecOf two_terms(Vec3 v, Vec3 rest) {
-        return {gphys::two_terms<N>(v.x, rest.x), gphys::two_terms<N>(v.y, rest.y), gphys::two_terms<N>(v.z, rest.z)};
-    }
-    static VecOf difference(Vec3 a, Vec3 b) { return {N(a.x) - N(b.x), N(a.y) - N(b.y), N(a.z) - N(b.z)}; }
-};
-template <class N>
-N dot(const VecOf<N>& a, const VecOf<N>& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class N>
-VecOf<N> cross(const VecOf<N>& a, const VecOf<N>& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// Sign of dot(cross(b - a, c - a), d - a): > 0 if d is on the side that the triangle's normal
 /// points to, 0 if the four points lie in a plane.
 int orientation(Vec3 a, Vec3 b, Vec3 c, Vec3 d);

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "foundation/compiler.h"
+
 namespace gphys {
 
 /// An integer modulo 2^128; as a fraction its last bit is 2^-128.
@@ -35,9 +37,8 @@ constexpr U128 product_by_halves(uint64_t a, uint64_t b) {
     return {a1 * b1 + (inner >> 32) + (middle >> 32), a * b};
 }
 constexpr U128 product(uint64_t a, uint64_t b) {
-#ifdef __SIZEOF_INT128__
-    __extension__ using Native = unsigned __int128;
-    const Native ab = static_cast<Native>(a) * b;
+#if GPHYS_HAS_INT128
+    const UInt128 ab = static_cast<UInt128>(a) * b;
     return {static_cast<uint64_t>(ab >> 64), static_cast<uint64_t>(ab)};
 #else
     return product_by_halves(a, b);

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "foundation/compiler.h"
+
 namespace gphys {
 
 namespace {
@@ -27,13 +29,10 @@ Isa look_up() {
 }  // namespace
 
 bool has([[maybe_unused]] Isa isa) {
-#if defined(__x86_64__) || defined(__i386__)
-    if (isa == Isa::sse2) return __builtin_cpu_supports("sse2");
-    if (isa == Isa::avx2) return __builtin_cpu_supports("avx2");
-    if (isa == Isa::avx512) {
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-    }
+#if GPHYS_X86
+    if (isa == Isa::sse2) return processor_has_sse2();
+    if (isa == Isa::avx2) return processor_has_avx2();
+    if (isa == Isa::avx512) return processor_has_avx512();
 #endif
     return true;
 }
@@ -44,14 +43,10 @@ Isa chosen_isa() {
 }
 
 const char* name_of(Isa isa) {
-    switch (isa) {
-#define GPHYS_ISA_CASE(set, ...) \
-    case Isa::set:               \
-        return #set;
-        GPHYS_FOR_EACH_ISA(GPHYS_ISA_CASE, )
-#undef GPHYS_ISA_CASE
-    }
-    return "";
+#define GPHYS_ISA_STRING(set, ...) #set,
+    constexpr const char* names[] = {GPHYS_FOR_EACH_ISA(GPHYS_ISA_STRING, )};
+#undef GPHYS_ISA_STRING
+    return names[static_cast<int>(isa)];
 }
 
 }  // namespace gphys

@@ -5,17 +5,23 @@
 // Kernels call nothing outside of their own namespace, so that no function compiled for a newer
 // processor can be taken for its namesake elsewhere. What they are handed is plain data, prepared
 // by ordinary code.
+//
+// Some are for the wide sets only, whose registers hold four doubles or more (GAMEPHYS_WIDE_KERNELS in
+// cmake/gamephys_targets.cmake): with narrower ones, what they do takes longer than going without.
 #pragma once
 
-#if defined(__x86_64__) || defined(__i386__)
-#define GPHYS_FOR_EACH_ISA(X, ...) \
-    X(scalar, __VA_ARGS__) X(sse2, __VA_ARGS__) X(avx2, __VA_ARGS__) X(avx512, __VA_ARGS__)
-#elif defined(__aarch64__)
+#if defined(__x86_64__) || defined(__i386__) || defined(_M_X64) || defined(_M_IX86)
+#define GPHYS_FOR_EACH_WIDE_ISA(X, ...) X(avx2, __VA_ARGS__) X(avx512, __VA_ARGS__)
+#define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(sse2, __VA_ARGS__) GPHYS_FOR_EACH_WIDE_ISA(X, __VA_ARGS__)
+#elif defined(__aarch64__) || defined(_M_ARM64)
 #define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(neon, __VA_ARGS__)
 #elif defined(__wasm_simd128__)
 #define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__) X(wasm, __VA_ARGS__)
 #else
 #define GPHYS_FOR_EACH_ISA(X, ...) X(scalar, __VA_ARGS__)
+#endif
+#ifndef GPHYS_FOR_EACH_WIDE_ISA
+#define GPHYS_FOR_EACH_WIDE_ISA(X, ...)
 #endif
 
 namespace gphys {
@@ -46,5 +52,15 @@ const char* name_of(Isa isa);
     }
 #define GPHYS_RETURN_TABLE_IF(set, Table, table) \
     if (isa == Isa::set) return set::table;
+
+/// The same for the wide sets; null for the others.
+#define GPHYS_DECLARE_WIDE_KERNELS(Table, table)                           \
+    GPHYS_FOR_EACH_WIDE_ISA(GPHYS_DECLARE_TABLE, Table, table)             \
+    inline const Table* table([[maybe_unused]] Isa isa) {                  \
+        GPHYS_FOR_EACH_WIDE_ISA(GPHYS_RETURN_TABLE_PLACE_IF, Table, table) \
+        return nullptr;                                                    \
+    }
+#define GPHYS_RETURN_TABLE_PLACE_IF(set, Table, table) \
+    if (isa == Isa::set) return &set::table;
 
 }  // namespace gphys

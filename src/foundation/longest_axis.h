@@ -1,6 +1,7 @@
 // Of which axis a direction is longest, for formulas that are written for one number or many (numbers.h).
 #pragma once
 
+#include "foundation/compiler.h"
 #include "foundation/math.h"
 #include "foundation/numbers.h"
 
@@ -12,21 +13,21 @@ template <class Number>
 struct LongestAxis {
     using Mask = decltype(Number() < Number());
 
-    [[gnu::always_inline]] explicit LongestAxis(const Number (&direction)[3])
+    GPHYS_INLINE explicit LongestAxis(const Number (&direction)[3])
         : is_z_(largest(absolute(direction[0]), absolute(direction[1])) < absolute(direction[2])),
           y_beats_x_(absolute(direction[0]) < absolute(direction[1])) {}
 
     /// The component along it, and those along the axes after it, in turn.
     template <class Value>
-    [[gnu::always_inline]] Number of(const Value (&v)[3]) const {
+    GPHYS_INLINE Number of(const Value (&v)[3]) const {
         return select(is_z_, v[2], select(y_beats_x_, v[1], v[0]));
     }
     template <class Value>
-    [[gnu::always_inline]] Number next(const Value (&v)[3]) const {
+    GPHYS_INLINE Number next(const Value (&v)[3]) const {
         return select(is_z_, v[0], select(y_beats_x_, v[2], v[1]));
     }
     template <class Value>
-    [[gnu::always_inline]] Number after_next(const Value (&v)[3]) const {
+    GPHYS_INLINE Number after_next(const Value (&v)[3]) const {
         return select(is_z_, v[1], select(y_beats_x_, v[0], v[2]));
     }
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "foundation/floating_point.h"
+#include "foundation/rotation.h"
 #include "gamephys_c.h"
 
 namespace gphys {
@@ -16,50 +17,13 @@ namespace gphys {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi = 3.14159265358979323846;
 
-struct Vec3 {
-    double x = 0, y = 0, z = 0;
-
-    // Not (&x)[axis]: that is undefined and was seen miscompiled. To read from a copy costs no branch.
-    constexpr double operator[](int axis) const {
-        const double all[] = {x, y, z};
-        return all[axis];
-    }
-    constexpr double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
-};
-
-constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
-constexpr Vec3 operator*(Vec3 a, double s) { return {a.x * s, a.y * s, a.z * s}; }
-constexpr Vec3 operator*(double s, Vec3 a) { return a * s; }
-constexpr Vec3 operator/(Vec3 a, double s) { return {a.x / s, a.y / s, a.z / s}; }
-constexpr Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
-constexpr Vec3& operator-=(Vec3& a, Vec3 b) { return a = a - b; }
-constexpr Vec3& operator*=(Vec3& a, double s) { return a = a * s; }
-constexpr bool operator==(Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-constexpr bool operator!=(Vec3 a, Vec3 b) { return !(a == b); }
-
-constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-constexpr double length_squared(Vec3 a) { return dot(a, a); }
-inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
-inline double distance(Vec3 a, Vec3 b) { return length(a - b); }
-inline Vec3 abs(Vec3 a) { return {std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}; }
-inline Vec3 min(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-inline Vec3 max(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
-inline double max_component(Vec3 a) { return std::max(a.x, std::max(a.y, a.z)); }
+using Vec3 = Vec<double>;
 
 /// The axis of the largest component, the first of equal ones.
 inline int longest_axis(Vec3 a) {
     const Vec3 size = abs(a);
     const int of_x_and_y = size.y > size.x, is_z = size.z > std::max(size.x, size.y);
     return of_x_and_y + is_z * (2 - of_x_and_y);  // a branch would be the toss of a coin
-}
-
-/// a / |a|; a must not be zero. Scaled first, so that lengths from 1e-300 to 1e300 survive.
-inline Vec3 normalized(Vec3 a) {
-    const Vec3 scaled = a / max_component(abs(a));
-    return scaled / length(scaled);
 }
 
 /// A unit vector perpendicular to the unit vector n (Duff et al. 2017).
@@ -69,9 +33,7 @@ inline Vec3 perpendicular(Vec3 n) {
     return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
 }
 
-struct Quat {
-    double x = 0, y = 0, z = 0, w = 1;
-};
+using Quat = Quaternion<double>;
 
 constexpr Quat operator*(Quat a, Quat b) {
     return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
@@ -79,27 +41,12 @@ constexpr Quat operator*(Quat a, Quat b) {
 }
 constexpr Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
 inline Quat normalized(Quat q) {
-    const double s = 1.0 / std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+    const double s = 1.0 / std::sqrt(norm_squared(q));
     return {q.x * s, q.y * s, q.z * s, q.w * s};
 }
 
-/// Columns are the images of the x, y and z axes.
-struct Mat3 {
-    Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-};
+using Mat3 = Matrix<double>;
 
-constexpr Vec3 operator*(const Mat3& m, Vec3 v) { return m.x * v.x + m.y * v.y + m.z * v.z; }
-/// Transpose of m times v: the inverse rotation.
-constexpr Vec3 transpose_times(const Mat3& m, Vec3 v) { return {dot(m.x, v), dot(m.y, v), dot(m.z, v)}; }
-
-/// The exact rotation that q stands for, whatever its length.
-constexpr Mat3 rotation_matrix(Quat q) {
-    const double s = 2.0 / (q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-    const double xx = s * q.x * q.x, yy = s * q.y * q.y, zz = s * q.z * q.z;
-    const double xy = s * q.x * q.y, xz = s * q.x * q.z, yz = s * q.y * q.z;
-    const double wx = s * q.w * q.x, wy = s * q.w * q.y, wz = s * q.w * q.z;
-    return {{1 - yy - zz, xy + wz, xz - wy}, {xy - wz, 1 - xx - zz, yz + wx}, {xz + wy, yz - wx, 1 - xx - yy}};
-}
 /// The rotation of an orthonormal right-handed matrix (Shepperd 1978).
 Quat quaternion(const Mat3& rotation);
 
@@ -125,6 +72,10 @@ gphys_transform composed(const gphys_transform& parent, const gphys_transform& l
 /// The local transform below `parent` that gives `world`, up to that rounding.
 gphys_transform relative(const gphys_transform& parent, const gphys_transform& world);
 
+/// Cut off at a limit of either sign: beyond all floats, the cast would trap.
+inline float to_float(double value, double limit = std::numeric_limits<float>::max()) {
+    return static_cast<float>(std::clamp(value, -limit, limit));
+}
 constexpr gphys_vec3 narrow(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
@@ -163,7 +114,7 @@ inline float float_before(float f, bool whether) {
 /// is beyond all floats becomes the last of them, as the cast would trap.
 inline float round_down(double v, double rest = 0) {
     constexpr double last = std::numeric_limits<float>::max();
-    const float f = static_cast<float>(std::clamp(v, -last, last));
+    const float f = to_float(v);
     return float_before(f, ((f > v) | ((f == v) & (rest < 0))) & (v > -last));
 }
 inline float round_up(double v, double rest = 0) { return -round_down(-v, -rest); }

@@ -6,12 +6,13 @@
 
 #include <limits>
 
+#include "foundation/compiler.h"
 #include "foundation/numbers.h"
 
 namespace gphys {
 
 /// A t or a distance, which is not negative, nor minus zero. The cast would trap beyond the largest float.
-[[gnu::always_inline]] inline float reported(double value) {
+GPHYS_INLINE float reported(double value) {
     constexpr double last = std::numeric_limits<float>::max();
     return static_cast<float>(value < last ? value : last) + 0.0f;
 }
@@ -23,7 +24,7 @@ namespace gphys {
 /// either. The distance to the next float is at most 2^-23 of a normal one and 2^-149 of others. From the
 /// largest on there is no next one.
 template <class Number>
-[[gnu::always_inline]] inline Number limit_of_ties(Number value) {
+GPHYS_INLINE Number limit_of_ties(Number value) {
     constexpr double last = std::numeric_limits<float>::max(), beyond = std::numeric_limits<double>::infinity();
     return select(last * (1 - 0x1p-24) < value, beyond, value * (1 + 0x1p-22) + 0x1p-148);
 }

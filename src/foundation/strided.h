@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "foundation/compiler.h"
+
 namespace gphys {
 
 /// Elements of the caller's array; a stride of 0 repeats the first.
@@ -36,5 +38,14 @@ private:
     char* first_;
     size_t stride_;
 };
+
+/// A function of an index that prefetches the element that is read and the one that is written.
+template <class In, class Out>
+auto prefetch_elements(const Strided<In>& in, const StridedOut<Out>& out) {
+    return [in, out](uint32_t i) {
+        prefetch(&in[i]);
+        prefetch_to_write(&out[i]);
+    };
+}
 
 }  // namespace gphys

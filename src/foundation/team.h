@@ -10,9 +10,7 @@
 #include <thread>
 #include <type_traits>
 
-#if defined(__x86_64__) || defined(__i386__)
-#include <immintrin.h>
-#endif
+#include "foundation/compiler.h"
 
 namespace gphys {
 
@@ -55,9 +53,7 @@ private:
                 std::this_thread::yield();
                 return;
             }
-#if defined(__x86_64__) || defined(__i386__)
-            _mm_pause();
-#endif
+            pause_briefly();
         }
 
     private:

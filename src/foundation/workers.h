@@ -25,8 +25,6 @@ public:
     /// More are taken for a mistake: no machine's threads are that many, and none would help.
     static constexpr uint32_t max_count = 1024;
 
-    /// The caller's thread alone.
-    Workers() : Workers(1, nullptr, std::pmr::null_memory_resource()) {}
     /// `count` threads, the caller's included; 0 stands for 1. Those of `runner` if there is one,
     /// else count - 1 are started. Throws std::bad_alloc, with none left running, if they cannot be;
     /// on a platform without threads the caller's is all there is.

@@ -6,6 +6,20 @@
 
 namespace gphys {
 
+namespace {
+
+/// Up to this size, in metres, a mesh is magnified. A product of two edges that are a thousandth of it, 2^-84, is still
+/// 2^40 times what the tests of triangles add for numbers below the smallest normal one (triangle_setup.h).
+constexpr double smallest_extent = 0x1p-32;
+
+double largest_coordinate(const Vector<gphys_vec3>& vertices) {
+    double largest = 0;
+    for (const gphys_vec3& vertex : vertices) largest = std::max(largest, max_component(abs(widen(vertex))));
+    return largest;
+}
+
+}  // namespace
+
 Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa)
     : memory(hooks), kernels_(mesh_kernels(isa)), report_(report), octree_(&memory, isa), rays_root_(Box()) {
     vertices_.reserve(arrays.vertex_count);
@@ -32,6 +46,16 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     radius_ = std::sqrt(squared) * (1 + 0x1p-50);
     const gphys_vec3 center = narrow(center_);
     ball_ = {center, round_up((radius_ + distance(center_, widen(center))) * (1 + 0x1p-50))};
+
+    const double largest = largest_coordinate(vertices_);
+    if (largest == 0 || largest > smallest_extent) return;
+    magnification_ = std::scalbn(1.0, -std::ilogb(largest));
+    Vector<gphys_vec3> vertices(&memory);
+    vertices.reserve(vertices_.size());
+    for (const gphys_vec3& vertex : vertices_) vertices.push_back(narrow(widen(vertex) * magnification_));
+    const MeshArrays larger{&vertices[0].x, sizeof(gphys_vec3), arrays.vertex_count, indices_.data(),
+                            arrays.index_count};
+    magnified_ = create<Mesh>(hooks, larger, report, isa);
 }
 
 void Mesh::release(const Mesh* mesh) noexcept {
@@ -45,12 +69,20 @@ gphys_octree_stats Mesh::octree_stats() const {
     stats.leaf_count = static_cast<uint32_t>(packets_.size());
     stats.node_count += stats.leaf_count;
     if (stats.depth > 0) ++stats.depth;
-    const uint64_t bytes = stats.memory_bytes + uint64_t{packets_.capacity()} * sizeof(TrianglePacket);
+    uint64_t bytes = stats.memory_bytes + uint64_t{packets_.capacity()} * sizeof(TrianglePacket);
+    if (magnified_) bytes += magnified_->octree_stats().memory_bytes;
     stats.memory_bytes = static_cast<uint32_t>(std::min<uint64_t>(bytes, std::numeric_limits<uint32_t>::max()));
     return stats;
 }
 
+Ray Mesh::magnified(const Ray& ray) const {
+    Ray result = ray;
+    for (Vec3* part : {&result.origin, &result.direction, &result.rest}) *part = *part * magnification_;
+    return result;
+}
+
 bool Mesh::raycast(const Ray& ray, Hit& hit) const {
+    if (magnified_) return magnified_->raycast(magnified(ray), hit) && reduce(hit);
     const PreparedRay prepared(ray, rays_root_);
     NearestCrossing nearest;
     float limit = prepared.limit;
@@ -69,30 +101,40 @@ bool Mesh::raycast(const Ray& ray, Hit& hit) const {
     return hit_at(nearest, prepared.sheared, hit);
 }
 
-uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
-    if (packets_.empty() || count == 0) return 0;
-    // Nothing is written before it is needed.
-    union Rays {
-        Rays() {}
-        PreparedRay prepared[rays_at_once];
-    } rays_of;
-    NearestCrossing nearest[rays_at_once];
-    kernels_.prepare(rays, count, rays_root_, rays_of.prepared);
+void Mesh::cross_many(const PreparedRay* rays, uint32_t count, NearestCrossing* nearest) const {
     const auto exact = [](const PreparedRay& ray, const TrianglePacket& packet, uint32_t lane,
                           TriangleCrossing& crossing) {
         return crosses(packet.triangle(static_cast<int>(lane)), ray.sheared, crossing);
     };
-    const auto ray_of = [&](uint32_t i) -> const Ray& { return rays_of.prepared[i].sheared; };
-    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return rays_of.prepared[i].along; };
-    RayBundling(bounds(), octree_.size())
+    const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i].sheared; };
+    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return rays[i].along; };
+    RayPackets(bounds(), octree_.size())
         .split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
-            kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), rays_of.prepared + first, last - first,
-                          together, exact, nearest + first);
+            kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), rays + first, last - first, together, exact,
+                          nearest + first);
         });
-    uint64_t found = kernels_.hits(rays_of.prepared, nearest, count, out);
+}
+
+uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
+    if (packets_.empty() || count == 0) return 0;
+    if (magnified_) {
+        uint64_t found = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            Hit hit;
+            if (!raycast(widen(*rays[i]), hit)) continue;
+            *out[i] = to_hit(hit);
+            found |= uint64_t{1} << i;
+        }
+        return found;
+    }
+    PreparedRays prepared;
+    NearestCrossing nearest[rays_at_once];
+    kernels_.prepare(rays, count, rays_root_, prepared.of);
+    cross_many(prepared.of, count, nearest);
+    uint64_t found = kernels_.hits(prepared.of, nearest, count, out);
     for (uint32_t i = 0; i < count; ++i) {
         Hit hit;
-        if ((found >> i & 1) != 0 || !hit_at(nearest[i], rays_of.prepared[i].sheared, hit)) continue;
+        if ((found >> i & 1) != 0 || !hit_at(nearest[i], prepared.of[i].sheared, hit)) continue;
         *out[i] = to_hit(hit);
         found |= uint64_t{1} << i;
     }
@@ -100,6 +142,7 @@ uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {
+    if (magnified_) return magnified_->raycast_any(magnified(ray));
     const PreparedRay prepared(ray, rays_root_);
     bool found = false;
     walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
@@ -121,6 +164,10 @@ bool Mesh::closest_point(Vec3 point, double max_distance, Vec3& out, uint32_t& t
 
 bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) const {
     if (packets_.empty()) return false;
+    if (magnified_) {
+        const Sphere larger{moving.center * magnification_, moving.radius * magnification_};
+        return magnified_->sweep(larger, displacement * magnification_, hit, ties) && reduce(hit);
+    }
     const RayProbe probe(moving.center, displacement, moving.radius, bounds());
     const bool as_reported = ties == Ties::as_reported;
     Hit first;

@@ -19,6 +19,11 @@ public:
     /// `report` is that of the arrays and finds no bad vertex and no index out of range.
     Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report,
          Isa isa = chosen_isa());
+    ~Mesh() {
+        if (magnified_) release(magnified_);
+    }
+    Mesh(const Mesh&) = delete;
+    Mesh& operator=(const Mesh&) = delete;
 
     void retain() const noexcept { holds_.fetch_add(1, std::memory_order_relaxed); }
     static void release(const Mesh* mesh) noexcept;
@@ -54,6 +59,10 @@ public:
     /// *out[i] tells then. Faster than one by one, the more so if they go the same way.
     static constexpr uint32_t rays_at_once = Octree::rays_at_once;
     uint64_t raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const;
+    /// The same of ray_of(0) .. ray_of(count - 1), in double precision and no segments, not rounded: hits[i] is written
+    /// where that ray hits.
+    template <class RayOf>
+    uint64_t raycast_many(uint32_t count, const RayOf& ray_of, Hit* hits) const;
     bool raycast_any(const Ray& ray) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>
@@ -75,10 +84,29 @@ public:
     Memory memory;
 
 private:
+    /// Room for many rays, of which nothing is written before it is needed.
+    union PreparedRays {
+        PreparedRays() {}
+        PreparedRay of[rays_at_once];
+    };
+    void cross_many(const PreparedRay* rays, uint32_t count, NearestCrossing* nearest) const;
     /// Packets with triangles that the ray may hit, roughly nearest first: visit(packet, lanes) returns
     /// the new limit; a negative one ends the walk.
     template <class Visit>
     void walk(const PreparedRay& ray, Visit&& visit) const;
+
+    // What raycast_all and closest_point ask this mesh or the magnified one.
+    template <class Visit>
+    void cross_all(const Ray& ray, Visit&& visit) const;
+    template <class DistanceOf, class LimitOf>
+    bool find_closest(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
+                      Vec3& out, uint32_t& triangle) const;
+    /// A query in the coordinates of the magnified mesh, and its answer in those of this one.
+    Ray magnified(const Ray& ray) const;
+    bool reduce(Hit& hit) const {
+        hit.point = hit.point / magnification_;
+        return true;
+    }
 
     template <class Visit>
     void for_each_overlap_of(const Plane& plane, Visit&& visit) const;
@@ -99,7 +127,35 @@ private:
     double radius_ = 0;
     gphys_sphere ball_{};
     uint64_t hash_;
+    // Of a mesh so small that the margins of tests in float, which stay clear of the smallest normal number, would
+    // exclude little: the same mesh times a power of two. It answers rays, sweeps and closest points, with the same
+    // bits, as nothing of that is rounded.
+    const Mesh* magnified_ = nullptr;
+    double magnification_ = 1;
 };
+
+template <class RayOf>
+uint64_t Mesh::raycast_many(uint32_t count, const RayOf& ray_of, Hit* hits) const {
+    if (packets_.empty() || count == 0) return 0;
+    uint64_t found = 0;
+    if (magnified_) {
+        for (uint32_t i = 0; i < count; ++i) found |= uint64_t{raycast(ray_of(i), hits[i])} << i;
+        return found;
+    }
+    PreparedRays prepared;
+    NearestCrossing nearest[rays_at_once];
+    for (uint32_t first = 0; first < count; first += 8) {
+        const uint32_t some = std::min(count - first, 8u);
+        Ray rays[8];
+        for (uint32_t k = 0; k < some; ++k) rays[k] = ray_of(first + k);
+        kernels_.prepare_doubles(rays, some, rays_root_, prepared.of + first);
+    }
+    cross_many(prepared.of, count, nearest);
+    for (uint32_t i = 0; i < count; ++i) {
+        found |= uint64_t{hit_at(nearest[i], prepared.of[i].sheared, hits[i])} << i;
+    }
+    return found;
+}
 
 template <class Visit>
 void Mesh::walk(const PreparedRay& ray, Visit&& visit) const {
@@ -114,6 +170,15 @@ void Mesh::walk(const PreparedRay& ray, Visit&& visit) const {
 
 template <class Visit>
 void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
+    if (!magnified_) return cross_all(ray, visit);
+    magnified_->cross_all(magnified(ray), [&](Hit hit) {
+        reduce(hit);
+        visit(hit);
+    });
+}
+
+template <class Visit>
+void Mesh::cross_all(const Ray& ray, Visit&& visit) const {
     const PreparedRay prepared(ray, rays_root_);
     walk(prepared, [&](const TrianglePacket& packet, uint32_t lanes) {
         for_each_lane(lanes, [&](int lane) {
@@ -132,6 +197,19 @@ void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
 template <class DistanceOf, class LimitOf>
 bool Mesh::closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
                          Vec3& out, uint32_t& triangle) const {
+    if (!magnified_) return find_closest(point, max_distance, distance_of, limit_of, out, triangle);
+    const double by = magnification_;
+    const bool found = magnified_->find_closest(
+        point * by, max_distance * by,
+        [&](Vec3 candidate, double squared) { return distance_of(candidate / by, squared / (by * by)); },
+        [&](auto distance) { return limit_of(distance) * by; }, out, triangle);
+    if (found) out = out / by;
+    return found;
+}
+
+template <class DistanceOf, class LimitOf>
+bool Mesh::find_closest(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
+                        Vec3& out, uint32_t& triangle) const {
     if (packets_.empty()) return false;
     const PointProbe probe(point, bounds());
     auto least = std::numeric_limits<decltype(distance_of(point, 0.0))>::infinity();

@@ -1,5 +1,7 @@
 #include "mesh/mesh_instance.h"
 
+#include "geometry/raycast_box.h"
+
 namespace gphys {
 
 namespace {
@@ -13,30 +15,15 @@ Ray into_mesh(const Ray& ray, const Transform& world) {
     return local;
 }
 
-/// Whether a ray certainly misses a box: seen along an axis of the box, or across both an axis and the
-/// ray, the two are apart (Gottschalk, Lin, Manocha 1996). Takes no division, and no branch that could
-/// not be foreseen.
+/// Whether a ray certainly misses a box.
 bool misses(const Ray& ray, const Box& box) {
     const Vec3 low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
     const Vec3 center = (low + high) * 0.5, half = (high - low) * 0.5;
-    const Vec3 from = ray.origin - center, along = ray.direction, speed = abs(along);
-    // A distance is off by at most 4 * 2^-53 of this sum, a product of one with the direction by
-    // twice that.
-    const Vec3 magnitude = abs(ray.origin) + abs(center) + half;
-    const double margin = 0x1p-48 * (magnitude.x + magnitude.y + magnitude.z);
-    const Vec3 reach = half + Vec3{margin, margin, margin};
+    // A distance is off by at most 4 * 2^-53 of this sum, its product with a speed by another rounding.
+    const double magnitude = sum(abs(ray.origin) + abs(center) + half);
     // Infinite times zero would be invalid; later than this nothing is met.
     const double end = std::min(ray.t_max, 0x1p600);
-    bool apart = false;
-    for (int k = 0; k < 3; ++k) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const double to_center = along[k] < 0 ? from[k] : -from[k];
-        const double near = to_center - reach[k], far = to_center + reach[k], way = end * speed[k];
-        const double across = std::fabs(from[i] * along[j] - from[j] * along[i]);
-        const double width = reach[i] * speed[j] + reach[j] * speed[i];
-        apart |= (far < 0) | (near > way) | (across > width);
-    }
-    return apart;
+    return !RayAndBox<Vec3>(ray.origin - center, half, 0x1p-48 * magnitude, ray.direction, 0, end).may_meet();
 }
 
 void out_of_mesh(Hit& hit, const Transform& world) {
@@ -76,6 +63,26 @@ bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit) {
     if (misses(local, instance.mesh.bounds()) || !instance.mesh.raycast(local, hit)) return false;
     out_of_mesh(hit, instance.world);
     return true;
+}
+
+uint64_t raycast_many(const MeshInstance& instance, const Ray* rays, uint32_t count, Hit* hits) {
+    const auto local = [&](uint32_t i) { return into_mesh(rays[i], instance.world); };
+    const uint64_t found = instance.mesh.raycast_many(count, local, hits);
+    for (uint32_t i = 0; i < count; ++i) {
+        if ((found >> i & 1) != 0) out_of_mesh(hits[i], instance.world);
+    }
+    return found;
+}
+
+bool comes_near(const MeshInstance& instance, const Ray& ray) {
+    const Vec3 to_center = instance.world.apply(instance.mesh.center()) - ray.origin;
+    const double radius = instance.mesh.radius() * instance.world.scale, radius_squared = radius * radius;
+    if (length_squared(to_center) <= radius_squared) return true;
+    const double along = dot(to_center, ray.direction), speed_squared = length_squared(ray.direction);
+    // Before the ball, by the time that its nearest point could be reached.
+    if (along <= 0 || along - std::min(ray.t_max, 0x1p600) * speed_squared > radius * std::sqrt(speed_squared))
+        return false;
+    return length_squared(to_center) * speed_squared - along * along <= radius_squared * speed_squared;
 }
 
 bool raycast_any(const MeshInstance& instance, const Ray& ray) {

@@ -1,18 +1,59 @@
 #include "mesh/mesh_kernels.h"
 
-#include "intersect/shear.h"
+#include "foundation/compiler.h"
+#include "geometry/shear.h"
 #include "mesh/triangle_lanes.h"
 #include "mesh/triangle_setup.h"
 #include "mesh/triangle_test.h"
-#include "octree/octree_many.h"
+#include "octree/interleaved_traversal.h"
+#include "octree/ordered_traversal.h"
+#include "octree/packet_traversal.h"
 #include "octree/ray_lanes.h"
 
 namespace gphys::GPHYS_ISA {
 
 namespace {
 
-[[gnu::always_inline]] inline void fetch_packet(const TrianglePacket* packets, uint32_t number) {
-    fetch_ahead(packets + number, sizeof(TrianglePacket));
+GPHYS_INLINE void prefetch_packet(const TrianglePacket* packets, uint32_t number) {
+    prefetch_range(packets + number, sizeof(TrianglePacket));
+}
+
+GPHYS_INLINE void prepare_eight(const Double8 (&origin)[3], const Double8 (&direction)[3], Double8 t_max,
+                                const RaysRoot& root, PreparedRay* eight) {
+    const auto at = [&](int i) -> PreparedRay& { return eight[i]; };
+    const RaySetup<Double8> along(origin, direction, root);
+    const Float8 limits = put_probes(t_max, along, [&](int i) -> RayProbe& { return at(i).along; });
+
+    const Shear<Double8> shear(direction);
+    const TriangleSetup<Double8> setup(shear, direction, along.begin, along.slack, along.span < beyond_trees, root);
+    constexpr double number[3] = {0, 1, 2};
+    const auto axis = [](Double8 k) { return integer_bits(narrowed(k)); };
+    const Quads8 axes{axis(shear.x(number)), axis(shear.y(number)), axis(shear.z(number)), splat(0)};
+    store_quads([&](int i) { return reinterpret_cast<float*>(at(i).triangles.axis); }, axes);
+    store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).sheared.kx); }, axes);
+    store_quads([&](int i) { return at(i).triangles.origin; },
+                {narrowed(setup.origin[0]), narrowed(setup.origin[1]), narrowed(setup.origin[2]), splat(0)});
+    store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).triangles.across); },
+                {narrowed(setup.slope_x), narrowed(setup.slope_y), narrowed(setup.error_slope_x),
+                 narrowed(setup.error_slope_y)});
+    const Float8 ahead = narrowed(setup.ahead);
+    store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).triangles.rest); },
+                {ahead, splat(1) - ahead, narrowed(setup.margin), narrowed(setup.error)});
+
+    const Double8 begin[4] = {origin[0], origin[1], origin[2], direction[0]},
+                  go[4] = {direction[0], direction[1], direction[2], t_max};
+    const Double8 from[4] = {shear.x(origin), shear.y(origin), shear.z(origin), shear.z(direction)};
+    const Double8 rest[4] = {shear.sx, shear.sy, t_max, 0};
+    store_components([&](int i) { return &at(i).sheared.origin.x; }, begin);
+    store_components([&](int i) { return &at(i).sheared.direction.x; }, go);
+    store_components([&](int i) { return at(i).sheared.from; }, from);
+    store_components([&](int i) { return &at(i).sheared.sx; }, rest);
+    alignas(32) float limit[8];
+    store(limit, limits);
+    for (int i = 0; i < 8; ++i) at(i).limit = limit[i];
+    // Of is_segment nothing asks once a ray is sheared.
+    const Double8 no_rest[4] = {t_max, 0, 0, 0};
+    store_components([&](int i) { return &at(i).sheared.t_max; }, no_rest);
 }
 
 void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to) {
@@ -23,41 +64,14 @@ void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root,
             return &rays[next < count ? next : count - 1]->origin.x;
         };
         const Four8 begins(given), goes([&](int i) { return given(i) + 3; });
-        const Double8 origin[3] = {begins.x, begins.y, begins.z}, direction[3] = {goes.x, goes.y, goes.z};
-        PreparedRay* const eight = to + first;
-        const auto at = [&](int i) -> PreparedRay& { return eight[i]; };
-        const RaySetup<Double8> along(origin, direction, root);
-        const Float8 limits = put_probes(goes.w, along, [&](int i) -> RayProbe& { return at(i).along; });
+        prepare_eight({begins.x, begins.y, begins.z}, {goes.x, goes.y, goes.z}, goes.w, root, to + first);
+    }
+}
 
-        const Shear<Double8> shear(direction);
-        const TriangleSetup<Double8> setup(shear, direction, along.begin, along.slack, along.span < beyond_trees, root);
-        constexpr double number[3] = {0, 1, 2};
-        const auto axis = [](Double8 k) { return integer_bits(narrowed(k)); };
-        const Quads8 axes{axis(shear.x(number)), axis(shear.y(number)), axis(shear.z(number)), splat(0)};
-        store_quads([&](int i) { return reinterpret_cast<float*>(at(i).triangles.axis); }, axes);
-        store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).sheared.kx); }, axes);
-        store_quads([&](int i) { return at(i).triangles.origin; },
-                    {narrowed(setup.origin[0]), narrowed(setup.origin[1]), narrowed(setup.origin[2]), splat(0)});
-        store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).triangles.across); },
-                    {narrowed(setup.slope_x), narrowed(setup.slope_y), narrowed(setup.error_slope_x),
-                     narrowed(setup.error_slope_y)});
-        const Float8 ahead = narrowed(setup.ahead);
-        store_quads([&](int i) { return reinterpret_cast<float*>(&at(i).triangles.rest); },
-                    {ahead, splat(1) - ahead, narrowed(setup.margin), narrowed(setup.error)});
-
-        const Double8 begin[4] = {begins.x, begins.y, begins.z, begins.w}, go[4] = {goes.x, goes.y, goes.z, goes.w};
-        const Double8 from[4] = {shear.x(origin), shear.y(origin), shear.z(origin), shear.z(direction)};
-        const Double8 rest[4] = {shear.sx, shear.sy, goes.w, 0};
-        store_components([&](int i) { return &at(i).sheared.origin.x; }, begin);
-        store_components([&](int i) { return &at(i).sheared.direction.x; }, go);
-        store_components([&](int i) { return at(i).sheared.from; }, from);
-        store_components([&](int i) { return &at(i).sheared.sx; }, rest);
-        alignas(32) float limit[8];
-        store(limit, limits);
-        for (int i = 0; i < 8; ++i) at(i).limit = limit[i];
-        // Of is_segment nothing asks once a ray is sheared.
-        const Double8 no_rest[4] = {goes.w, 0, 0, 0};
-        store_components([&](int i) { return &at(i).sheared.t_max; }, no_rest);
+void prepare_doubles(const Ray* rays, uint32_t count, const RaysRoot& root, PreparedRay* to) {
+    for (uint32_t first = 0; first < count; first += 8) {
+        const Rays8 eight(rays + first, count - first);
+        prepare_eight(eight.origin, eight.direction, eight.t_max, root, to + first);
     }
 }
 
@@ -65,11 +79,14 @@ void walk_ray(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pack
               const PacketVisitor& to) {
     const TriangleTest test(ray.triangles);
     float limit = ray.limit;
-    nearest_first(nodes, root, RayTest(ray.along), limit, [&](uint32_t number) {
-        const uint32_t lanes = test.hits(packets[number], limit);
-        if (lanes != 0) limit = to.visit(to.context, packets[number], lanes);
-        return limit;
-    });
+    traverse_ordered(
+        nodes, root, RayTest(ray.along), limit,
+        [&](uint32_t number) {
+            const uint32_t lanes = test.hits(packets[number], limit);
+            if (lanes != 0) limit = to.visit(to.context, packets[number], lanes);
+            return limit;
+        },
+        [](const OctreeNode&) {});
 }
 
 /// Which triangles of packets rays cross, asked eight at a time.
@@ -81,7 +98,7 @@ public:
 
     void add(uint32_t ray, const TrianglePacket& packet, uint32_t lanes) {
         for (; lanes != 0; lanes &= lanes - 1) {
-            pairs_.add(ray, packet, static_cast<uint32_t>(__builtin_ctz(lanes)));
+            pairs_.add(ray, packet, static_cast<uint32_t>(lowest_bit(lanes)));
             if (pairs_.count == 8) finish();
         }
     }
@@ -91,13 +108,13 @@ public:
         if (pairs_.count >= worth_eight_lanes) {
             const Crossings8 crossings(pairs_, rays_);
             for (uint32_t yes = crossings.yes & open; yes != 0; yes &= yes - 1) {
-                const auto i = static_cast<uint32_t>(__builtin_ctz(yes));
+                const auto i = static_cast<uint32_t>(lowest_bit(yes));
                 if (take(i, crossings[i], crossings.rounded_t[i])) limits_[pairs_.ray[i]] = crossings.limit[i];
             }
             open &= ~(crossings.no | crossings.yes);
         }
         for (; open != 0; open &= open - 1) {
-            const auto i = static_cast<uint32_t>(__builtin_ctz(open));
+            const auto i = static_cast<uint32_t>(lowest_bit(open));
             const PreparedRay& ray = rays_[pairs_.ray[i]];
             TriangleCrossing crossing;
             if (exact_(ray, *pairs_.packet[i], pairs_.lane[i], crossing) && take(i, crossing, reported(crossing.t))) {
@@ -121,7 +138,7 @@ private:
 
 void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest) {
-    RayLimits of_all(count, [&](uint32_t ray) { return rays[ray].limit; });
+    PacketLimits of_all(count, [&](uint32_t ray) { return rays[ray].limit; });
     float* const limits = of_all.limits;
     Crossing crossing(rays, packets[0], exact, nearest, limits);
     const auto add = [&](uint32_t ray, uint32_t number) {
@@ -129,14 +146,14 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
         crossing.add(ray, packet, TriangleTest(rays[ray].triangles).hits(packet, limits[ray]));
     };
     const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return rays[ray].along; };
-    const auto fetch = [&](uint32_t number) __attribute__((always_inline)) { fetch_packet(packets, number); };
+    const auto prefetch_of = [&](uint32_t number) GPHYS_INLINE_LAMBDA { prefetch_packet(packets, number); };
     if (together) {
-        BundleTest bundle(probe_of, limits, count);
+        PacketTest packet_test(probe_of, limits, count);
         const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
-            for (; set != 0; set &= set - 1) add(8 * group + static_cast<uint32_t>(__builtin_ctz(set)), number);
+            for (; set != 0; set &= set - 1) add(8 * group + static_cast<uint32_t>(lowest_bit(set)), number);
         };
-        const bool done = rays_together(
-            nodes, root, bundle, count, visit, [&] { crossing.finish(); }, fetch);
+        const bool done = traverse_packet(
+            nodes, root, packet_test, count, visit, [&] { crossing.finish(); }, prefetch_of);
         if (done) return;
     }
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
@@ -153,7 +170,7 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
         }
         return moved;
     };
-    rays_in_turns<NearestFirst>(nodes, root, probe_of, limits, count, visit, fetch);
+    traverse_interleaved<ClosestHit>(nodes, root, probe_of, limits, count, visit, prefetch_of);
 }
 
 uint64_t hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out) {
@@ -170,7 +187,7 @@ uint64_t hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t 
             }
             gphys_hit eight[8];
             for (uint32_t rest = make_hits(of, by, eight) & ((1u << size) - 1); rest != 0; rest &= rest - 1) {
-                const auto i = static_cast<uint32_t>(__builtin_ctz(rest));
+                const auto i = static_cast<uint32_t>(lowest_bit(rest));
                 *out[number[i]] = eight[i];
                 made |= uint64_t{1} << number[i];
             }
@@ -202,6 +219,7 @@ uint32_t lanes_near(const TrianglePacket& packet, const PointProbe& probe, float
 
 }  // namespace
 
-extern const MeshKernels mesh_kernels{prepare, walk_ray, walk_rays, hits, lanes_in_box, lanes_along, lanes_near};
+extern const MeshKernels mesh_kernels{prepare, prepare_doubles, walk_ray,    walk_rays,
+                                      hits,    lanes_in_box,    lanes_along, lanes_near};
 
 }  // namespace gphys::GPHYS_ISA

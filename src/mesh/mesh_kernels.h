@@ -21,10 +21,12 @@ struct MeshKernels {
     /// Prepares many rays with the same bits as one by one. `count` is at least 1; what is written is rounded up to a
     /// multiple of eight.
     void (*prepare)(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root, PreparedRay* to);
+    /// The same of rays in double precision that are no segments.
+    void (*prepare_doubles)(const Ray* rays, uint32_t count, const RaysRoot& root, PreparedRay* to);
     /// Roughly nearest first, through an octree whose items are the numbers of `packets`.
     void (*ray)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
-    /// Where many rays first cross the triangles; up to RayBundling::most with the same signs of direction
+    /// Where many rays first cross the triangles; up to RayPackets::most with the same signs of direction
     /// may go together.
     void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                  uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest);

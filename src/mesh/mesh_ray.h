@@ -2,7 +2,8 @@
 // crossing so far.
 #pragma once
 
-#include "intersect/intersect.h"
+#include "foundation/compiler.h"
+#include "geometry/intersect.h"
 #include "mesh/triangle_packet.h"
 #include "mesh/triangle_probe.h"
 
@@ -27,8 +28,7 @@ struct PreparedRay {
 /// crossings, not cutting the ray short, makes the answer independent of their order.
 struct NearestCrossing {
     /// Whether this one, reported at `other_t`, comes before; of equal ones that of the lower index.
-    [[gnu::always_inline]] bool take(const TriangleCrossing& other, float other_t, const TrianglePacket& of,
-                                     uint32_t at) {
+    GPHYS_INLINE bool take(const TriangleCrossing& other, float other_t, const TrianglePacket& of, uint32_t at) {
         const uint32_t index = of.index[at];
         if (!(other_t < t || (other_t == t && index < triangle))) return false;
         crossing = other;

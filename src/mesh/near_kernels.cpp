@@ -1,6 +1,10 @@
 #include "mesh/near_kernels.h"
 
+#include <limits>
+
+#include "foundation/compiler.h"
 #include "foundation/simd.h"
+#include "foundation/vec.h"
 #include "mesh/triangle_test.h"
 
 namespace gphys::GPHYS_ISA {
@@ -16,29 +20,15 @@ constexpr float shortened = 1 - 0x1p-20f;
 // What is smaller, in parts of the extent, is nothing: a division by it, or by its square, is not a large number.
 constexpr float tiny = 1e-30f;
 
-struct Vector8 {
-    Float8 x, y, z;
-};
-Vector8 operator-(const Vector8& a, const Vector8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vector8 operator+(const Vector8& a, const Vector8& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vector8 operator*(const Vector8& a, Float8 s) { return {a.x * s, a.y * s, a.z * s}; }
-Float8 dot(const Vector8& a, const Vector8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vector8 cross(const Vector8& a, const Vector8& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Vector8 choose(Mask8 mask, const Vector8& a, const Vector8& b) {
-    return {choose(mask, a.x, b.x), choose(mask, a.y, b.y), choose(mask, a.z, b.z)};
-}
-
 struct Corners {
-    Vector8 a, b, c;
+    Vec<Float8> a, b, c;
 
     /// Relative to the point, times `scale`.
     Corners(const TrianglePacket& packet, const NearProbe& probe, float scale)
         : a(corner(packet, probe, scale, 0)), b(corner(packet, probe, scale, 1)), c(corner(packet, probe, scale, 2)) {}
 
 private:
-    static Vector8 corner(const TrianglePacket& packet, const NearProbe& probe, float scale, int k) {
+    static Vec<Float8> corner(const TrianglePacket& packet, const NearProbe& probe, float scale, int k) {
         const auto relative = [&](int axis) {
             return (load(packet.corner[k][axis]) - splat(probe.base[axis]) - splat(probe.offset[axis])) * splat(scale);
         };
@@ -47,9 +37,9 @@ private:
 };
 
 /// The point of an edge that is nearest to the origin, and its squared distance.
-inline Vector8 nearest_on_edge(const Vector8& from, const Vector8& along, Float8& squared) {
+inline Vec<Float8> nearest_on_edge(const Vec<Float8>& from, const Vec<Float8>& along, Float8& squared) {
     const Float8 t = (splat(0) - dot(from, along)) / max(dot(along, along), splat(tiny));
-    const Vector8 nearest = from + along * min(max(t, splat(0)), splat(1));
+    const Vec<Float8> nearest = from + along * min(max(t, splat(0)), splat(1));
     squared = dot(nearest, nearest);
     return nearest;
 }
@@ -57,28 +47,28 @@ inline Vector8 nearest_on_edge(const Vector8& from, const Vector8& along, Float8
 /// Whatever was found for the nearest point q, up to rounding, and however thin the triangle is: it is beyond the
 /// plane across q through the corner that comes nearest along q.
 Float8 distance_at_least(const Corners& t) {
-    const Vector8 ab = t.b - t.a, ac = t.c - t.a;
+    const Vec<Float8> ab = t.b - t.a, ac = t.c - t.a;
     Float8 squared, other;
-    Vector8 nearest = nearest_on_edge(t.a, ab, squared);
-    const auto take_nearer = [&](const Vector8& candidate) {
-        nearest = choose(other <= squared, candidate, nearest);
+    Vec<Float8> nearest = nearest_on_edge(t.a, ab, squared);
+    const auto take_nearer = [&](const Vec<Float8>& candidate) {
+        nearest = select(other <= squared, candidate, nearest);
         squared = min(other, squared);
     };
     take_nearer(nearest_on_edge(t.a, ac, other));
     take_nearer(nearest_on_edge(t.b, t.c - t.b, other));
     // Within the face, if the origin is above it: seen along the normal it is then on the same side of all edges.
-    const Vector8 normal = cross(ab, ac);
+    const Vec<Float8> normal = cross(ab, ac);
     const Float8 square = dot(normal, normal);
     const Float8 inside =
         min(min(dot(normal, cross(t.a, t.b)), dot(normal, cross(t.b, t.c))), dot(normal, cross(t.c, t.a)));
-    const Vector8 foot = normal * (dot(normal, t.a) / max(square, splat(tiny)));
-    nearest = choose((splat(0) <= inside) & (splat(tiny) <= square), foot, nearest);
+    const Vec<Float8> foot = normal * (dot(normal, t.a) / max(square, splat(tiny)));
+    nearest = select((splat(0) <= inside) & (splat(tiny) <= square), foot, nearest);
     const Float8 along = min(min(dot(nearest, t.a), dot(nearest, t.b)), dot(nearest, t.c));
     return along / sqrt(max(dot(nearest, nearest), splat(tiny))) * splat(shortened) - splat(height_error);
 }
 
 void drop_lanes(NearPacket& packet, uint32_t lanes) {
-    for (; lanes != 0; lanes &= lanes - 1) packet.distance[__builtin_ctz(lanes)] = __builtin_inff();
+    for (; lanes != 0; lanes &= lanes - 1) packet.distance[lowest_bit(lanes)] = std::numeric_limits<float>::infinity();
 }
 
 uint32_t find(const Box8* boxes, const TrianglePacket* const* packets, uint32_t count, const NearProbe& probe,
@@ -107,7 +97,7 @@ uint32_t find(const Box8* boxes, const TrianglePacket* const* packets, uint32_t 
         store(distances, distance);
         store(extents, extent);
         for (; hits != 0; hits &= hits - 1) {
-            const uint32_t i = static_cast<uint32_t>(__builtin_ctz(hits));
+            const uint32_t i = static_cast<uint32_t>(lowest_bit(hits));
             NearPacket& near = out[found++];
             near.packet = packets[first + i];
             near.extent = extents[i];
@@ -129,7 +119,7 @@ void measure(NearPacket& near, const NearProbe& probe) {
 
 uint32_t leave_out(NearPacket* packets, uint32_t count, const NearProbe& probe, const HalfSpaceProbe& plane,
                    uint32_t* open) {
-    const Vector8 normal{splat(plane.normal[0]), splat(plane.normal[1]), splat(plane.normal[2])};
+    const Vec<Float8> normal{splat(plane.normal[0]), splat(plane.normal[1]), splat(plane.normal[2])};
     uint32_t left = 0;
     for (uint32_t k = 0; k < count; ++k) {
         NearPacket& near = packets[k];
@@ -148,7 +138,7 @@ uint32_t leave_out(NearPacket* packets, uint32_t count, const NearProbe& probe, 
 }
 
 float nearest(const NearPacket* packets, uint32_t count, uint32_t& place) {
-    Float8 least = splat(__builtin_inff());
+    Float8 least = splat(std::numeric_limits<float>::infinity());
     for (uint32_t k = 0; k < count; ++k) least = min(least, load(packets[k].distance));
     float lanes[8];
     store(lanes, least);
@@ -157,7 +147,7 @@ float nearest(const NearPacket* packets, uint32_t count, uint32_t& place) {
     for (uint32_t k = 0; k < count; ++k) {
         const uint32_t equal = bits(load(packets[k].distance) <= splat(best));
         if (equal == 0) continue;
-        place = 8 * k + static_cast<uint32_t>(__builtin_ctz(equal));
+        place = 8 * k + static_cast<uint32_t>(lowest_bit(equal));
         break;
     }
     return best;

@@ -9,25 +9,23 @@ constexpr double farthest = 1e30;
 // Balls are taken for larger by this part, which is more than the rounding of places in the mesh.
 constexpr double widening = 1 + 0x1p-20;
 
-float to_float(double value) { return static_cast<float>(std::clamp(value, -farthest, farthest)); }
-
 }  // namespace
 
 NearProbe::NearProbe(Vec3 center, double ball_radius) {
     shrink(ball_radius);
     for (int k = 0; k < 3; ++k) {
-        base[k] = to_float(center[k]);
-        offset[k] = to_float(center[k] - base[k]);
+        base[k] = to_float(center[k], farthest);
+        offset[k] = to_float(center[k] - base[k], farthest);
     }
 }
 
-void NearProbe::shrink(double ball_radius) { radius = to_float(ball_radius * widening); }
+void NearProbe::shrink(double ball_radius) { radius = to_float(ball_radius * widening, farthest); }
 
 HalfSpaceProbe::HalfSpaceProbe(Vec3 unit, double height) {
-    for (int k = 0; k < 3; ++k) normal[k] = to_float(unit[k]);
+    for (int k = 0; k < 3; ++k) normal[k] = to_float(unit[k], farthest);
     const double rounding = 0x1p-23 * std::fabs(height);
-    lowest = to_float(height - rounding);
-    highest = to_float(height + rounding);
+    lowest = to_float(height - rounding, farthest);
+    highest = to_float(height + rounding, farthest);
 }
 
 }  // namespace gphys

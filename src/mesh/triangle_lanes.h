@@ -3,7 +3,8 @@
 // arithmetic, or treat apart, is left open for them.
 #pragma once
 
-#include "intersect/hit_lanes.h"
+#include "foundation/compiler.h"
+#include "geometry/hit_lanes.h"
 #include "mesh/mesh_ray.h"
 #include "octree/ray_setup.h"
 
@@ -14,7 +15,7 @@ constexpr uint32_t worth_eight_lanes = double_register_lanes == 8 ? 3 : double_r
 
 /// Corner c of eight triangles: first_of(i, k) is where coordinate k of the first corner is, in its packet.
 template <class FirstOf>
-GPHYS_INLINE Vector8 corners8(const FirstOf& first_of, int c) {
+GPHYS_INLINE Vec<Double8> corners8(const FirstOf& first_of, int c) {
     constexpr int next = sizeof(TrianglePacket::corner[0]) / sizeof(float);
     const auto coordinate = [&](int k) {
         return widened(load_lanes([&](int i) { return first_of(i, k) + next * c; }));
@@ -58,11 +59,11 @@ struct Crossings8 {
         const Double8 speed = from[3], t_max = rest[2];
 
         const auto sheared = [&](int of) {
-            const Vector8 corner = corners8(first, of);
+            const Vec<Double8> corner = corners8(first, of);
             const Double8 z_of = corner.z - from[2];
-            return Vector8{corner.x - from[0] - rest[0] * z_of, corner.y - from[1] - rest[1] * z_of, z_of};
+            return Vec<Double8>{corner.x - from[0] - rest[0] * z_of, corner.y - from[1] - rest[1] * z_of, z_of};
         };
-        const Vector8 a = sheared(0), b = sheared(1), c = sheared(2);
+        const Vec<Double8> a = sheared(0), b = sheared(1), c = sheared(2);
         const Double8 volume_a = c.x * b.y - c.y * b.x;
         const Double8 volume_b = a.x * c.y - a.y * c.x;
         const Double8 volume_c = b.x * a.y - b.y * a.x;
@@ -114,7 +115,7 @@ GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], cons
     load_components([&](int i) { return &nearest[i]->crossing.t; }, crossing);
     load_components([&](int i) { return &rays[i]->sheared.speed; }, speed);
 
-    const Vector8 a = corners8(first, 0), ab = corners8(first, 1) - a, ac = corners8(first, 2) - a;
+    const Vec<Double8> a = corners8(first, 0), ab = corners8(first, 1) - a, ac = corners8(first, 2) - a;
     // accurate_cross
     DoubleMask8 clear = 0 < absolute(speed[0]);
     const auto difference = [&](Double8 p, Double8 q) {
@@ -122,16 +123,16 @@ GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], cons
         clear = clear & (5 * 0x1p-53 * (absolute(p) + absolute(q)) <= 0x1p-45 * absolute(value));
         return value;
     };
-    const Vector8 turn{difference(ab.y * ac.z, ab.z * ac.y), difference(ab.z * ac.x, ab.x * ac.z),
-                       difference(ab.x * ac.y, ab.y * ac.x)};
-    clear = clear & (0 < max_component(absolute(turn)));
+    const Vec<Double8> turn{difference(ab.y * ac.z, ab.z * ac.y), difference(ab.z * ac.x, ab.x * ac.z),
+                            difference(ab.x * ac.y, ab.y * ac.x)};
+    clear = clear & (0 < max_component(abs(turn)));
 
     float side[8], triangle[8];
     for (int i = 0; i < 8; ++i) {
         side[i] = nearest[i]->crossing.facing > 0 ? -1.0f : 1.0f;
         std::memcpy(&triangle[i], &nearest[i]->triangle, sizeof triangle[i]);
     }
-    const Vector8 normal = normalized(select(clear, turn, {1.0, 0.0, 0.0})) * widened(load(side));
+    const Vec<Double8> normal = normalized(select(clear, turn, {1.0, 0.0, 0.0})) * widened(load(side));
     const auto clamped = [](Double8 weight, Double8 most) {
         return select(weight < 0, 0.0, select(most < weight, most, weight)) + 0.0;  // as in hit_at
     };

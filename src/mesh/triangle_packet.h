@@ -2,6 +2,7 @@
 // what the items of a mesh's octree stand for.
 #pragma once
 
+#include "foundation/compiler.h"
 #include "foundation/memory.h"
 #include "mesh/mesh_report.h"
 #include "octree/box8.h"
@@ -31,7 +32,7 @@ private:
 template <class Visit>
 bool for_each_lane(uint32_t lanes, Visit&& visit) {
     for (; lanes != 0; lanes &= lanes - 1) {
-        if (!visit(__builtin_ctz(lanes))) return false;
+        if (!visit(lowest_bit(lanes))) return false;
     }
     return true;
 }

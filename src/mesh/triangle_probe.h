@@ -2,7 +2,7 @@
 // (triangle_test.h). It may keep a triangle that the ray misses, never the reverse.
 #pragma once
 
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "octree/box8.h"
 
 namespace gphys {

@@ -2,6 +2,7 @@
 // double, and for eight side by side, with the Double8 of a set of instructions.
 #pragma once
 
+#include "foundation/compiler.h"
 #include "foundation/numbers.h"
 #include "octree/ray_setup.h"
 
@@ -35,8 +36,8 @@ struct TriangleSetup {
 
     /// `begin` and `slack` are those of the ray's probe of boxes in the root, and whether it excludes any.
     template <class ShearOf, class Begin>
-    [[gnu::always_inline]] TriangleSetup(const ShearOf& shear, const Number (&direction)[3], const Begin& begin,
-                                         Number slack, Mask excludes, const RaysRoot& root) {
+    GPHYS_INLINE TriangleSetup(const ShearOf& shear, const Number (&direction)[3], const Begin& begin, Number slack,
+                               Mask excludes, const RaysRoot& root) {
         Number reaches[3], offs[3], origins[3];
         for (int k = 0; k < 3; ++k) {
             origins[k] = rounded_to_float(begin[k]);
@@ -66,7 +67,7 @@ struct TriangleSetup {
     }
 
 private:
-    [[gnu::always_inline]] void let_pass(Mask useless) {
+    GPHYS_INLINE void let_pass(Mask useless) {
         for (Number& component : origin) component = select(useless, 0, component);
         for (Number* slope : {&slope_x, &slope_y, &error_slope_x, &error_slope_y}) *slope = select(useless, 0, *slope);
         margin = select(useless, 0x1p120, margin);

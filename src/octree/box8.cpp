@@ -68,14 +68,14 @@ RaysRoot::RaysRoot(const Box& box, double r) : extent(largest_coordinate(box)), 
     }
 }
 
-RayBundling::RayBundling(const Box& root, uint32_t items) {
+RayPackets::RayPackets(const Box& root, uint32_t items) {
     const Vec3 low{root.min[0], root.min[1], root.min[2]}, high{root.max[0], root.max[1], root.max[2]};
     centre_ = (low + high) * 0.5;
     radius_ = distance(high, centre_);
     leaf_size_ = 2 * radius_ / cbrt(1.0 + items);
 }
 
-RayBundling::Corridor RayBundling::corridor_of(const Ray& ray) const {
+RayPackets::Corridor RayPackets::corridor_of(const Ray& ray) const {
     const double reach = distance(ray.origin, centre_) + radius_, apart = leaf_size_ * leaf_size_;
     // From the only point that the tree has, nothing comes near.
     const double slope = reach > 0 ? apart / (reach * reach) : 0;

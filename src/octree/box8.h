@@ -3,7 +3,7 @@
 // the reverse: each rounds away from the query. The derivations are in box8.cpp.
 #pragma once
 
-#include "shapes/shapes.h"
+#include "geometry/overlap_boxes.h"
 
 namespace gphys {
 
@@ -32,11 +32,6 @@ struct alignas(32) Box8 {
 inline bool operator==(const Box& a, const Box& b) {
     return std::equal(a.min, a.min + 3, b.min) && std::equal(a.max, a.max + 3, b.max);
 }
-inline bool overlaps(const Box& a, const Box& b) {
-    return a.min[0] <= b.max[0] && b.min[0] <= a.max[0] && a.min[1] <= b.max[1] && b.min[1] <= a.max[1] &&
-           a.min[2] <= b.max[2] && b.min[2] <= a.max[2];
-}
-
 /// What all rays have in common.
 struct RaysRoot {
     explicit RaysRoot(const Box& box, double radius = 0);
@@ -75,18 +70,17 @@ struct alignas(16) RayProbe {
     } course;
 };
 
-/// Which rays of many go so much the same way that sharing one walk through a tree saves more than it
-/// costs: those that stay together within about the size of a leaf.
-class RayBundling {
+/// Which rays of many are coherent enough for a packet: those that stay together within about the size of a leaf.
+class RayPackets {
 public:
-    static constexpr uint32_t most = 64;  // rays of a bundle
+    static constexpr uint32_t most = 64;  // rays of a packet
 
-    RayBundling(const Box& root, uint32_t items);
+    RayPackets(const Box& root, uint32_t items);
 
-    /// Cuts rays 0 .. count - 1 into runs: run(first, last, together). ray_of(i) is one, probe_of(i) its probe.
+    /// Cuts rays 0 .. count - 1 into runs: run(first, last, is_packet). ray_of(i) is one, probe_of(i) its probe.
     template <class RayOf, class ProbeOf, class Run>
     void split(const RayOf& ray_of, const ProbeOf& probe_of, uint32_t count, const Run& run) const {
-        constexpr uint32_t worth_it = 8;  // a walk of a bundle costs as much as about six that take turns
+        constexpr uint32_t worth_it = 8;  // a packet costs as much as about six interleaved rays
         uint32_t alone = 0;               // first of those that have found no company
         for (uint32_t first = 0; first < count;) {
             const uint32_t end = std::min(first + most, count);
@@ -122,7 +116,7 @@ private:
     };
     Corridor corridor_of(const Ray& ray) const;
     static bool same_signs(const RayProbe& a, const RayProbe& b) {
-        uint32_t differ = 0;  // of rays that have nothing in common it is not to be foreseen which axis tells
+        uint32_t differ = 0;  // of incoherent rays it is unpredictable which axis tells
         for (int k = 0; k < 3; ++k) differ |= a.near_face[k] ^ b.near_face[k];
         return differ == 0;
     }

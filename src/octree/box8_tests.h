@@ -1,10 +1,24 @@
 // Eight boxes against a probe, for kernels. The bounds of rounding are derived in box8.cpp.
 #pragma once
 
+#include "foundation/compiler.h"
 #include "foundation/simd.h"
 #include "octree/box8.h"
 
 namespace gphys::GPHYS_ISA {
+
+/// Where a ray is in eight boxes, or eight rays are in one: from the last entry into a slab to the first exit or to
+/// the end. enters(axis) and leaves(axis) are those of the slabs.
+struct SlabInterval {
+    Float8 entry, exit;
+
+    template <class Enters, class Leaves>
+    GPHYS_INLINE SlabInterval(const Enters& enters, const Leaves& leaves, Float8 end)
+        : entry(max(max(enters(0), enters(1)), max(enters(2), splat(0)))),
+          exit(min(min(min(leaves(0), leaves(1)), leaves(2)), end)) {}
+
+    uint32_t hits() const { return bits(entry <= exit); }
+};
 
 class RayTest {
 public:
@@ -23,9 +37,10 @@ public:
         const auto leaves = [&](int k) {
             return (splat(ray.far_origin[k]) - load_aligned(boxes.from(ray.far_face[k]))) * back[k];
         };
-        entry = max(max(enters(0), enters(1)), max(enters(2), splat(0)));
-        exit = min(min(min(leaves(0), leaves(1)), leaves(2)), splat(limit));
-        return bits(entry <= exit);
+        const SlabInterval within(enters, leaves, splat(limit));
+        entry = within.entry;
+        exit = within.exit;
+        return within.hits();
     }
     uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
         Float8 exit;
@@ -62,34 +77,28 @@ private:
 /// Boxes that share a point with a given one: exact.
 class BoxTest {
 public:
-    explicit BoxTest(const Box& box) {
-        for (int k = 0; k < 3; ++k) {
-            min_[k] = splat(box.min[k]);
-            max_[k] = splat(box.max[k]);
-        }
-    }
-    BoxTest(const Box8& boxes, uint32_t lane) {
-        for (int k = 0; k < 3; ++k) {
-            min_[k] = splat(boxes.row[k][lane]);
-            max_[k] = splat(boxes.row[3 + k][lane]);
-        }
-    }
+    explicit BoxTest(const Box& box)
+        : min_{splat(box.min[0]), splat(box.min[1]), splat(box.min[2])},
+          max_{splat(box.max[0]), splat(box.max[1]), splat(box.max[2])} {}
+    BoxTest(const Box8& boxes, uint32_t lane) : BoxTest(boxes.lane(static_cast<int>(lane))) {}
 
     uint32_t hits(const Box8& boxes) const {
-        return bits((load_aligned(boxes.row[0]) <= max_[0]) & (min_[0] <= load_aligned(boxes.row[3])) &
-                    (load_aligned(boxes.row[1]) <= max_[1]) & (min_[1] <= load_aligned(boxes.row[4])) &
-                    (load_aligned(boxes.row[2]) <= max_[2]) & (min_[2] <= load_aligned(boxes.row[5])));
+        return bits(boxes_overlap(corner(boxes.row), corner(boxes.row + 3), min_, max_));
     }
     /// The same, and which lanes are wholly inside the box.
     uint32_t hits(const Box8& boxes, uint32_t& inside) const {
-        inside = bits((min_[0] <= load_aligned(boxes.row[0])) & (load_aligned(boxes.row[3]) <= max_[0]) &
-                      (min_[1] <= load_aligned(boxes.row[1])) & (load_aligned(boxes.row[4]) <= max_[1]) &
-                      (min_[2] <= load_aligned(boxes.row[2])) & (load_aligned(boxes.row[5]) <= max_[2]));
+        const Vec<Float8> low = corner(boxes.row), high = corner(boxes.row + 3);
+        inside = bits((min_.x <= low.x) & (high.x <= max_.x) & (min_.y <= low.y) & (high.y <= max_.y) &
+                      (min_.z <= low.z) & (high.z <= max_.z));
         return hits(boxes);
     }
 
 private:
-    Float8 min_[3], max_[3];
+    static Vec<Float8> corner(const float (*rows)[8]) {
+        return {load_aligned(rows[0]), load_aligned(rows[1]), load_aligned(rows[2])};
+    }
+
+    Vec<Float8> min_, max_;
 };
 
 class BallTest {
@@ -157,7 +166,7 @@ private:
         crossed = splat(0);
         uint32_t hit = 0xff;
         for (uint32_t rest = planes; rest != 0; rest &= rest - 1) {
-            const int p = __builtin_ctz(rest);
+            const int p = lowest_bit(rest);
             const FrustumProbe::FloatPlane& plane = probe_.planes[p];
             // Of the corners furthest in and furthest out.
             Float8 upper = splat(0), lower = splat(0), error = splat(0);

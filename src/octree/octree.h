@@ -7,7 +7,7 @@
 // items, so nothing lies outside.
 //
 // A node keeps the boxes of its children side by side, and kernels test them together
-// (octree_traversal.h). Leaves are nodes whose children are items. All bounds are tight at all times.
+// (octree_kernels.h). Leaves are nodes whose children are items. All bounds are tight at all times.
 #pragma once
 
 #include "foundation/memory.h"
@@ -61,8 +61,8 @@ public:
     /// around the origin.
     template <class Visit>
     void raycast(const Ray& ray, Visit&& visit, ItemMemory items = {}) const;
-    /// Up to rays_at_once rays. Neighbours that go much the same way share a walk; the others take
-    /// turns, so that none waits for memory. visit(numbers, items, count) is for up to eight rays, each with
+    /// Up to rays_at_once rays. Neighbours that go much the same way are a packet; the others are
+    /// interleaved, so that none waits for memory. visit(numbers, items, count) is for up to eight rays, each with
     /// an item, cuts short what it will of them, and tells which: bit k of the result is for rays[numbers[k]].
     /// A ray may visit an item twice: with its neighbours, and again by itself where they turn out to have too
     /// little in common.
@@ -90,11 +90,12 @@ public:
     template <class Visit>
     bool overlap_ball(Vec3 center, double radius, Visit&& visit, ItemMemory items = {},
                       ItemMemory items_inside = {}) const;
-    /// What up to ItemsMet::most_queries boxes or balls meet, faster than one after the other, as each would wait for
-    /// memory. A query that is not complete is for overlap_box or overlap_ball.
-    void meet_boxes(const Box* boxes, uint32_t count, ItemMemory items, ItemMemory items_inside, ItemsMet* met) const;
-    void meet_balls(const Sphere* balls, uint32_t count, ItemMemory items, ItemMemory items_inside,
-                    ItemsMet* met) const;
+    /// The same for up to OverlapItems::most_queries boxes or balls, interleaved. A query that is not complete is for
+    /// overlap_box or overlap_ball.
+    void overlap_boxes(const Box* boxes, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                       OverlapItems* found) const;
+    void overlap_balls(const Sphere* balls, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                       OverlapItems* found) const;
     /// visit(item), for any test of boxes: touches(box) must be true for each box that holds what the
     /// query wants.
     template <class Touches, class Visit>
@@ -135,9 +136,6 @@ private:
     static constexpr uint32_t many = 8;
     /// Trees of fewer items are refitted before a second thread has come.
     static constexpr uint32_t shared_size = 8192;
-
-    // Each level leaves at most seven siblings on a depth-first stack.
-    static constexpr int stack_size = 7 * octree_max_levels + 8;
 
     class Builder;
 
@@ -187,11 +185,11 @@ private:
     double area_below(NodeRef ref) const;
 
     template <class Probe, class Visit>
-    void walk_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
-                       const Probe& probe, double bound, Visit& visit, ItemMemory items) const;
+    void traverse_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
+                           const Probe& probe, double bound, Visit& visit, ItemMemory items) const;
     template <class Visit>
-    void walk_many(decltype(OctreeKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
-                   ItemMemory items) const;
+    void traverse_many(decltype(OctreeKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
+                       ItemMemory items) const;
     template <class Visit>
     static OctreeListVisitor list_visitor(Visit& visit, ItemMemory items, ItemMemory items_inside);
 

@@ -1,5 +1,6 @@
 // Building the octree, as a whole or some children of a node: boxes are cut in two by expected cost
 // (cut_tree.h), and three levels of cuts make one of nodes.
+#include "foundation/compiler.h"
 #include "foundation/workers.h"
 #include "octree/cut_tree.h"
 #include "octree/octree.h"
@@ -228,7 +229,7 @@ void Octree::rebuild_children(uint32_t parent, uint32_t lanes) {
     Vector<BoxedItem> items(nodes_.get_allocator());
     uint32_t most = 0, node_count_before = 0;
     for (uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
-        const NodeRef child = nodes_[parent].child[__builtin_ctz(rest)];
+        const NodeRef child = nodes_[parent].child[lowest_bit(rest)];
         append_items(child, items);
         node_count_before += count_nodes(child);
         ++most;

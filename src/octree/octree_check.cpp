@@ -40,7 +40,7 @@ const char* Octree::defect() const {
     uint32_t item_count = 0, node_count = 0;
     if (root_ != none) {
         if (nodes_[index_of(root_)].parent != none) return "the root has a parent";
-        NodeRef stack[stack_size];
+        NodeRef stack[octree_max_open];
         int size = 0;
         stack[size++] = root_;
         while (size > 0) {

@@ -1,7 +1,15 @@
-// The traversals of an octree, once for each instruction set. They read nodes and probes, and give
-// each item found to a callback.
+// The traversals of the tree, once for each instruction set. They read nodes and probes, and give each item that they
+// find to a callback. They differ in kind:
+//
+// - ordered_traversal.h      one query, nearest first: closest hit of a ray, nearest item of a point
+// - unordered_traversal.h    one query, depth first: any hit of a ray
+// - interleaved_traversal.h  many rays, each by itself, while others wait for memory
+// - packet_traversal.h       many rays, together
+// - overlap_traversal.h      boxes, balls and frusta, one or several
+// - pair_traversal.h         two trees
 #pragma once
 
+#include "foundation/compiler.h"
 #include "foundation/isa.h"
 #include "octree/octree_node.h"
 
@@ -39,15 +47,15 @@ struct OctreeListVisitor {
     bool asks_inside;  // else no item need be told to lie inside
 };
 
-/// What one of several queries that walk side by side has found.
-struct ItemsMet {
+/// What one of several interleaved queries has found.
+struct OverlapItems {
     static constexpr uint32_t most_queries = 8, most_nodes = 64, capacity = 128;
 
-    bool complete;      // else there is too much for this, and the query has to walk alone
+    bool complete;      // else there is too much for this, and the query has to be asked alone
     uint32_t count[2];  // of those of which it is not known, and of those that lie wholly inside the query
     uint32_t items[2][capacity + 8];
 
-    [[gnu::always_inline]] void clear() {
+    GPHYS_INLINE void clear() {
         complete = true;
         count[0] = count[1] = 0;
     }
@@ -65,12 +73,12 @@ struct OctreeKernels {
     void (*probes)(const Ray* rays, uint32_t count, const RaysRoot& root, RayProbe* probes, float* limits);
     // Roughly nearest first.
     void (*ray)(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to);
-    /// Many rays. Up to RayBundling::most with the same signs of direction may go together.
+    /// Many rays. Up to RayPackets::most with the same signs of direction may go as a packet.
     void (*rays)(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
-                 bool together, const OctreeRayVisitor& to);
+                 bool is_packet, const OctreeRayVisitor& to);
     /// The same for visits that end a ray, by a negative limit, or leave its limit as it is; not in order.
     void (*rays_any)(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, const float* limits,
-                     uint32_t count, bool together, const OctreeRayVisitor& to);
+                     uint32_t count, bool is_packet, const OctreeRayVisitor& to);
     void (*point)(const OctreeNode* nodes, uint32_t root, const PointProbe& probe, float limit,
                   const OctreeVisitor& to);
     // In no order.
@@ -79,12 +87,12 @@ struct OctreeKernels {
     // False if a visitor ended it.
     bool (*box)(const OctreeNode* nodes, uint32_t root, const Box& box, const OctreeListVisitor& to);
     bool (*ball)(const OctreeNode* nodes, uint32_t root, const BallProbe& probe, const OctreeListVisitor& to);
-    // Up to ItemsMet::most_queries, step by step side by side: while one would wait for memory, others go on.
-    // What a visitor reads of the items is on its way then. `met` is cleared.
+    // Up to OverlapItems::most_queries, interleaved. What a visitor reads of the items is prefetched. `found` is
+    // cleared.
     void (*boxes)(const OctreeNode* nodes, uint32_t root, const Box* boxes, uint32_t count, ItemMemory items,
-                  ItemMemory items_inside, ItemsMet* met);
+                  ItemMemory items_inside, OverlapItems* found);
     void (*balls)(const OctreeNode* nodes, uint32_t root, const BallProbe* probes, uint32_t count, ItemMemory items,
-                  ItemMemory items_inside, ItemsMet* met);
+                  ItemMemory items_inside, OverlapItems* found);
     bool (*frustum)(const OctreeNode* nodes, uint32_t root, const FrustumProbe& probe, const OctreeListVisitor& to);
     bool (*pairs)(const OctreeNode* nodes, uint32_t root, const OctreeNode* other_nodes, uint32_t other_root,
                   const OctreePairVisitor& to);

@@ -20,6 +20,8 @@ constexpr uint32_t octree_none = 0xffffffffu;
 constexpr uint32_t octree_leaf_bit = 0x80000000u;
 /// Levels that a tree can have, which bounds the stacks of its queries.
 constexpr int octree_max_levels = 32;
+/// Nodes that wait in a depth-first traversal: at most seven siblings a level, besides the children of the last.
+constexpr int octree_max_open = 7 * octree_max_levels + 8;
 
 /// Rays that are cast at once.
 constexpr uint32_t octree_most_rays = 64;

@@ -1,46 +1,47 @@
-// The queries of octree.h: a probe made of the question, a walk by the kernels of this processor
-// (octree_traversal.h), and the visitor called for what it finds.
+// The queries of octree.h: a probe made of the question, a traversal by the kernels of this processor
+// (octree_kernels.h), and the visitor called for what it finds.
 #pragma once
 
 #include <type_traits>
 
+#include "foundation/compiler.h"
 #include "octree/octree.h"
 
 namespace gphys {
 
 /// Runs a kernel whose visits move a bound, which the probe knows as a limit in its own unit.
 template <class Probe, class Visit>
-void Octree::walk_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
-                           const Probe& probe, double bound, Visit& visit, ItemMemory items) const {
-    struct Walk {
+void Octree::traverse_to_bound(void (*kernel)(const OctreeNode*, uint32_t, const Probe&, float, const OctreeVisitor&),
+                               const Probe& probe, double bound, Visit& visit, ItemMemory items) const {
+    struct Context {
         const Probe& probe;
         Visit& visit;
         double bound;
         float limit;
     };
-    Walk walk{probe, visit, bound, probe.limit(bound)};
+    Context state{probe, visit, bound, probe.limit(bound)};
     const auto step = [](void* context, uint32_t item) {
-        Walk& w = *static_cast<Walk*>(context);
-        const double before = w.bound;
-        w.visit(item, w.bound);
-        if (w.bound != before) w.limit = w.probe.limit(w.bound);
-        return w.limit;
+        Context& c = *static_cast<Context*>(context);
+        const double before = c.bound;
+        c.visit(item, c.bound);
+        if (c.bound != before) c.limit = c.probe.limit(c.bound);
+        return c.limit;
     };
-    kernel(nodes_.data(), root_, probe, walk.limit, {step, &walk, items});
+    kernel(nodes_.data(), root_, probe, state.limit, {step, &state, items});
 }
 
 template <class Visit>
 void Octree::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
-    walk_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
+    traverse_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
 }
 
 template <class Visit>
-void Octree::walk_many(decltype(OctreeKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
-                       ItemMemory items) const {
+void Octree::traverse_many(decltype(OctreeKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
+                           ItemMemory items) const {
     if (root_ == none || count == 0) return;
-    struct Walk {
-        Walk(const Ray* r, Visit& v) : rays(r), visit(v) {}
+    struct Context {
+        Context(const Ray* r, Visit& v) : rays(r), visit(v) {}
 
         RayProbe probes[rays_at_once];
         float limits[rays_at_once];
@@ -53,35 +54,35 @@ void Octree::walk_many(decltype(OctreeKernels::rays) kernel, const Ray* rays, ui
             for (uint32_t k = 0; k < size; ++k) numbers[k] = first + from_first[k];
             const uint32_t shorter = visit(numbers, some, size);
             for (uint32_t rest = shorter; rest != 0; rest &= rest - 1) {
-                const int k = __builtin_ctz(rest);
+                const int k = lowest_bit(rest);
                 new_limits[k] = probes[numbers[k]].limit(rays[numbers[k]].t_max);
             }
             return shorter;
         }
     };
-    Walk walk(rays, visit);
-    kernels_.probes(rays, count, RaysRoot(bounds_), walk.probes, walk.limits);
+    Context state(rays, visit);
+    kernels_.probes(rays, count, RaysRoot(bounds_), state.probes, state.limits);
     const auto take = [](void* context, const uint32_t* from_first, const uint32_t* some, uint32_t size,
                          float* new_limits) {
-        return static_cast<Walk*>(context)->take(from_first, some, size, new_limits);
+        return static_cast<Context*>(context)->take(from_first, some, size, new_limits);
     };
-    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return walk.probes[i]; };
+    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return state.probes[i]; };
     const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i]; };
-    RayBundling(bounds_, size_).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
-        walk.first = first;
-        kernel(nodes_.data(), root_, walk.probes + first, walk.limits + first, last - first, together,
-               {take, &walk, items});
+    RayPackets(bounds_, size_).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool is_packet) {
+        state.first = first;
+        kernel(nodes_.data(), root_, state.probes + first, state.limits + first, last - first, is_packet,
+               {take, &state, items});
     });
 }
 
 template <class Visit>
 void Octree::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
-    walk_many(kernels_.rays, rays, count, visit, items);
+    traverse_many(kernels_.rays, rays, count, visit, items);
 }
 
 template <class Visit>
 void Octree::raycast_any_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
-    walk_many(kernels_.rays_any, rays, count, visit, items);
+    traverse_many(kernels_.rays_any, rays, count, visit, items);
 }
 
 template <class Visit>
@@ -92,20 +93,20 @@ bool Octree::raycast_any(const Ray& ray, Visit&& visit, ItemMemory items) const 
         found = visit(item);
         if (found) t_max = -1;
     };
-    walk_to_bound(kernels_.ray_any, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, until_found, items);
+    traverse_to_bound(kernels_.ray_any, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, until_found, items);
     return found;
 }
 
 template <class Visit>
 void Octree::sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
-    walk_to_bound(kernels_.ray, RayProbe(center, displacement, radius, bounds_), 1, visit, items);
+    traverse_to_bound(kernels_.ray, RayProbe(center, displacement, radius, bounds_), 1, visit, items);
 }
 
 template <class Visit>
 void Octree::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
-    walk_to_bound(kernels_.point, PointProbe(point, bounds_), max_distance, visit, items);
+    traverse_to_bound(kernels_.point, PointProbe(point, bounds_), max_distance, visit, items);
 }
 
 /// A visitor of lists, or of single items as one of lists.
@@ -136,20 +137,20 @@ bool Octree::overlap_ball(Vec3 center, double radius, Visit&& visit, ItemMemory 
                                           list_visitor(visit, items, items_inside));
 }
 
-inline void Octree::meet_boxes(const Box* boxes, uint32_t count, ItemMemory items, ItemMemory items_inside,
-                               ItemsMet* met) const {
-    for (uint32_t i = 0; i < count; ++i) met[i].clear();
-    if (root_ != none) kernels_.boxes(nodes_.data(), root_, boxes, count, items, items_inside, met);
+inline void Octree::overlap_boxes(const Box* boxes, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                                  OverlapItems* found) const {
+    for (uint32_t i = 0; i < count; ++i) found[i].clear();
+    if (root_ != none) kernels_.boxes(nodes_.data(), root_, boxes, count, items, items_inside, found);
 }
 
-inline void Octree::meet_balls(const Sphere* balls, uint32_t count, ItemMemory items, ItemMemory items_inside,
-                               ItemsMet* met) const {
-    BallProbe probes[ItemsMet::most_queries];
+inline void Octree::overlap_balls(const Sphere* balls, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                                  OverlapItems* found) const {
+    BallProbe probes[OverlapItems::most_queries];
     for (uint32_t i = 0; i < count; ++i) {
-        met[i].clear();
+        found[i].clear();
         probes[i] = BallProbe(balls[i].center, balls[i].radius, bounds_);
     }
-    if (root_ != none) kernels_.balls(nodes_.data(), root_, probes, count, items, items_inside, met);
+    if (root_ != none) kernels_.balls(nodes_.data(), root_, probes, count, items, items_inside, found);
 }
 
 template <class Visit>
@@ -173,7 +174,7 @@ bool Octree::overlap_pairs(const Octree& other, Visit&& visit) const {
 template <class Touches, class Visit>
 bool Octree::overlap(Touches&& touches, Visit&& visit) const {
     if (root_ == none) return true;
-    NodeRef stack[stack_size];
+    NodeRef stack[octree_max_open];
     int size = 0;
     stack[size++] = root_;
     while (size > 0) {
@@ -203,7 +204,7 @@ void Octree::for_each_box(Visit&& visit, VisitItem&& visit_item) const {
         uint32_t depth;
         Box box;
     };
-    Entry stack[stack_size];
+    Entry stack[octree_max_open];
     int size = 0;
     stack[size++] = {root_, 0, bounds_};
     while (size > 0) {

@@ -4,6 +4,7 @@
 // by one to better ones. So each change costs O(levels), and all bounds stay tight.
 #include <numeric>
 
+#include "foundation/compiler.h"
 #include "foundation/workers.h"
 #include "octree/octree.h"
 
@@ -26,7 +27,7 @@ float larger(float a, float b) { return a > b ? a : b; }
 
 void fetch_ahead(const OctreeNode& node) {
     const char* first = reinterpret_cast<const char*>(&node);
-    for (size_t byte = 0; byte < sizeof node; byte += 64) __builtin_prefetch(first + byte);
+    for (size_t byte = 0; byte < sizeof node; byte += 64) prefetch(first + byte);
 }
 
 }  // namespace

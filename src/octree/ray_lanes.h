@@ -1,6 +1,7 @@
 // Eight rays side by side, for kernels, and the probes that are made of them.
 #pragma once
 
+#include "foundation/compiler.h"
 #include "foundation/simd_double.h"
 #include "octree/ray_setup.h"
 
@@ -16,7 +17,7 @@ struct Rays8 {
           }) {}
     /// ray_at(i) is each of them.
     template <class RayAt>
-    [[gnu::always_inline]] explicit Rays8(const RayAt& ray_at) {
+    GPHYS_INLINE explicit Rays8(const RayAt& ray_at) {
         static_assert(offsetof(Ray, t_max) == 6 * sizeof(double));
         const auto at = [&](int i, int number) { return &ray_at(i).origin.x + number; };
         Double8 four[4];

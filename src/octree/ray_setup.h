@@ -3,6 +3,7 @@
 // box8.cpp.
 #pragma once
 
+#include "foundation/compiler.h"
 #include "foundation/longest_axis.h"
 #include "octree/box8.h"
 
@@ -14,7 +15,7 @@ constexpr double smallest_normal = std::numeric_limits<float>::min();
 /// roundings of 2^-53 each. The smallest normal float beside it keeps differences of coordinates
 /// clear of the subnormals, which some hosts flush to zero.
 template <class Number>
-[[gnu::always_inline]] inline Number rounding_slack(Number w) {
+GPHYS_INLINE Number rounding_slack(Number w) {
     return 0x1p-48 * w + smallest_normal;
 }
 
@@ -25,7 +26,7 @@ struct RaySetup {
     Number begin[3];
     Number slack, scale, start, span;
 
-    [[gnu::always_inline]] RaySetup(const Number (&from)[3], const Number (&direction)[3], const RaysRoot& root) {
+    GPHYS_INLINE RaySetup(const Number (&from)[3], const Number (&direction)[3], const RaysRoot& root) {
         const Number furthest = largest(absolute(from[0]), largest(absolute(from[1]), absolute(from[2])));
         slack = rounding_slack(largest(largest(root.extent, furthest), root.radius));
         const Number margin = root.radius + slack;
@@ -64,7 +65,7 @@ struct RaySetup {
     }
 
 private:
-    [[gnu::always_inline]] void take_in(decltype(Number() < Number()) everything) {
+    GPHYS_INLINE void take_in(decltype(Number() < Number()) everything) {
         for (int k = 0; k < 3; ++k) {
             near_origin[k] = select(everything, 0x1p56, near_origin[k]);
             far_origin[k] = select(everything, -0x1p56, far_origin[k]);
@@ -82,7 +83,7 @@ private:
 ///
 /// There is room for that rounding, and for those of tests that add to the limit in floats (triangle_test.h).
 template <class Number>
-[[gnu::always_inline]] inline Number ray_limit(Number t_max, Number slack, Number scale, Number start, Number span) {
+GPHYS_INLINE Number ray_limit(Number t_max, Number slack, Number scale, Number start, Number span) {
     const Number end = least(t_max * scale - start, span) + slack;
     return select((t_max < 0) | (end < 0), -1, end * (1 + 17 * 0x1p-24));
 }

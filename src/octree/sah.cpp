@@ -3,22 +3,23 @@
 #include "octree/sah.h"
 
 #include <cstring>
+#include <limits>
+
+#include "foundation/float4.h"
+
+#include "foundation/float4.h"
 
 namespace gphys {
 
 namespace {
 
 // Lanes are the three axes; the fourth is not used, and finite.
-using Float4 = float __attribute__((vector_size(16)));
-using Int4 = int32_t __attribute__((vector_size(16)));
-
-Float4 minimum(Float4 a, Float4 b) { return a < b ? a : b; }
-Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
+using Int4 = Mask4;
 
 struct Box4 {
     // Further out than boxes are, while differences are far from overflow.
-    Float4 min = {0x1p60f, 0x1p60f, 0x1p60f, 0x1p60f};
-    Float4 max = -Float4{0x1p60f, 0x1p60f, 0x1p60f, 0x1p60f};
+    Float4 min = 0x1p60f;
+    Float4 max = -0x1p60f;
 
     void include(const Box4& other) {
         min = minimum(min, other.min);
@@ -32,7 +33,7 @@ Box4 load(const BoxedItem& item) {
     std::memcpy(&box.min, item.box.min, sizeof box.min);
     // From one before: what follows is not a number. (min z, max x, y, z) -> (max x, y, z, min z).
     std::memcpy(&box.max, &item.box.min[2], sizeof box.max);
-    box.max = __builtin_shufflevector(box.max, box.max, 1, 2, 3, 0);
+    box.max = simd4::shuffle<1, 2, 3, 0>(box.max, box.max);
     return box;
 }
 
@@ -58,14 +59,18 @@ class Bins {
 public:
     explicit Bins(const Box4& centres) : low_(centres.min) {
         const Float4 extent = centres.max - centres.min;
+        float scale[4] = {};
         for (int k = 0; k < 3; ++k) {
             // Below this the scale would leave the range of float; the items are as good as equal.
-            if (extent[k] > 1e-30f) scale_[k] = bin_count * (1 - 0x1p-20f) / extent[k];
+            if (extent[k] > 1e-30f) scale[k] = bin_count * (1 - 0x1p-20f) / extent[k];
         }
+        scale_ = simd4::load_register(scale);
     }
 
     void add(const Box4& box) {
-        const Int4 place = __builtin_convertvector((centre(box) - low_) * scale_, Int4);
+        const Float4 places = integer_bits((centre(box) - low_) * scale_);
+        int32_t place[4];
+        std::memcpy(place, &places, sizeof place);
         for (int k = 0; k < 3; ++k) {
             boxes_[place[k]][k].include(box);
             ++counts_[place[k]][k];
@@ -76,34 +81,36 @@ public:
     /// other axis the first and the last bin hold an item, so that no part is empty.
     bool choose() {
         const Float4 unit = unit_of_size();
+        const Int4 none = mask4(0, 0, 0, 0);
         Float4 cost_above[bin_count];  // of all bins from i on
         Box4 part[3];
-        Int4 count{};
+        Int4 count = none;
         const auto add_bin = [&](int i) {
             for (int k = 0; k < 3; ++k) part[k].include(boxes_[i][k]);
-            count += counts_[i];
+            Int4 added;
+            std::memcpy(&added, counts_[i], sizeof added);
+            count = add_integers(count, added);
         };
         for (int i = bin_count; --i > 0;) {
             add_bin(i);
             cost_above[i] = cost(part, count, unit);
         }
         for (Box4& box : part) box = Box4();
-        count = Int4{};
-        Float4 least = Float4{} + std::numeric_limits<float>::max();
-        Int4 cut{};
+        count = none;
+        Float4 least = std::numeric_limits<float>::max(), cut = 0.0f;
         for (int i = 1; i < bin_count; ++i) {
             add_bin(i - 1);
             const Float4 both = cost(part, count, unit) + cost_above[i];
-            const Int4 better = both < least;
-            least = better ? both : least;
-            cut = better ? Int4{} + i : cut;
+            const Mask4 better = both < least;
+            least = simd4::choose(better, both, least);
+            cut = simd4::choose(better, static_cast<float>(i), cut);
         }
         axis_ = -1;
         for (int k = 0; k < 3; ++k) {
             if (scale_[k] != 0 && (axis_ < 0 || least[k] < least[axis_])) axis_ = k;
         }
         if (axis_ < 0) return false;
-        cut_ = static_cast<float>(cut[axis_]);
+        cut_ = cut[axis_];
         return true;
     }
 
@@ -117,29 +124,29 @@ private:
         for (const auto& box : boxes_) whole.include(box[0]);
         const Float4 extent = whole.max - whole.min;
         const float largest = std::max({extent[0], extent[1], extent[2]});
-        return Float4{} + (largest > 1e-30f ? 1 / largest : 0);
+        return largest > 1e-30f ? 1 / largest : 0.0f;
     }
 
     /// For each axis that of one part: half its area by the tests in it, a leaf of eight being one.
-    static Float4 cost(const Box4 part[3], Int4 count, Float4 unit) {
+    static Float4 cost(const Box4 part[3], Mask4 count, Float4 unit) {
         Float4 extent[3];
         // No bin with an item yet: not less than nothing.
         for (int k = 0; k < 3; ++k) extent[k] = maximum(part[k].max - part[k].min, Float4{}) * unit;
         // From (x, y, z) by axis to axes by (x, y, z).
-        const Float4 xy_01 = __builtin_shufflevector(extent[0], extent[1], 0, 4, 1, 5);
-        const Float4 z_01 = __builtin_shufflevector(extent[0], extent[1], 2, 6, 2, 6);
-        const Float4 x = __builtin_shufflevector(xy_01, extent[2], 0, 1, 4, 4);
-        const Float4 y = __builtin_shufflevector(xy_01, extent[2], 2, 3, 5, 5);
-        const Float4 z = __builtin_shufflevector(z_01, extent[2], 0, 1, 6, 6);
-        const Int4 blocks = (count + static_cast<int>(leaf_size - 1)) / static_cast<int>(leaf_size);
-        return (x * y + y * z + z * x) * __builtin_convertvector(blocks, Float4);
+        Float4 v[4] = {extent[0], extent[1], extent[2], extent[2]};
+        transpose(v);
+        const Float4 x = v[0], y = v[1], z = v[2];
+        constexpr int less = static_cast<int>(leaf_size) - 1;
+        static_assert(leaf_size == 1u << 3);
+        const Int4 blocks = simd4::shift_right<3>(add_integers(count, mask4(less, less, less, less)));
+        return (x * y + y * z + z * x) * to_floats(blocks);
     }
 
-    Float4 low_, scale_{};
+    Float4 low_, scale_;
     int axis_ = -1;
     float cut_ = 0;
     Box4 boxes_[bin_count][3];
-    Int4 counts_[bin_count] = {};
+    int32_t counts_[bin_count][4] = {};
 };
 
 /// Where each of a few values stands among them; equal ones stay in order. To compare all with all

@@ -1,4 +1,4 @@
-// Where eight rays first meet spheres and boxes, side by side, once for each instruction set.
+// Where eight rays first meet spheres and boxes, side by side, once for each wide instruction set (isa.h).
 //
 // In double precision, by the formulas of the exact tests (intersect.h), so that a hit has the bits
 // that it has alone. What these would ask exact arithmetic, or treat apart, is left open for them:
@@ -23,8 +23,6 @@ struct Hits8 {
 };
 
 struct HitKernels {
-    /// With registers of two doubles quick tests in floats, and exact ones of what these leave, are faster.
-    bool worth_it;
     // The models of each are of one type.
     Verdicts8 (*spheres)(const RaysAndModels<Ray>& pairs, Hits8& hits);
     Verdicts8 (*aabbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
@@ -33,6 +31,7 @@ struct HitKernels {
     uint32_t (*miss_balls)(const RaysAndModels<Ray>& pairs);
 };
 
-GPHYS_DECLARE_KERNELS(HitKernels, hit_kernels)
+/// Without a wide set, quick tests in floats, and exact ones of what these leave, are faster.
+GPHYS_DECLARE_WIDE_KERNELS(HitKernels, hit_kernels)
 
 }  // namespace gphys

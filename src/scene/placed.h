@@ -3,7 +3,7 @@
 #pragma once
 
 #include "foundation/float4.h"
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "mesh/mesh_instance.h"
 
 namespace gphys {
@@ -19,8 +19,8 @@ auto with_placed(const Stored& shape, const gphys_transform& world, Visit&& visi
 template <class Visit>
 auto with_placed(const gphys_sphere& shape, const gphys_transform& world, Visit&& visit) {
     const Sphere sphere = widen(shape);
-    const Mask4 rotation = reinterpret_cast<Mask4>(load4(world.rotation));
-    if (any(rotation & Mask4{-1, -1, -1, 0})) return visit(transformed(sphere, widen(world)));
+    const Mask4 rotation = as_mask(load4(world.rotation));
+    if (any(rotation & mask4(-1, -1, -1, 0))) return visit(transformed(sphere, widen(world)));
     const double scale = world.scale;
     return visit(Sphere{widen(world.position) + Mat3() * (sphere.center * scale), sphere.radius * scale});
 }

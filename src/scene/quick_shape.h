@@ -9,7 +9,9 @@
 // roundings and several times what the two can be apart; within it neither yes nor no is said.
 #pragma once
 
-#include "foundation/float4.h"
+#include "foundation/compiler.h"
+#include "foundation/scaled_rotation.h"
+#include "geometry/box_bounds.h"
 #include "mesh/mesh.h"
 #include "scene/placed.h"
 
@@ -44,45 +46,9 @@ constexpr double most_reach = 0x1p60;
 /// Of the largest component of a direction, that its inverse is finite; and of the way along it, in floats.
 constexpr double least_speed = 0x1p-200, most_end = 0x1p100;
 
-constexpr double sum(Vec3 v) { return v.x + v.y + v.z; }
-
-/// q turns by |q|^2 times its rotation.
-constexpr Mat3 scaled_rotation(Quat q) {
-    const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, ww = q.w * q.w;
-    const double xy = 2 * q.x * q.y, xz = 2 * q.x * q.z, yz = 2 * q.y * q.z;
-    const double wx = 2 * q.w * q.x, wy = 2 * q.w * q.y, wz = 2 * q.w * q.z;
-    return {{ww + xx - yy - zz, xy + wz, xz - wy},
-            {xy - wz, ww - xx + yy - zz, yz + wx},
-            {xz + wy, yz - wx, ww - xx - yy + zz}};
+inline ScaledRotation<Float4> scaled_rotation(Float4 q) {
+    return {as_floats(as_mask(q) & mask4(-1, -1, -1, 0)), simd4::shuffle<3, 3, 3, 3>(q, q)};
 }
-constexpr double norm_squared(Quat q) { return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w; }
-
-/// |q|^2 times a rotation, for vectors of float32. u: the vector of the quaternion.
-class ScaledTurn {
-public:
-    explicit ScaledTurn(Float4 q) : u_(__builtin_shufflevector(q, Float4{}, 0, 1, 2, 4)), w_(splat4(q[3])) {
-        const Float4 uu = sum(u_ * u_), ww = w_ * w_;
-        unit_ = ww + uu;
-        rest_ = ww - uu;
-    }
-
-    Float4 unit() const { return unit_; }
-    /// By the conjugate: (w^2 - u.u) v + 2 (u.v) u + 2 w (v x u).
-    Float4 back(Float4 v) const {
-        const Float4 cross = yzx(v * yzx(u_) - yzx(v) * u_);
-        return rest_ * v + 2 * (sum(u_ * v) * u_ + w_ * cross);
-    }
-    /// How far a box with these half sizes reaches along each axis: absolute values of the matrix.
-    Float4 reach(Float4 half) const {
-        const Float4 products = u_ * yzx(u_), turns = zxy(w_ * u_);
-        const Float4 same = abs(rest_ + 2 * u_ * u_), next = abs(products - turns),
-                     previous = abs(zxy(products + turns));
-        return same * half + 2 * (next * yzx(half) + previous * zxy(half));
-    }
-
-private:
-    Float4 u_, w_, unit_, rest_;
-};
 
 struct QuickSphere {
     Vec3 center;
@@ -101,9 +67,9 @@ struct QuickBox {
 };
 
 /// Rare: not to be copied to wherever a shape is placed.
-[[gnu::noinline]] inline Vec3 turned_point(Vec3 point, const gphys_quat& rotation) {
+GPHYS_NOINLINE inline Vec3 turned_point(Vec3 point, const gphys_quat& rotation) {
     const Quat q = widen(rotation);
-    return scaled_rotation(q) * point * (1 / norm_squared(q));
+    return scaled_rotation_matrix(q) * point * (1 / norm_squared(q));
 }
 inline Vec3 quick_point(Vec3 point, const gphys_transform& world) {
     const Vec3 position = widen(world.position), scaled = point * world.scale;
@@ -136,7 +102,7 @@ inline CenterAndHalf center_and_half(const gphys_obb& box) { return {widen(box.c
 
 inline QuickBox quick_box(const CenterAndHalf& box, const gphys_transform& world) {
     const Quat q = widen(world.rotation);
-    return {scaled_rotation(q), norm_squared(q), quick_point(box.center, world), box.half * world.scale,
+    return {scaled_rotation_matrix(q), norm_squared(q), quick_point(box.center, world), box.half * world.scale,
             box.magnitude(world)};
 }
 inline QuickBox quick_shape(const gphys_aabb& box, const gphys_transform& world) {
@@ -146,8 +112,7 @@ inline QuickBox quick_shape(const gphys_obb& box, const gphys_transform& world) 
     QuickBox result = quick_box(center_and_half(box), world);
     if (!is_turned(box.rotation)) return result;
     const Quat q = widen(box.rotation);
-    const Mat3 outer = result.axes, inner = scaled_rotation(q);
-    result.axes = {outer * inner.x, outer * inner.y, outer * inner.z};
+    result.axes = result.axes * scaled_rotation_matrix(q);
     result.unit *= norm_squared(q);
     return result;
 }
@@ -171,14 +136,10 @@ inline FloatBox float_box(const gphys_obb& box) { return {load4(box.center), loa
 /// About the origin of its model, for which the position alone places it: told by its bits, as hosts may
 /// take subnormal numbers for zero.
 inline bool is_centered(const gphys_aabb& box) {
-    constexpr Mask4 signs{INT32_MIN, INT32_MIN, INT32_MIN, 0};
-    return !any(reinterpret_cast<Mask4>(load4(box.min)) ^ reinterpret_cast<Mask4>(load4(box.max)) ^ signs);
+    const Mask4 signs = mask4(INT32_MIN, INT32_MIN, INT32_MIN, 0);
+    return !any(as_mask(load4(box.min)) ^ as_mask(load4(box.max)) ^ signs);
 }
-inline bool is_centered(const gphys_obb& box) { return !any(reinterpret_cast<Mask4>(load4(box.center))); }
-
-/// A component of a rotated half size takes 13 roundings of 2^-24 of what it is summed from, the unit
-/// six; this stands for 32.
-constexpr float reach_slack = 0x1p-19f;
+inline bool is_centered(const gphys_obb& box) { return !any(as_mask(load4(box.center))); }
 
 /// A float box that holds a stored one where it is.
 template <class Stored>
@@ -187,28 +148,28 @@ Box quick_bounds(const Stored& stored, const gphys_transform& world) {
     if constexpr (std::is_same_v<Stored, gphys_obb>) {
         if (is_turned(stored.rotation)) rotation = narrow4(widen(world.rotation) * widen(stored.rotation));
     }
-    const ScaledTurn turn(rotation);
+    const ScaledRotation<Float4> turn = scaled_rotation(rotation);
     const Float4 half = float_box(stored).half * world.scale;
-    const Float4 reach4 = turn.reach(half) / turn.unit() + reach_slack * sum(half);
+    const Float4 extents = outer_extents(turn, half);
     Float4 low, high;
     if (is_centered(stored)) {
         const Float4 position = load4(world.position);
-        low = position - reach4;
-        high = position + reach4;
+        low = position - extents;
+        high = position + extents;
     } else {
         const CenterAndHalf box = center_and_half(stored);
         const double error = slack * box.magnitude(world);
         const Vec3 center = quick_point(box.center, world);
-        const Vec3 reach{reach4[0] + error, reach4[1] + error, reach4[2] + error};
+        const Vec3 reach{extents[0] + error, extents[1] + error, extents[2] + error};
         low = narrow4(center - reach);
         high = narrow4(center + reach);
     }
-    // Two more roundings, and what underflow may have taken.
-    const Float4 below = abs(low) * 0x1p-23f + 0x1p-126f, above = abs(high) * 0x1p-23f + 0x1p-126f;
+    low -= corner_margin(low);
+    high += corner_margin(high);
     Box result;
     for (int k = 0; k < 3; ++k) {
-        result.min[k] = (low - below)[k];
-        result.max[k] = (high + above)[k];
+        result.min[k] = low[k];
+        result.max[k] = high[k];
     }
     return result;
 }
@@ -255,16 +216,20 @@ public:
         const float rounding = static_cast<float>(slack * magnitude + smallest_slack * (1 + double{world.scale}));
         margin = sum(float_slack * (abs(from) + half) + static_cast<float>(slack) * sums) + rounding;
         from = turned_back(from);
-        unit = ScaledTurn(load4(world.rotation)).unit();
-        if constexpr (std::is_same_v<Stored, gphys_obb>) unit *= ScaledTurn(load4(placed.box.rotation)).unit();
+        unit = scaled_rotation(load4(world.rotation)).norm_squared();
+        if constexpr (std::is_same_v<Stored, gphys_obb>) {
+            unit *= scaled_rotation(load4(placed.box.rotation)).norm_squared();
+        }
         half *= unit;
         margin *= unit;
     }
 
     /// A vector of the world on the box's axes, times `unit`.
     Float4 turned_back(Float4 v) const {
-        v = ScaledTurn(load4(placed_.world.rotation)).back(v);
-        if constexpr (std::is_same_v<Stored, gphys_obb>) v = ScaledTurn(load4(placed_.box.rotation)).back(v);
+        v = scaled_rotation(load4(placed_.world.rotation)).inverse(v);
+        if constexpr (std::is_same_v<Stored, gphys_obb>) {
+            v = scaled_rotation(load4(placed_.box.rotation)).inverse(v);
+        }
         return v;
     }
 

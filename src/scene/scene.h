@@ -22,7 +22,7 @@
 #include "foundation/status.h"
 #include "foundation/strided.h"
 #include "foundation/workers.h"
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "octree/octree.h"
 #include "scene/bounds_kernels.h"
 #include "scene/hit_kernels.h"
@@ -110,10 +110,10 @@ public:
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
     /// `met` is what meet has found of the shape.
     void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out,
-                 const ItemsMet* met = nullptr) const;
-    /// The first step of overlap for 1 to ItemsMet::most_queries shapes of one type, which takes less time side by
+                 const OverlapItems* met = nullptr) const;
+    /// The first step of overlap for 1 to OverlapItems::most_queries shapes of one type, which takes less time side by
     /// side.
-    void meet(const Shape* shapes, uint32_t count, uint32_t layers, ItemsMet* met) const;
+    void meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* met) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     /// World boxes that lie outside none of the six planes and of the frustum's own box, in
@@ -170,6 +170,7 @@ private:
     static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
     class FirstOfRay;
+    class LargeMeshes;
     class EightPairs;
     class QuickRays;
     class SharedModel;
@@ -202,6 +203,9 @@ private:
     uint32_t hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const;
     void store_shape(uint32_t slot, const void* shape);
     void discard_shape(uint32_t slot);
+    void list_large_mesh(uint32_t slot);
+    void unlist_large_mesh(uint32_t slot);
+    double mesh_radius(uint32_t slot) const;
     void list_unbounded(uint32_t slot);
     void unlist_unbounded(uint32_t slot);
 
@@ -251,7 +255,7 @@ private:
     const SceneKernels& kernels_ = scene_kernels(chosen_isa());
     const BoundsKernels& bounds_kernels_ = bounds_kernels(chosen_isa());
     const SlotSetKernels& slot_set_kernels_ = slot_set_kernels(chosen_isa());
-    const HitKernels& hit_kernels_ = hit_kernels(chosen_isa());
+    const HitKernels* hit_kernels_ = hit_kernels(chosen_isa());  // null without a wide set
     const Workers workers_;
     IdTable ids_{&memory};
     Vector<Model> models_{&memory};           // by slot
@@ -266,6 +270,10 @@ private:
     // any point, an empty mesh.
     uint32_t common_layers_ = ~0u;
     Vector<uint32_t> unbounded_{&memory};  // slots of planes: no octree holds them, and there are few
+    // Slots of meshes that were the largest when they were added. Batches of rays are quicker if such a mesh answers
+    // many rays at once; the answers do not depend on which are listed.
+    static constexpr uint32_t most_large_meshes = 4;
+    uint32_t large_meshes_[most_large_meshes], large_mesh_count_ = 0;
 };
 
 template <class Visit>

@@ -118,6 +118,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     for (uint32_t i = 0; i < count; ++i) {
         out_models[i] = ids_.add();
         if (!bounded) list_unbounded(slots[i]);
+        if (type == GPHYS_SHAPE_MESH) list_large_mesh(slots[i]);
         if (desc.parent != 0) {
             link(slots[i], parent);
             family(slots[i]).local = local[i];
@@ -157,8 +158,28 @@ void Scene::remove_slot(uint32_t slot) {
     } else {
         octree_.remove(slot);
     }
+    unlist_large_mesh(slot);
     discard_shape(slot);
     ids_.remove(ids_.id(slot));
+}
+
+double Scene::mesh_radius(uint32_t slot) const {
+    return stored<const Mesh*>(slot)->radius() * double{models_[slot].world.scale};
+}
+
+void Scene::list_large_mesh(uint32_t slot) {
+    if (large_mesh_count_ < most_large_meshes) {
+        large_meshes_[large_mesh_count_++] = slot;
+        return;
+    }
+    const auto smaller = [&](uint32_t a, uint32_t b) { return mesh_radius(a) < mesh_radius(b); };
+    uint32_t* const smallest = std::min_element(large_meshes_, large_meshes_ + most_large_meshes, smaller);
+    if (smaller(*smallest, slot)) *smallest = slot;
+}
+
+void Scene::unlist_large_mesh(uint32_t slot) {
+    uint32_t* const end = std::remove(large_meshes_, large_meshes_ + large_mesh_count_, slot);
+    large_mesh_count_ = static_cast<uint32_t>(end - large_meshes_);
 }
 
 /// Room was made before.
@@ -192,6 +213,7 @@ gphys_status Scene::remove_subtree(gphys_model_id model) {
 void Scene::clear() {
     octree_.clear();
     unbounded_.clear();
+    large_mesh_count_ = 0;
     for_each_model([&](gphys_model_id model) {
         discard_shape(IdTable::slot_of(model));
         ids_.remove(model);

@@ -3,6 +3,7 @@
 // visiting any more.
 #include <cmath>
 
+#include "foundation/compiler.h"
 #include "scene/quick_tests.h"
 #include "scene/scene.h"
 #include "scene/slot_set.h"
@@ -66,7 +67,7 @@ void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint3
         const Verdicts8 verdicts = ask_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
         for (uint32_t k = 0; k < waiting; ++k) out.add_if(verdicts.yes >> k & 1, ids_.id(boxes[k]));
         uint32_t open = ~(verdicts.no | verdicts.yes) & ((1u << waiting) - 1);
-        for (; open != 0; open &= open - 1) ask(boxes[__builtin_ctz(open)]);
+        for (; open != 0; open &= open - 1) ask(boxes[lowest_bit(open)]);
         waiting = 0;
     };
     for (uint32_t i = 0; i < count; ++i) {
@@ -83,7 +84,7 @@ void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint3
     if (waiting > 0) decide_boxes();
 }
 
-void Scene::meet(const Shape* shapes, uint32_t count, uint32_t layers, ItemsMet* met) const {
+void Scene::meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* met) const {
     const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
     std::visit(
         [&](const auto& first) {
@@ -91,19 +92,19 @@ void Scene::meet(const Shape* shapes, uint32_t count, uint32_t layers, ItemsMet*
             if constexpr (std::is_same_v<Query, Plane> || std::is_same_v<Query, Frustum>) {
                 for (uint32_t i = 0; i < count; ++i) met[i].complete = false;
             } else if constexpr (std::is_same_v<Query, Sphere>) {
-                Sphere balls[ItemsMet::most_queries];
+                Sphere balls[OverlapItems::most_queries];
                 for (uint32_t i = 0; i < count; ++i) balls[i] = std::get<Sphere>(shapes[i]);
-                octree_.meet_balls(balls, count, models, if_inside, met);
+                octree_.overlap_balls(balls, count, models, if_inside, met);
             } else {
-                Box boxes[ItemsMet::most_queries];
+                Box boxes[OverlapItems::most_queries];
                 for (uint32_t i = 0; i < count; ++i) boxes[i] = gphys::bounds(std::get<Query>(shapes[i]));
-                octree_.meet_boxes(boxes, count, models, std::is_same_v<Query, Aabb> ? if_inside : models, met);
+                octree_.overlap_boxes(boxes, count, models, std::is_same_v<Query, Aabb> ? if_inside : models, met);
             }
         },
         shapes[0]);
 }
 
-void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id>& out, const ItemsMet* met) const {
+void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id>& out, const OverlapItems* met) const {
     const auto exact = [&](const auto& shape) { return overlaps_shape(shape, query); };
     std::visit(
         [&](const auto& shape) {
@@ -218,7 +219,7 @@ gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t laye
     };
     octree_.sweep(moving.center, displacement, moving.radius, visit, model_memory());
     if (!winner.exists()) return GPHYS_NO_HIT;
-    out = to_hit(first, ids_.id(winner.slot), tags_[winner.slot]);
+    out = to_contact(first, displacement, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
 }
 

@@ -1,10 +1,12 @@
 // What rays ask of the scene. Each walks the octree, and asks the exact shape of each candidate unless a
 // quicker test is certain: of one ray that of quick_tests.h, of many those of kernels, eight rays at a time.
+#include <algorithm>
 #include <functional>
 #include <new>
 #include <numeric>
 #include <optional>
 
+#include "foundation/compiler.h"
 #include "scene/quick_tests.h"
 #include "scene/scene.h"
 #include "scene/winner.h"
@@ -99,19 +101,66 @@ gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) con
     return first.status();
 }
 
+/// Meshes that most rays of a batch come near, as the level does in which a camera is. They are asked before the walk
+/// through the octree, for all rays at once: then rays that go together share the walk through the mesh as well.
+class Scene::LargeMeshes {
+public:
+    LargeMeshes() = default;
+    /// `first` are those of the rays.
+    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, uint32_t layers, Later<FirstOfRay>* first) {
+        if (count < fewest_rays || std::any_of(rays, rays + count, [](const Ray& ray) { return ray.is_segment; }))
+            return;
+        for (uint32_t i = 0; i < scene.large_mesh_count_; ++i) {
+            const uint32_t slot = scene.large_meshes_[i];
+            if ((scene.models_[slot].layers & layers) == 0) continue;
+            with_placed(scene.stored<const Mesh*>(slot), scene.models_[slot].world, [&](const MeshInstance& mesh) {
+                if (!most_come_near(mesh, rays, count)) return;
+                cast(mesh, slot, rays, count, first);
+                slots_[count_++] = slot;
+            });
+        }
+    }
+
+    bool hold(uint32_t slot) const { return std::find(slots_, slots_ + count_, slot) != slots_ + count_; }
+
+private:
+    static constexpr uint32_t fewest_rays = 16;
+
+    /// Judged by eight of them.
+    static bool most_come_near(const MeshInstance& mesh, const Ray* rays, uint32_t count) {
+        uint32_t near = 0;
+        for (uint32_t k = 0; k < 8; ++k) near += comes_near(mesh, rays[k * count / 8]);
+        return near > 4;
+    }
+
+    // Apart, so that its arrays are on the stack only while they are needed.
+    GPHYS_NOINLINE static void cast(const MeshInstance& mesh, uint32_t slot, const Ray* rays, uint32_t count,
+                                       Later<FirstOfRay>* first) {
+        Hit hits[rays_at_once];
+        for (uint64_t met = gphys::raycast_many(mesh, rays, count, hits); met != 0; met &= met - 1) {
+            const auto i = static_cast<uint32_t>(lowest_bit(met));
+            first[i]->take(slot, reported(hits[i].t),
+                           [&](uint32_t model, uint32_t tag) { return to_hit(hits[i], model, tag); });
+        }
+    }
+
+    uint32_t slots_[most_large_meshes], count_ = 0;
+};
+
 /// Up to eight rays, by their numbers, and the model that each asks about.
 class Scene::EightPairs {
 public:
-    EightPairs(const Scene& scene, const uint32_t* numbers, const uint32_t* slots, uint32_t count, uint32_t layers)
+    EightPairs(const Scene& scene, const uint32_t* numbers, const uint32_t* slots, uint32_t count, uint32_t layers,
+               const LargeMeshes& asked = {})
         : scene_(scene), numbers_(numbers), slots_(slots) {
         static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
         for (uint32_t k = 0; k < count; ++k) {
             const Model& model = scene.models_[slots[k]];
-            of_type_[model.type()] |= uint32_t{(model.layers & layers) != 0} << k;
+            of_type_[model.type()] |= uint32_t{(model.layers & layers) != 0 && !asked.hold(slots[k])} << k;
         }
     }
 
-    /// Those whose models are in the layers.
+    /// Those whose models are in the layers and have not been asked.
     uint32_t seen() const { return std::accumulate(std::begin(of_type_), std::end(of_type_), 0u, std::bit_or<>()); }
     /// What kernel(pairs) says of those of a type.
     template <class RayForm, class Kernel>
@@ -120,7 +169,7 @@ public:
         if (some == 0) return {0, 0};
         RaysAndModels<RayForm> pairs;
         // Lanes of another type ask what the first of this type does.
-        const auto first = static_cast<uint32_t>(__builtin_ctz(some));
+        const auto first = static_cast<uint32_t>(lowest_bit(some));
         for (uint32_t k = 0; k < 8; ++k) {
             const uint32_t pair = (some >> k & 1) != 0 ? k : first, slot = slots_[pair];
             pairs.ray[k] = rays + numbers_[pair];
@@ -210,35 +259,36 @@ private:
 /// met(k, hits) for those that are answered at once with a hit. Returns those that are answered.
 template <class Met>
 uint32_t Scene::hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const {
-    uint32_t answered =
-        pairs.ask(GPHYS_SHAPE_MESH, rays,
-                  [&](const auto& some) {
-                      return Verdicts8{hit_kernels_.miss_balls(some), 0};
-                  })
-            .no;
+    uint32_t answered = pairs
+                            .ask(GPHYS_SHAPE_MESH, rays,
+                                 [&](const auto& some) {
+                                     return Verdicts8{hit_kernels_->miss_balls(some), 0};
+                                 })
+                            .no;
     const auto ask = [&](gphys_shape_type type, auto kernel) {
         Hits8 hits;
         const Verdicts8 verdicts = pairs.ask(type, rays, [&](const auto& some) { return kernel(some, hits); });
         answered |= verdicts.no | verdicts.yes;
         for (uint32_t rest = verdicts.yes; rest != 0; rest &= rest - 1) {
-            met(static_cast<uint32_t>(__builtin_ctz(rest)), hits);
+            met(static_cast<uint32_t>(lowest_bit(rest)), hits);
         }
     };
-    ask(GPHYS_SHAPE_SPHERE, hit_kernels_.spheres);
-    ask(GPHYS_SHAPE_AABB, hit_kernels_.aabbs);
-    ask(GPHYS_SHAPE_OBB, hit_kernels_.obbs);
+    ask(GPHYS_SHAPE_SPHERE, hit_kernels_->spheres);
+    ask(GPHYS_SHAPE_AABB, hit_kernels_->aabbs);
+    ask(GPHYS_SHAPE_OBB, hit_kernels_->obbs);
     return answered;
 }
 
 void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
     Later<FirstOfRay> first[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], layers, *out[i]);
-    QuickRays quick(*this, rays, hit_kernels_.worth_it ? 0 : count);
+    const LargeMeshes asked(*this, rays, count, layers, first);
+    QuickRays quick(*this, rays, hit_kernels_ ? 0 : count);
     SharedModel shared(*this);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
-        const EightPairs pairs(*this, numbers, slots, size, layers);
+        const EightPairs pairs(*this, numbers, slots, size, layers, asked);
         uint32_t open = pairs.seen(), shorter = 0;
-        if (hit_kernels_.worth_it) {
+        if (hit_kernels_) {
             open &= ~hit_at_once(pairs, rays, [&](uint32_t k, const Hits8& hits) {
                 const auto hit_of = [&](uint32_t model, uint32_t tag) {
                     const Hits8::Rounded& hit = hits.rounded[k];
@@ -251,7 +301,7 @@ void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* 
             shared.expect(slots, size);
         }
         for (; open != 0; open &= open - 1) {
-            const auto k = static_cast<uint32_t>(__builtin_ctz(open));
+            const auto k = static_cast<uint32_t>(lowest_bit(open));
             FirstOfRay& of = *first[numbers[k]];
             const Shape* placed = shared.place(slots[k]);
             if (!(placed ? of.ask(slots[k], *placed) : of.ask(slots[k]))) continue;
@@ -295,12 +345,12 @@ uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) con
         const Verdicts8 verdicts = quick.ask(pairs);
         uint32_t done = verdicts.yes;
         for (uint32_t open = pairs.seen() & ~(verdicts.no | verdicts.yes); open != 0; open &= open - 1) {
-            const auto k = static_cast<uint32_t>(__builtin_ctz(open));
+            const auto k = static_cast<uint32_t>(lowest_bit(open));
             const auto exact = [&](const auto& shape) { return is_met(shape, rays[numbers[k]]); };
             if ((met >> numbers[k] & 1) == 0 && with_shape(slots[k], exact)) done |= 1u << k;
         }
         for (uint32_t rest = done; rest != 0; rest &= rest - 1) {
-            const uint32_t ray = numbers[__builtin_ctz(rest)];
+            const uint32_t ray = numbers[lowest_bit(rest)];
             met |= uint64_t{1} << ray;
             rays[ray].t_max = -1;
         }

@@ -3,6 +3,8 @@
 // put back and all worlds are derived from them again, which gives the old bits.
 #include "scene/scene.h"
 
+#include "foundation/compiler.h"
+
 namespace gphys {
 
 namespace {
@@ -43,7 +45,7 @@ Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
     });
 }
 
-[[gnu::noinline]] const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) const {
+GPHYS_NOINLINE const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) const {
     const char* wrong = gphys::defect(world);
     if (wrong) return wrong;
     if (world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
@@ -131,7 +133,7 @@ void Scene::put_eight(const gphys_model_id* models, uint32_t count, const Put& p
     }
     Box8 boxes;
     if (aabbs != 0) {
-        const auto first = static_cast<uint32_t>(__builtin_ctz(aabbs));
+        const auto first = static_cast<uint32_t>(lowest_bit(aabbs));
         const float* quads[8];
         for (uint32_t k = 0; k < 8; ++k) quads[k] = &model((aabbs >> k & 1) != 0 ? k : first).world.position.x;
         aabbs &= bounds_kernels_.turned_aabbs(quads, boxes);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "foundation/compiler.h"
 #include "scene/slot_set_kernels.h"
 
 namespace gphys {
@@ -25,7 +26,7 @@ public:
         const uint32_t whole = slots_ / 32;
         out = kernels.take(words_, whole, entries, out);
         for (uint32_t rest = words_[whole]; rest != 0; rest &= rest - 1) {
-            *out++ = entries[32 * whole + static_cast<uint32_t>(__builtin_ctz(rest))];
+            *out++ = entries[32 * whole + static_cast<uint32_t>(lowest_bit(rest))];
         }
         return out;
     }

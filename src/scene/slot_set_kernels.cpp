@@ -1,6 +1,6 @@
 #include "scene/slot_set_kernels.h"
 
-#include "octree/lane_sets.h"
+#include "octree/compress_store.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -10,7 +10,8 @@ uint32_t* take(const uint32_t* words, uint32_t word_count, const uint32_t* entri
     for (uint32_t word = 0; word < word_count; ++word, entries += 32) {
         const uint32_t set = words[word];
         if (set == 0) continue;
-        for (uint32_t first = 0; first < 32; first += 8) out += take_lanes(out, entries + first, set >> first & 0xff);
+        for (uint32_t first = 0; first < 32; first += 8)
+            out += compress_store(out, entries + first, set >> first & 0xff);
     }
     return out;
 }

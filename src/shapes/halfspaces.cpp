@@ -34,13 +34,13 @@ namespace {
 
 template <class N>
 N determinant(Vec3 a, Vec3 b, Vec3 c) {
-    using V = VecOf<N>;
+    using V = Vec<N>;
     return dot(V::of(a), cross(V::of(b), V::of(c)));
 }
 
 template <class N>
 N height_over(const Halfspace& halfspace, Vec3 point) {
-    using V = VecOf<N>;
+    using V = Vec<N>;
     return dot(V::of(halfspace.normal), V::difference(point, halfspace.origin)) - N(halfspace.distance);
 }
 
@@ -202,7 +202,7 @@ struct Halfplane {
 
 template <class N>
 Halfplane<N> restricted(const Halfspace& halfspace, const Triangle& triangle) {
-    using V = VecOf<N>;
+    using V = Vec<N>;
     const V normal = V::of(halfspace.normal);
     return {dot(normal, V::difference(triangle.b, triangle.a)), dot(normal, V::difference(triangle.c, triangle.a)),
             height_over<N>(halfspace, triangle.a)};

@@ -1,5 +1,7 @@
 #include "shapes/shapes.h"
 
+#include <limits>
+
 #include "foundation/exact.h"
 #include "foundation/float4.h"
 
@@ -20,13 +22,13 @@ bool is_rotation(const gphys_quat& q) {
 }
 /// Lanes whose sizes are beyond a limit, or NaN: compared as the integers that their bits are, which raises
 /// nothing.
-Mask4 beyond(Float4 v, Float4 limit) { return reinterpret_cast<Mask4>(abs(v)) > reinterpret_cast<Mask4>(limit); }
+Mask4 beyond(Float4 v, Float4 limit) { return greater_bits(abs(v), limit); }
 /// Almost all transforms and rays are, and this is quick to tell.
 bool is_surely_valid(const gphys_transform& transform) {
     static_assert(sizeof transform == 2 * sizeof(Float4));
     constexpr float above_one = 1.0019f;  // of the square, which five roundings bring nowhere near 1.001^2
-    constexpr Float4 position_and_x{GPHYS_MAX_COORDINATE, GPHYS_MAX_COORDINATE, GPHYS_MAX_COORDINATE, 2};
-    constexpr Float4 yzw_and_scale{2, 2, 2, GPHYS_MAX_COORDINATE};
+    const Float4 position_and_x(GPHYS_MAX_COORDINATE, GPHYS_MAX_COORDINATE, GPHYS_MAX_COORDINATE, 2);
+    const Float4 yzw_and_scale(2, 2, 2, GPHYS_MAX_COORDINATE);
     Float4 parts[2];
     std::memcpy(parts, &transform, sizeof parts);
     if (any(beyond(parts[0], position_and_x) | beyond(parts[1], yzw_and_scale))) return false;
@@ -38,13 +40,13 @@ bool is_surely_valid(const gphys_transform& transform) {
 bool is_surely_valid(const gphys_ray& ray) {
     static_assert(sizeof ray == 7 * sizeof(float));
     constexpr float max = GPHYS_MAX_COORDINATE, least = std::numeric_limits<float>::min();
-    constexpr Float4 origin_and_x{max, max, max, max};
-    constexpr Float4 direction_and_t{max, max, max, std::numeric_limits<float>::infinity()};
-    constexpr Float4 some_direction{least, least, least, std::numeric_limits<float>::infinity()};
+    const Float4 origin_and_x(max, max, max, max);
+    const Float4 direction_and_t(max, max, max, std::numeric_limits<float>::infinity());
+    const Float4 some_direction(least, least, least, std::numeric_limits<float>::infinity());
     Float4 first, last;
     std::memcpy(&first, &ray, sizeof first);
     std::memcpy(&last, &ray.direction, sizeof last);
-    const Mask4 negative_t = reinterpret_cast<Mask4>(last) & Mask4{0, 0, 0, INT32_MIN};
+    const Mask4 negative_t = as_mask(last) & mask4(0, 0, 0, INT32_MIN);
     return !any(beyond(first, origin_and_x) | beyond(last, direction_and_t) | negative_t) &&
            any(beyond(last, some_direction));
 }
@@ -206,7 +208,7 @@ Box bounds(const Obb& box) {
     // An entry of the matrix is off by at most 6 roundings of 2^-53, a sum of three products adds
     // 3: 2^-49 of the half diagonal covers them. Where every axis is exactly parallel to a world
     // axis, nothing was rounded.
-    const Vec3 reach = abs(box.axes.x) * box.half.x + abs(box.axes.y) * box.half.y + abs(box.axes.z) * box.half.z;
+    const Vec3 reach = abs(box.axes) * box.half;
     const double slack = axis_parallel(box.axes) ? 0 : 0x1p-49 * (box.half.x + box.half.y + box.half.z);
     return box_around(box.center, box.center, reach + Vec3{slack, slack, slack});
 }
@@ -327,7 +329,7 @@ Aabb relative_to(Vec3 point, const Aabb& b) { return {b.min - point, b.max - poi
 Obb relative_to(Vec3 point, const Obb& b) { return {b.center - point, b.half, b.axes}; }
 Plane relative_to(Vec3 point, const Plane& p) {
     const double height = value_of([&](auto number) {
-        using V = VecOf<decltype(number)>;
+        using V = Vec<decltype(number)>;
         return dot(V::of(p.normal), V::of(point)) - decltype(number)(p.distance);
     });
     return {p.normal, -height};
@@ -380,7 +382,7 @@ Plane scaled_to_one(const Plane& plane) {
 bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out) {
     const auto determinant = [](Vec3 x, Vec3 y, Vec3 z) {
         return value_of([&](auto number) {
-            using V = VecOf<decltype(number)>;
+            using V = Vec<decltype(number)>;
             return dot(V::of(x), cross(V::of(y), V::of(z)));
         });
     };

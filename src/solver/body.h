@@ -67,6 +67,12 @@ inline void keep_in_range(Vec3& position, Vec3& velocity) {
     position = {kept(position.x), kept(position.y), kept(position.z)};
     velocity = {};
 }
+/// The same of what has been solved, which is known to have been somewhere else before: there it stays if it is no
+/// number any more.
+inline void keep_in_range(Vec3& position, Vec3& velocity, Vec3 before) {
+    if (!is_within(std::numeric_limits<double>::max(), position)) position = before, velocity = {};
+    keep_in_range(position, velocity);
+}
 
 struct BodySettings {
     double damping = 0, friction = 0, static_friction = 0, restitution = 0;
@@ -117,7 +123,9 @@ struct ClothState {
           extents(memory),
           tether_diagonal(memory),
           tether_off(memory),
-          strained(memory) {}
+          strained(memory),
+          waiting(memory),
+          listed(memory) {}
 
     Vec3 origin;              // of the positions
     double average_mass = 1;  // of the particles
@@ -136,9 +144,11 @@ struct ClothState {
     ClothBalance balance;
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth
     // Of cloth that is relaxed (relax_links.cpp):
-    double most_strain = 0;         // the error target of its links; 0: it is not relaxed
-    double wanted_substep = 0;      // seconds: the longest that would have done, in the worst substep of this step
-    Vector<StrainedLink> strained;  // room for all links
+    double most_strain = 0;              // of its rigid links; 0: it is not relaxed
+    bool braces_yield = false;           // these are not relaxed
+    double wanted_substep = 0;           // seconds: the longest that would have done, in the worst substep of this step
+    Vector<uint32_t> strained, waiting;  // room for all links
+    Vector<uint8_t> listed;              // by KeptLinks::links: whether it is waiting
 };
 
 /// What some particles are in, and the largest of their speeds by axis.

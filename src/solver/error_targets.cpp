@@ -114,13 +114,13 @@ uint32_t substeps_near_models(const Body& body, const SolverSettings& settings, 
     // What lands on a model is stopped by it, and bends the cloth behind. While no particle has come further than
     // this part of a link's length meanwhile, the links can be relaxed; in twice the time some end 4 % too long.
     constexpr double longest_way = 0.5;
-    if (body.cloth.most_strain == 0 || body.plan.batches.link_length == 0) return 0;
+    if (settings.max_strain == 0 || body.cloth.most_strain == 0 || body.plan.batches.link_length == 0) return 0;
     const double count = std::ceil(dt * fastest / (longest_way * body.plan.batches.link_length));
     return count_of(count, settings.max_substeps);
 }
 
 uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, double dt, double done, uint32_t made) {
-    if (body.cloth.most_strain == 0 || made >= settings.max_substeps) return 0;
+    if (settings.max_strain == 0 || body.cloth.most_strain == 0 || made >= settings.max_substeps) return 0;
     const double wanted = std::max(body.cloth.wanted_substep, dt / settings.max_substeps);
     const double count = std::ceil(dt * (1 - done) / wanted);
     return count_of(count, settings.max_substeps - made);

@@ -4,6 +4,7 @@
 #include "solver/contact/impulses.h"
 #include "solver/motion.h"
 #include "solver/solver.h"
+#include "solver/state_range.h"
 
 namespace gphys {
 
@@ -199,6 +200,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     bool calm = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+        stay_in_range(body);
         meet_targets(body, state_.settings, dt, substeps);
         give_attached(body, whole, -1, gravity, dt);
         calm = is_calm(body, state_.settings, dt) && calm;

@@ -39,6 +39,24 @@ struct LimitInCloth {
     uint32_t a, b;
     float rest;
 };
+/// Rigid links that relax_links keeps within a strain, and those at each particle.
+struct KeptLinks {
+    static constexpr uint32_t none = 0xffffffff;
+
+    struct Link {
+        uint32_t a, b;
+        double rest;
+        bool limit;  // whether it only pulls
+        bool brace;  // which yields without a target
+    };
+
+    explicit KeptLinks(std::pmr::memory_resource* memory)
+        : links(memory), by_place(memory), begin(memory), at(memory) {}
+
+    Vector<Link> links;
+    Vector<uint32_t> by_place;   // by place in ClothBatches::rest: the link there, or none
+    Vector<uint32_t> begin, at;  // at[begin[p] .. begin[p + 1]]: the links at particle p
+};
 /// Chains and limits of cloth, packed for cloth_kernels.h. Lanes that are left over hold two
 /// particles beyond the last one, which do not move.
 struct ClothBatches {
@@ -57,7 +75,8 @@ struct ClothBatches {
           anchors(memory),
           ranks(memory),
           distances(memory),
-          rows(memory) {}
+          rows(memory),
+          kept(memory) {}
 
     Vector<ChainBatch> chains;  // family after family
     Vector<uint32_t> families;  // the first batch of each, and the end: those of a family share no particle
@@ -78,6 +97,7 @@ struct ClothBatches {
     uint32_t longest = 0;    // links
     double link_length = 0;  // metres, the average
     Vector<float> rows;      // room for the longest chain, of each who works on the body
+    KeptLinks kept;
 };
 
 struct Plan {
@@ -132,11 +152,12 @@ void update_plan(Body& body);
 /// The rest of a plan that came out of a snapshot and has no defect. Throws std::bad_alloc.
 void complete_plan(Body& body);
 
-/// Parts of it: plan_chains.cpp, reach_limits.cpp and plan_cloth.cpp.
+/// Parts of it: plan_chains.cpp, reach_limits.cpp, plan_cloth.cpp and kept_links.cpp.
 void plan_direct_chains(Body& body);
 void plan_chain_families(Body& body);
 void plan_reach_limits(Body& body);
 void pack_cloth(Body& body);
+void list_kept_links(Body& body);
 
 /// Positions are moved so that the constraints hold; `step` is the effective time step of the scheme:
 /// a force f moves a particle by f / m * step^2. Returns whether they do.

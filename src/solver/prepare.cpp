@@ -133,7 +133,9 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     body.joined = body.joined || plan.branched;
     // What systems of joints have placed stays there.
     const bool relaxed = is_graph(body) && !body.joined;
-    body.cloth.most_strain = relaxed ? state_.settings.max_strain : 0;
+    const double most_strain = state_.settings.max_strain > 0 ? state_.settings.max_strain : usual_cloth_strain;
+    body.cloth.most_strain = relaxed ? most_strain : 0;
+    body.cloth.braces_yield = state_.settings.max_strain == 0;
     if (body.settings.self_collision && (changed || body.linked_begin.empty())) list_linked(body);
     make_room(body, scene && body.settings.layers != 0);
     // What falls asleep loses its speed.
@@ -181,7 +183,6 @@ void Solver::look_around(const Scene& scene, double dt) {
     for (uint32_t i = 0; i < moving_.size(); ++i) {
         Body& body = state_.bodies[moving_[i].slot];
         if (body.extent) continue;
-        body.extent.emplace();
         for (uint32_t first = 0; first < body.size(); first += part_size) stretches_.push_back({i, first, {}});
     }
     workers_.run(static_cast<uint32_t>(stretches_.size()), [&](uint32_t i) {
@@ -190,7 +191,9 @@ void Solver::look_around(const Scene& scene, double dt) {
         stretch.extent = extent_of(body, stretch.first, std::min(stretch.first + part_size, body.size()));
     });
     for (const Stretch& stretch : stretches_) {
-        state_.bodies[moving_[stretch.moving].slot].extent->add(stretch.extent);
+        std::optional<Extent>& extent = state_.bodies[moving_[stretch.moving].slot].extent;
+        if (!extent) extent.emplace();
+        extent->add(stretch.extent);
     }
     for (Moving& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
@@ -238,7 +241,7 @@ void Solver::find_disturbed(const Scene& scene) {
         const bool bounded = way_of(scene, before, way);
         for (Moving& moving : moving_) {
             const uint32_t layers = scene.layers(before.model) & state_.bodies[moving.slot].settings.layers;
-            if (layers != 0 && (!bounded || touch(way, moving.nearby))) moving.undisturbed = false;
+            if (layers != 0 && (!bounded || overlaps(way, moving.nearby))) moving.undisturbed = false;
         }
     }
 }

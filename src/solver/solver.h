@@ -9,6 +9,7 @@
 //   time_scheme.h      the formulas by which constrained bodies go on
 //   islands.cpp        bodies that influence each other, moved together
 //   sleep.cpp          bodies at rest
+//   state_range.cpp    the range of numbers that a step ends in
 //   error_targets.cpp  how many substeps a body takes
 //   stats.cpp          strain, energy, contacts
 //   particles/         bodies without constraints: exact flight and impacts
@@ -25,7 +26,7 @@
 //     plan_cloth.cpp     chains and limits, packed for the kernels
 //     cloth.cpp          a substep
 //     cloth_contacts.cpp what cloth touches, as part of its chains
-//     relax_links.cpp    what chains have left strained beyond an error target
+//     relax_links.cpp    what chains have left strained: kept_links.cpp has which links, all but braces
 //     kept_walls.cpp     what of it holds from step to step
 //     reach_limits.cpp   how far cloth can be from its pins
 //     volume.cpp         what closed cloth encloses
@@ -57,6 +58,8 @@ struct SolverSettings {
     double max_strain = 0, tolerance = 0;  // error targets, of strain and m/s; 0: none
     uint32_t max_substeps = 64;
 };
+/// What links of cloth are relaxed to if no target is set.
+constexpr double usual_cloth_strain = 0.02;
 constexpr uint32_t most_substeps = 1000;
 constexpr float shortest_step = 1e-6f, longest_step = 0.5f;  // seconds
 
@@ -93,11 +96,8 @@ struct ConstraintOrder {
     bool operator()(const gphys_constraint_info& a, const gphys_constraint_info& b) const { return a.id < b.id; }
 };
 
-/// What is beyond all floats stays at the largest: the cast would trap.
-inline float to_float(double value) {
-    constexpr double largest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::min(std::max(value, -largest), largest));
-}
+/// A size, a mass or a factor that callers may give.
+inline bool is_amount(double value) { return value >= 0 && value <= double{GPHYS_MAX_COORDINATE}; }
 
 struct JointOrder {
     bool operator()(const gphys_joint_info& a, const gphys_joint_info& b) const { return a.id < b.id; }

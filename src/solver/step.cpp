@@ -9,6 +9,7 @@
 #include "solver/motion.h"
 #include "solver/rope/rope.h"
 #include "solver/solver.h"
+#include "solver/state_range.h"
 
 namespace gphys {
 
@@ -79,6 +80,7 @@ void Solver::end_moving(const Moving& moving, const Scene* scene, double dt, uin
         if (!body.extent) body.extent.emplace();
         body.extent->add(part.extent);
     }
+    stay_in_range(body);
     meet_targets(body, state_.settings, dt, substeps);
     give_attached(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
     rest(body, scene, state_.settings, dt);
@@ -149,6 +151,7 @@ void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* sce
         clear_touches(body);
         std::fill(body.stuck.begin(), body.stuck.end(), 0u);
         body.impulses.clear();
+        stay_in_range(body);
         meet_targets(body, state_.settings, dt, first->substeps);
         rest(body, scene, state_.settings, dt);
     }

@@ -9,7 +9,7 @@
 #include <cfloat>
 
 #include "effort.h"
-#include "intersect/intersect.h"
+#include "geometry/intersect.h"
 #include "test.h"
 
 namespace test {

@@ -1338,7 +1338,7 @@ inline std::optional<Aabb> bounds(ShapeRef shape) {
 
 // Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
 // answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
-// rotation in double precision).
+// rotation in double precision). Others are as gamephys::overlaps with a sphere.
 //   - tolerance: metres, >= 0
 // Cost: O(1); O(log n) expected for a mesh.
 inline bool contains(ShapeRef shape, const Vec3& point, float tolerance) {
@@ -1476,9 +1476,10 @@ inline std::optional<Hit> segment_test(ShapeRef shape, const Segment& segment) {
 // Error: as if the radius were off by 2^-40 of the largest coordinate difference, and 1 ulp of t.
 //   - displacement: metres; may be zero
 // Result: t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
-// the sphere's centre. Already overlapping: t = 0, GPHYS_HIT_INSIDE, and where the centre itself is in
-// a solid, the normal is opposite to the displacement (zero if that is zero). std::nullopt if nothing
-// is found.
+// the sphere's centre; in double precision its dot with the displacement is never above 0. Already
+// overlapping: t = 0, GPHYS_HIT_INSIDE, and the normal may be along the displacement too; where the
+// centre itself is in a solid, it is opposite to the displacement (zero if that is zero). std::nullopt
+// if nothing is found.
 // Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape.
 // Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a
 // mesh.

@@ -1622,7 +1622,7 @@ public static partial class Geometry {
 
     /// <summary>Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
     /// answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
-    /// rotation in double precision).
+    /// rotation in double precision). Others are as Geometry.Overlaps with a sphere.
     /// Cost: O(1); O(log n) expected for a mesh.</summary>
     /// <param name="tolerance">metres, &gt;= 0</param>
     public static unsafe bool Contains(Shape shape, Vec3 point, float tolerance = 0) {
@@ -1814,8 +1814,9 @@ public static partial class Geometry {
     /// mesh.</summary>
     /// <param name="displacement">metres; may be zero</param>
     /// <returns>t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
-    /// the sphere's centre. Already overlapping: t = 0, HitInside, and where the centre itself is in a
-    /// solid, the normal is opposite to the displacement (zero if that is zero). null if nothing is
+    /// the sphere's centre; in double precision its dot with the displacement is never above 0. Already
+    /// overlapping: t = 0, HitInside, and the normal may be along the displacement too; where the centre
+    /// itself is in a solid, it is opposite to the displacement (zero if that is zero). null if nothing is
     /// found.</returns>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the
     /// shape</exception>

@@ -313,7 +313,7 @@ public partial struct Hit {
     public float T;
     /// <summary>where the surfaces meet</summary>
     public Vec3 Point;
-    /// <summary>unit, against the motion: dot(normal, direction) &lt;= 0</summary>
+    /// <summary>unit, against the motion: dot(normal, direction) &lt;= 0, of rays but for its rounding</summary>
     public Vec3 Normal;
     /// <summary>index within a mesh, else NoTriangle</summary>
     public uint Triangle;
@@ -558,7 +558,7 @@ public partial struct SolverDesc {
     public float SleepStrain;
     /// <summary>seconds; default 0.5</summary>
     public float SleepTime;
-    /// <summary>target of rigid constraints, see Solver.GetSubsteps; 0: none; default 0</summary>
+    /// <summary>of rigid constraints, see Solver.GetSubsteps; 0: none, of cloth 0.02; default 0</summary>
     public float MaxStrain;
     /// <summary>target of positions: metres of error that a second of motion adds; 0: none; default 0</summary>
     public float Tolerance;

@@ -232,7 +232,7 @@ class Hit(Value, Structure):
     tag: int  # the model's tag, 0 likewise
     t: float  # 0 .. t_max; along a segment or sweep 0 .. 1
     point: Vec3  # where the surfaces meet
-    normal: Vec3  # unit, against the motion: dot(normal, direction) <= 0
+    normal: Vec3  # unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding
     triangle: int  # index within a mesh, else NO_TRIANGLE
     u: float  # barycentric weights of b and c of a triangle, else 0
     v: float  # barycentric weights of b and c of a triangle, else 0
@@ -391,7 +391,7 @@ class SolverDesc(Desc, Structure):
     sleep_speed: float  # m/s, see Solver.get_sleeping; 0: bodies never sleep; default 0
     sleep_strain: float  # of rigid constraints, |length / rest length - 1|; default 0.01
     sleep_time: float  # seconds; default 0.5
-    max_strain: float  # target of rigid constraints, see Solver.get_substeps; 0: none; default 0
+    max_strain: float  # of rigid constraints, see Solver.get_substeps; 0: none, of cloth 0.02; default 0
     tolerance: float  # target of positions: metres of error that a second of motion adds; 0: none; default 0
     max_substeps: int  # the most that a target may ask for, 1 .. 1000; default 64
     reserved: int  # must be 0

@@ -1400,7 +1400,7 @@ def bounds(shape: Shape) -> low.Aabb | None:
 def contains(shape: Shape, point: low.Vec3 | Sequence, tolerance: float = 0) -> bool:
     """Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0
     the answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of
-    its rotation in double precision).
+    its rotation in double precision). Others are as gamephys.overlaps with a sphere.
     Cost: O(1); O(log n) expected for a mesh.
 
     Args:
@@ -1601,9 +1601,10 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.
 
     Returns:
         t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
-            the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself
-            is in a solid, the normal is opposite to the displacement (zero if that is zero). None
-            if nothing is found.
+            the sphere's centre; in double precision its dot with the displacement is never above 0.
+            Already overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement
+            too; where the centre itself is in a solid, it is opposite to the displacement (zero if
+            that is zero). None if nothing is found.
 
     Raises:
         Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape"""

@@ -1728,7 +1728,7 @@ pub fn bounds(shape: &dyn Shape) -> Result<Option<Aabb>> {
 
 /// Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
 /// answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
-/// rotation in double precision).
+/// rotation in double precision). Others are as `overlaps` with a sphere.
 ///
 /// Cost: O(1); O(log n) expected for a mesh.
 ///
@@ -1914,9 +1914,10 @@ pub fn segment_test(shape: &dyn Shape, segment: &Segment) -> Result<Option<Hit>>
 /// * `displacement`: metres; may be zero
 ///
 /// Returns t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
-/// the sphere's centre. Already overlapping: t = 0, `HIT_INSIDE`, and where the centre itself is in a
-/// solid, the normal is opposite to the displacement (zero if that is zero). `None` if nothing is
-/// found.
+/// the sphere's centre; in double precision its dot with the displacement is never above 0. Already
+/// overlapping: t = 0, `HIT_INSIDE`, and the normal may be along the displacement too; where the centre
+/// itself is in a solid, it is opposite to the displacement (zero if that is zero). `None` if nothing
+/// is found.
 ///
 /// # Errors
 /// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape

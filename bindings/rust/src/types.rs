@@ -328,7 +328,7 @@ pub struct Hit {
     pub t: f32,
     /// where the surfaces meet
     pub point: Vec3,
-    /// unit, against the motion: dot(normal, direction) <= 0
+    /// unit, against the motion: dot(normal, direction) <= 0, of rays but for its rounding
     pub normal: Vec3,
     /// index within a mesh, else `NO_TRIANGLE`
     pub triangle: u32,
@@ -528,7 +528,7 @@ pub struct SolverDesc {
     pub sleep_strain: f32,
     /// seconds; default 0.5
     pub sleep_time: f32,
-    /// target of rigid constraints, see `Solver::get_substeps`; 0: none; default 0
+    /// of rigid constraints, see `Solver::get_substeps`; 0: none, of cloth 0.02; default 0
     pub max_strain: f32,
     /// target of positions: metres of error that a second of motion adds; 0: none; default 0
     pub tolerance: f32,

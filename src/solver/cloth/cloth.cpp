@@ -21,8 +21,6 @@ constexpr double farthest = 2e15, fastest = 1e9, hardest = 1e12;
 // Softer than this is not there: it yields 1e20 times as far as the heaviest particle.
 constexpr double softest = 1e26;
 
-float to_float(double value, double limit) { return static_cast<float>(std::clamp(value, -limit, limit)); }
-
 void put(float* to, Vec3 value, double limit) {
     for (int k = 0; k < 3; ++k) to[k] = to_float(value[k], limit);
 }
@@ -258,9 +256,10 @@ ClothExtent extent_of(Body& body) {
 void publish(Body& body) {
     const ClothState& cloth = body.cloth;
     share_particles(body, [&](uint32_t p) {
+        const Vec3 before = body.position[p];
         body.position[p] = cloth.origin + get(&cloth.at[4 * size_t{p}]);
         body.velocity[p] = get(&cloth.velocity[4 * size_t{p}]);
-        keep_in_range(body.position[p], body.velocity[p]);
+        keep_in_range(body.position[p], body.velocity[p], before);
     });
 }
 
@@ -334,7 +333,11 @@ void reserve_cloth(Body& body) {
     }
     cloth.sums.resize((floats + block_floats - 1) / block_floats);
     cloth.stored.resize(body.plan.batches.chains.size());
-    if (cloth.most_strain > 0) cloth.strained.resize(body.plan.batches.rest.size());
+    if (cloth.most_strain > 0) {
+        cloth.strained.resize(body.plan.batches.rest.size());
+        cloth.waiting.resize(body.plan.batches.kept.links.size());
+        cloth.listed.assign(body.plan.batches.kept.links.size(), 0);
+    }
     cloth.extents.resize((4 * size_t{body.size()} + share_floats - 1) / share_floats);
     if (!body.attachments.empty()) body.cloth_contacts.pulls.resize(floats);
     if (body.volume.held) body.volume.gradient.resize(body.size());

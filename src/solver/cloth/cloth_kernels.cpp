@@ -1,6 +1,7 @@
 #include "solver/cloth/cloth_kernels.h"
 
 #include "foundation/simd.h"
+#include "foundation/vec.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -193,16 +194,13 @@ struct Tethered {
     // The last pivot of a chain with a weight at its end is the weight's.
     float least_pivot_part = arrays.touching ? Surfaces::least_pivot_part : NoSurfaces::least_pivot_part;
 
-    struct Vector8 {
-        Float8 x, y, z;
-    };
     struct Normals {
-        Quads8 diagonal, off;   // of W
-        Vector8 normal, along;  // N, W N
-        Float8 inverse;         // 1 / (N . W N)
+        Quads8 diagonal, off;       // of W
+        Vec<Float8> normal, along;  // N, W N
+        Float8 inverse;             // 1 / (N . W N)
     };
-    static Float8 product(const Vector8& a, const Direction& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-    static Vector8 times(const Quads8& diagonal, const Quads8& off, Float8 x, Float8 y, Float8 z) {
+    static Float8 product(const Vec<Float8>& a, const Direction& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    static Vec<Float8> times(const Quads8& diagonal, const Quads8& off, Float8 x, Float8 y, Float8 z) {
         return {diagonal.x * x + off.z * y + off.y * z, off.z * x + diagonal.y * y + off.x * z,
                 off.y * x + off.x * y + diagonal.z * z};
     }
@@ -219,7 +217,7 @@ struct Tethered {
     }
     /// a . (W - W N (W N)^T / (N . W N)) b
     static Float8 through(const Normals& at, Float8 ax, Float8 ay, Float8 az, const Direction& b) {
-        const Vector8 moved = times(at.diagonal, at.off, ax, ay, az);
+        const Vec<Float8> moved = times(at.diagonal, at.off, ax, ay, az);
         const Float8 off = at.along.x * ax + at.along.y * ay + at.along.z * az;
         return product(moved, b) - off * product(at.along, b) * at.inverse;
     }
@@ -237,8 +235,8 @@ struct Tethered {
         const Normals here = normals(particles);
         const Float8 in =
             min(splat(0), pull.x * here.along.x + pull.y * here.along.y + pull.z * here.along.z) * here.inverse;
-        const Vector8 way = times(here.diagonal, here.off, pull.x - here.normal.x * in, pull.y - here.normal.y * in,
-                                  pull.z - here.normal.z * in);
+        const Vec<Float8> way = times(here.diagonal, here.off, pull.x - here.normal.x * in, pull.y - here.normal.y * in,
+                                      pull.z - here.normal.z * in);
         a.x = a.x + way.x * a.w;
         a.y = a.y + way.y * a.w;
         a.z = a.z + way.z * a.w;
@@ -321,7 +319,7 @@ void solve_pulling(float* at, float* pulls, const ClothChains& chains, const Cha
 }
 
 uint32_t list_strained(const float* at, const ClothChains& chains, const ChainBatch& batch, float part,
-                       StrainedLink* links) {
+                       uint32_t* places) {
     const uint32_t* particles = chains.particles + 8 * size_t{batch.first_particle};
     const float* rest = chains.rest + 8 * size_t{batch.first_link};
     const float* softness = chains.softness + 8 * size_t{batch.first_link};
@@ -333,7 +331,7 @@ uint32_t list_strained(const float* at, const ClothChains& chains, const ChainBa
         const Mask8 strained = load(rest) * splat(part) <= (batch.limit ? error : abs(error));
         const uint32_t lanes = bits(strained & (load(softness) <= splat(0)));
         for (uint32_t lane = 0; lanes >> lane != 0; ++lane) {
-            if (lanes >> lane & 1) links[count++] = {particles[lane], particles[8 + lane], rest[lane], batch.limit};
+            if (lanes >> lane & 1) places[count++] = static_cast<uint32_t>(rest - chains.rest) + lane;
         }
         a = b;
     }
@@ -388,6 +386,16 @@ void limit_pulling(float* at, const ClothLimits& limits, uint32_t count, const f
     });
 }
 
+/// Where it has been solved to. What has left the numbers on the way stays where it was.
+inline Float8 solved(const ClothMotion& motion, uint32_t i, Float8 start) {
+    const Float8 at = load(motion.at + i);
+    const Mask8 found = abs(at) <= splat(farthest);
+    if (bits(found) == 0xff) return at;
+    const Float8 kept = choose(found, at, start);
+    store(motion.at + i, kept);
+    return kept;
+}
+
 /// The rounding of the predicted position is no motion: velocities would wander by it.
 double finish(const ClothMotion& motion, const ClothStep& step) {
     const Prediction prediction(step);
@@ -399,7 +407,7 @@ double finish(const ClothMotion& motion, const ClothStep& step) {
             const Float8 start = load(motion.start + i), before = load(motion.velocity + i);
             const Float8 predicted = prediction.forward(motion, i);
             const Float8 rounding = predicted - ((start + predicted) - start);
-            const Float8 forward = load(motion.at + i) - start + rounding;
+            const Float8 forward = solved(motion, i, start) - start + rounding;
             const Float8 bend = (forward * ratio - load(motion.moved + i)) * earlier;
             const Float8 velocity = bounded((forward + bend) / h, fastest);
             store(motion.moved + i, forward);

@@ -15,6 +15,8 @@ struct ChainBatch {
     uint32_t link_count;
     uint32_t limit = 0;     // 1: a single link each, which pulls and never pushes
     uint32_t attached = 0;  // 1: a particle is attached to a model
+    uint32_t kept = 0;      // of which kinds links are among the KeptLinks
+    static constexpr uint32_t threads = 1, braces = 2;
 };
 
 struct ClothChains {
@@ -22,12 +24,6 @@ struct ClothChains {
     const float* rest;          // metres, by link and chain
     const float* softness;      // compliance / step^2 * average mass
     const float* stiffness;     // 1 / (compliance * average mass); 0: holds no energy
-};
-
-struct StrainedLink {
-    uint32_t a, b;
-    float rest;
-    uint32_t limit;  // as of a ChainBatch
 };
 
 /// Eight particles at most this far from eight anchors.
@@ -80,10 +76,10 @@ struct ClothKernels {
     void (*solve_pulling)(float* at, float* pulls, const ClothChains& chains, const ChainBatch& batch, float* rows);
     void (*solve_joined)(float* at, const ClothTethers& tethers, const ClothChains& chains, const ChainBatch& batch,
                          float* rows);
-    /// Rigid links longer or, unless they only pull, shorter than they should be by this part of their length or
-    /// more. Returns how many.
+    /// Places, in chains.rest, of rigid links longer or, unless they only pull, shorter than they should be by this
+    /// part of their length or more. Returns how many.
     uint32_t (*list_strained)(const float* at, const ClothChains& chains, const ChainBatch& batch, float part,
-                              StrainedLink* links);
+                              uint32_t* places);
     /// What elastic links hold, per average mass.
     double (*stored)(const float* at, const ClothChains& chains, const ChainBatch& batch);
     void (*limit)(float* at, const ClothLimits& limits, uint32_t count);

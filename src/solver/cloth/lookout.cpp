@@ -92,7 +92,7 @@ bool Lookout::find_movers_near(const Aabb& places, double range) {
     if (movers.empty()) return true;
     const Box box = around(places, range, body_.cloth.origin);
     for (uint32_t i = 0; i < movers.size(); ++i) {
-        if (movers[i].bounded && !touch(movers[i].way, box)) continue;
+        if (movers[i].bounded && !overlaps(movers[i].way, box)) continue;
         if (mover_count_ == most_movers || !movers[i].is_rigid) {
             all = false;
         } else {

@@ -5,11 +5,10 @@
 namespace gphys {
 namespace {
 
-Mat3 product(const Mat3& a, const Mat3& b) { return {a * b.x, a * b.y, a * b.z}; }
 Mat3 transposed(const Mat3& m) { return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}}; }
 
 Ride ride(const Transform& from, const Transform& to, Vec3 origin) {
-    return {product(to.rotation, transposed(from.rotation)), to.apply(from.inverse_apply(origin)) - origin};
+    return {to.rotation * transposed(from.rotation), to.apply(from.inverse_apply(origin)) - origin};
 }
 
 }  // namespace

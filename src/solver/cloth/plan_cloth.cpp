@@ -131,6 +131,7 @@ void pack_cloth(Body& body) {
     batches.scale = 0;
     batches.rows.resize(size_t{cloth_row_floats} * batches.longest);
     pack_limits(body, nowhere, batches);
+    list_kept_links(body);
 }
 
 }  // namespace gphys

@@ -15,6 +15,9 @@ namespace {
 
 // What is left after so many is not local: 500 were seen to take a strain of 10.6 % to 9.9 %.
 constexpr uint32_t most_passes = 64;
+// Without a target so many links are relaxed in a substep, in parts of all: what cannot be kept, as between pins that
+// are too far apart, must not take many times as long as the rest.
+constexpr uint32_t most_work = 4;
 // On a mesh so many take about as long as the rest of the substep, so that shorter ones would take longer.
 constexpr double aimed_passes = 12;
 // Links strained by more than this part of the target are relaxed, so that what they do to others stays below it.
@@ -22,21 +25,34 @@ constexpr double relaxed_part = 0.5;
 // Of a length, in float32.
 constexpr double rounding = 0x1p-23;
 
-/// Returns the largest strain.
+/// How much too long or, if it does not only pull, too short, in metres; else 0.
+double error_of(const ClothState& cloth, const KeptLinks::Link& link) {
+    const double error = distance(get(&cloth.at[4 * size_t{link.a}]), get(&cloth.at[4 * size_t{link.b}])) - link.rest;
+    return link.limit ? std::max(0.0, error) : error;
+}
+
+bool yields(const ClothState& cloth, const KeptLinks::Link& link) { return link.brace && cloth.braces_yield; }
+
+/// In `strained`; returns the largest strain.
 double find_strained(const ClothBatches& batches, ClothState& cloth, uint32_t& count) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     const ClothChains chains{batches.particles.data(), batches.rest.data(), batches.softness.data(), nullptr};
     const float part = static_cast<float>(relaxed_part * cloth.most_strain);
-    count = 0;
+    const uint32_t kinds = cloth.braces_yield ? ChainBatch::threads : ChainBatch::threads | ChainBatch::braces;
+    uint32_t listed = 0;
     for (const ChainBatch& batch : batches.chains) {
-        count += kernels.list_strained(cloth.at.data(), chains, batch, part, cloth.strained.data() + count);
+        if ((batch.kept & kinds) != 0)
+            listed += kernels.list_strained(cloth.at.data(), chains, batch, part, &cloth.strained[listed]);
     }
     double largest = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        const StrainedLink& link = cloth.strained[i];
-        if (link.rest == 0) continue;
-        const Vec3 a = get(&cloth.at[4 * size_t{link.a}]), b = get(&cloth.at[4 * size_t{link.b}]);
-        largest = std::max(largest, std::fabs(distance(a, b) / link.rest - 1));
+    count = 0;
+    for (uint32_t i = 0; i < listed; ++i) {
+        const uint32_t number = batches.kept.by_place[cloth.strained[i]];
+        if (number == KeptLinks::none) continue;
+        const KeptLinks::Link& link = batches.kept.links[number];
+        if (yields(cloth, link)) continue;
+        cloth.strained[count++] = number;
+        largest = std::max(largest, std::fabs(error_of(cloth, link)) / link.rest);
     }
     return largest;
 }
@@ -49,14 +65,42 @@ double move(Body& body, uint32_t particle, Vec3 way, bool collides) {
     return body.cloth.acceleration[i + 3] * dot(get(&body.cloth.acceleration[i]), before - get(&body.cloth.at[i]));
 }
 
-double relax(Body& body, const StrainedLink& link, bool collides) {
+/// Both ends, unless the link is hardly strained. Adds what forces have lost by it; whether it was strained.
+bool relax(Body& body, const KeptLinks::Link& link, bool collides, double& lost) {
     const float *a = &body.cloth.at[4 * size_t{link.a}], *b = &body.cloth.at[4 * size_t{link.b}];
     const double weight_a = a[3], weight_b = b[3], weight = weight_a + weight_b;
     const Vec3 along = get(b) - get(a);
     const double length = gphys::length(along), error = length - link.rest;
-    if (length == 0 || weight == 0 || (link.limit && error < 0)) return 0;
+    if (std::fabs(error) < relaxed_part * body.cloth.most_strain * link.rest) return false;
+    if (length == 0 || weight == 0 || (link.limit && error < 0)) return false;
     const Vec3 correction = along * (error / (length * weight));
-    return move(body, link.a, correction * weight_a, collides) + move(body, link.b, correction * -weight_b, collides);
+    lost += move(body, link.a, correction * weight_a, collides);
+    lost += move(body, link.b, correction * -weight_b, collides);
+    return true;
+}
+
+/// A pass over `strained`, after which that holds the links at all particles that it has moved.
+void relax_listed(Body& body, uint32_t& count, bool collides, double& lost) {
+    const KeptLinks& kept = body.plan.batches.kept;
+    ClothState& cloth = body.cloth;
+    uint32_t waiting = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const KeptLinks::Link& link = kept.links[cloth.strained[i]];
+        if (!relax(body, link, collides, lost)) continue;
+        for (const uint32_t p : {link.a, link.b}) {
+            for (uint32_t k = kept.begin[p]; k < kept.begin[p + 1]; ++k) {
+                const uint32_t next = kept.at[k];
+                if (cloth.listed[next] || yields(cloth, kept.links[next])) continue;
+                cloth.listed[next] = 1;
+                cloth.waiting[waiting++] = next;
+            }
+        }
+    }
+    count = waiting;
+    for (uint32_t i = 0; i < waiting; ++i) {
+        cloth.strained[i] = cloth.waiting[i];
+        cloth.listed[cloth.waiting[i]] = 0;
+    }
 }
 
 }  // namespace
@@ -65,9 +109,16 @@ double relax_links(Body& body, bool collides, double h) {
     ClothState& cloth = body.cloth;
     double lost = 0;
     uint32_t passes = 0, count = 0;
-    for (; passes < most_passes; ++passes) {
-        if (find_strained(body.plan.batches, cloth, count) <= cloth.most_strain - rounding) break;
-        for (uint32_t i = 0; i < count; ++i) lost += relax(body, cloth.strained[i], collides);
+    const size_t all = body.plan.batches.kept.links.size();
+    size_t work = cloth.braces_yield ? most_work * all : most_passes * all;
+    while (passes < most_passes) {
+        const double largest = find_strained(body.plan.batches, cloth, count);
+        if (count == 0 || largest <= cloth.most_strain - rounding) break;
+        for (; passes < most_passes && count > 0; ++passes) {
+            if (work < count) return lost;
+            work -= count;
+            relax_listed(body, count, collides, lost);
+        }
     }
     // What is left grows with the square of the substep, and so do the passes.
     if (passes > 0) cloth.wanted_substep = std::min(cloth.wanted_substep, h * std::sqrt(aimed_passes / passes));

@@ -8,13 +8,6 @@ constexpr int most_contacts = 6;
 
 }  // namespace
 
-bool touch(const Box& a, const Box& b) {
-    for (int k = 0; k < 3; ++k) {
-        if (a.min[k] > b.max[k] || b.min[k] > a.max[k]) return false;
-    }
-    return true;
-}
-
 Collider::Collider(const Surroundings& around, const Body& body, const Box& paths, const Tally& tally)
     : around_(around),
       body_(body),
@@ -58,7 +51,7 @@ void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displace
                                hit.normal, Vec3{}});
             return;
         }
-    } else if (near.bounded && !touch(near.box, path_box(moving, displacement))) {
+    } else if (near.bounded && !overlaps(near.box, path_box(moving, displacement))) {
         return;
     }
     meet(near.model, moving, displacement, first);

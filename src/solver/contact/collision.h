@@ -222,8 +222,6 @@ void collide_again(Body& body, const Surroundings& around, double quiet, const S
 /// What gravity adds in two substeps is no speed to bounce with.
 inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravity); }
 
-bool touch(const Box& a, const Box& b);
-
 /// At the beginning and at the end of a step, of some of the particles or of all; both at once.
 void begin_touches(Body& body, uint32_t first, uint32_t end);
 void end_touches(Body& body, uint32_t first, uint32_t end);

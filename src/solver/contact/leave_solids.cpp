@@ -115,7 +115,7 @@ void end_leaving(Body& body, const Surroundings& around, bool lengths_found) {
         return;
     }
     // Those at the border may have been pushed across it.
-    for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
+    for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p], body.start[p]);
     if (!collides(body, around)) return;
     // Others that links draw along stop at what is in their way.
     const Collider collider(around, body, swept_box(body, body.start, body.position, 0));

@@ -72,7 +72,7 @@ void Collider::list_moving(const Box& box) {
         const PlacedModel& before = (*around_.moved)[i];
         Box way;
         if (!(around_.scene->layers(before.model) & body_.settings.layers)) continue;
-        if (way_of(*around_.scene, before, way) && !touch(way, box)) continue;
+        if (way_of(*around_.scene, before, way) && !overlaps(way, box)) continue;
         if (moving_count_ < most_listed) moving_[moving_count_] = i;
         ++moving_count_;
     }
@@ -131,7 +131,7 @@ void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 
     Box box;
     const bool bounded = around_.scene->bounds(before.model, box);
     const Sphere widest{from, moving.radius + bulge * now.scale};
-    if (bounded && !touch(box, path_box(widest, last - from))) return;
+    if (bounded && !overlaps(box, path_box(widest, last - from))) return;
     for (uint32_t i = 1; i <= parts; ++i) {
         const double part = static_cast<double>(i) / parts;
         const Transform then = interpolate(before.world, after, time + (around_.end - time) * part);
@@ -139,7 +139,8 @@ void Collider::meet_moved(const PlacedModel& before, const Sphere& moving, Vec3 
         const Sphere seen{from, moving.radius};
         const Vec3 way = to - from;
         Hit hit;
-        if ((!bounded || touch(box, path_box(seen, way))) && around_.scene->sweep_model(before.model, seen, way, hit)) {
+        if ((!bounded || overlaps(box, path_box(seen, way))) &&
+            around_.scene->sweep_model(before.model, seen, way, hit)) {
             hit.t = (i - 1 + hit.t) / parts;
             const double when = time + (around_.end - time) * hit.t;
             const Transform there = interpolate(before.world, after, when);

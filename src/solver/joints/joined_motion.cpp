@@ -93,6 +93,7 @@ void collide_joined(const Joined& joined, const Surroundings& around, double qui
         const TimeScheme scheme(h, body.earlier_step);
         const SolvedAgain again{scheme.step(body.settings.damping), scheme.next / h};
         if (body.touched) let_go_touching(body);
+        for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p], body.start[p]);
         if (collides(body, around)) {
             if (!body.touched) std::fill(body.held.begin(), body.held.end(), uint8_t{0});
             collide_again(body, around, quiet, again);

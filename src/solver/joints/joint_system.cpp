@@ -7,6 +7,7 @@
 #include "solver/joints/joints.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_kernels.h"
+#include "solver/state_range.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
@@ -161,7 +162,10 @@ void JointSystem::scatter(Vector<Body>& bodies) const {
         if (!node.free) continue;
         if (node.of_graph) {
             const Vec3 at = node.position - body.cloth.origin;
-            for (int k = 0; k < 3; ++k) body.cloth.at[4 * size_t{node.particle} + k] = static_cast<float>(at[k]);
+            for (int k = 0; k < 3; ++k) {
+                body.cloth.at[4 * size_t{node.particle} + k] =
+                    static_cast<float>(std::clamp(at[k], -far_range, far_range));
+            }
         } else {
             body.position[node.particle] = node.position;
         }
@@ -170,11 +174,13 @@ void JointSystem::scatter(Vector<Body>& bodies) const {
 
 void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const {
     for (const Link& link : links_) {
+        // What is no number is no guess for the next solution.
+        const double found = is_finite(link.tension) ? link.tension : 0;
         if (link.source_body != of_joint) {
-            bodies[link.source_body].plan.tension[link.source] = link.tension;
+            bodies[link.source_body].plan.tension[link.source] = found;
         } else {
             Vec3& tension = joints[link.source].tension;
-            (link.axis == along ? tension.x : tension[link.axis]) = link.tension;
+            (link.axis == along ? tension.x : tension[link.axis]) = found;
         }
     }
 }
@@ -331,11 +337,12 @@ bool JointSystem::solve() {
     return is_found();
 }
 
-/// Move the particles by the solution, or by a part of it; returns the part.
+/// Move the particles by the solution, or by a part of it; returns the part. One that is no number moves nothing.
 double JointSystem::advance() {
     double longest = 0;
     for (const Node& node : nodes_) {
         const double* x = &solution_[node.scalar];
+        if (!is_finite(Vec3{x[0], x[1], x[2]})) return 0;
         longest = std::max({longest, std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])});
     }
     const double most = reach(), fraction = longest > most ? most / longest : 1;

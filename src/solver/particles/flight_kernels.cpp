@@ -1,5 +1,6 @@
 #include "solver/particles/flight_kernels.h"
 
+#include "foundation/compiler.h"
 #include "foundation/simd_double.h"
 
 namespace gphys::GPHYS_ISA {
@@ -20,8 +21,7 @@ struct Factors {
 };
 
 /// As Flight has it, in the same order, so that a particle has the same bits alone.
-inline __attribute__((always_inline)) Flying flown(const FlightGroups& groups, const Factors& factors, uint32_t group,
-                                                   uint32_t part) {
+GPHYS_INLINE Flying flown(const FlightGroups& groups, const Factors& factors, uint32_t group, uint32_t part) {
     const size_t at = size_t{group} * flight_numbers + 8 * part;
     const Double8 acceleration =
         load_doubles(groups.acceleration + size_t{group} * groups.acceleration_step + 8 * part);

@@ -23,6 +23,7 @@
 #include "solver/body.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_kernels.h"
+#include "solver/state_range.h"
 
 namespace gphys {
 namespace {
@@ -274,7 +275,10 @@ bool solve_directly(Body& body, double step) {
     for (double& tension : body.plan.tension) tension *= step * step;
     bool found = true;
     for (const Chain& chain : body.plan.chains) found = solve_chain(body, chain, step) && found;
-    for (double& tension : body.plan.tension) tension /= step * step;
+    for (double& tension : body.plan.tension) {
+        tension /= step * step;
+        if (!is_finite(tension)) tension = 0;  // and no guess for the next solution
+    }
     return found;
 }
 

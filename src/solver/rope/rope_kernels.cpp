@@ -5,6 +5,8 @@
 // and vectors instead of matrices, and what a node passes on is the inverse of a symmetric 3 x 3 matrix.
 #include "solver/rope/rope_nodes.h"
 
+#include "foundation/compiler.h"
+
 namespace gphys::GPHYS_ISA {
 
 namespace {
@@ -21,7 +23,7 @@ template <class Value>
 struct Symmetric3 {
     Value xx, xy, xz, yy, yz, zz;
 
-    Vector3<Value> operator*(const Vector3<Value>& v) const {
+    Vec<Value> operator*(const Vec<Value>& v) const {
         return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
     }
     /// one / this, by L D L^T: of a pinned node, whose one is 0, the inverse is 0.
@@ -37,62 +39,62 @@ struct Symmetric3 {
 /// Where a node would go without constraints, and where Newton begins: as motion, constraints included, goes on.
 template <class Value>
 struct Course {
-    Vector3<Value> history, predicted, onward;
+    Vec<Value> history, predicted, onward;
 };
 
 template <int lanes>
 Course<Doubles<lanes>> by_backward_formula(const RopeNode<lanes>& node, const RopeStep<lanes>& step) {
     using Value = Doubles<lanes>;
     const Value h = load(step.h), now = load(step.now), earlier = load(step.earlier), curve = load(step.curve);
-    const Vector3<Value> at = load3(node.position), velocity = load3(node.velocity);
-    const Vector3<Value> velocity_before = load3(node.start_velocity);
-    const Vector3<Value> history = at * now - load3(node.start) * earlier;
-    const Vector3<Value> falling =
+    const Vec<Value> at = load3(node.position), velocity = load3(node.velocity);
+    const Vec<Value> velocity_before = load3(node.start_velocity);
+    const Vec<Value> history = at * now - load3(node.start) * earlier;
+    const Vec<Value> falling =
         (velocity * now - velocity_before * earlier + load3(node.acceleration) * h) * load(step.drag);
-    const Vector3<Value> predicted = (history + falling * h) * load(step.inverse_next);
-    const Vector3<Value> onward = at + velocity * h + (velocity - velocity_before) * curve;
-    return {history, predicted, select3(all_of<lanes>(0) < curve, onward, predicted)};
+    const Vec<Value> predicted = (history + falling * h) * load(step.inverse_next);
+    const Vec<Value> onward = at + velocity * h + (velocity - velocity_before) * curve;
+    return {history, predicted, select(all_of<lanes>(0) < curve, onward, predicted)};
 }
 
 /// `force`, in newtons, is that of the links at the beginning.
 template <int lanes>
 Course<Doubles<lanes>> by_trapezoid(const RopeNode<lanes>& node, const RopeStep<lanes>& step,
-                                    const Vector3<Doubles<lanes>>& force) {
+                                    const Vec<Doubles<lanes>>& force) {
     using Value = Doubles<lanes>;
     const Value h = load(step.h);
-    const Vector3<Value> at = load3(node.position), velocity = load3(node.velocity);
-    const Vector3<Value> fall = load3(node.acceleration);
-    const Vector3<Value> rate = fall + force * load(node.inverse_mass) - velocity * load(step.damping);
-    const Vector3<Value> history = at + velocity * h;
-    const Vector3<Value> falling = (velocity + (rate + fall) * h) * load(step.drag);
+    const Vec<Value> at = load3(node.position), velocity = load3(node.velocity);
+    const Vec<Value> fall = load3(node.acceleration);
+    const Vec<Value> rate = fall + force * load(node.inverse_mass) - velocity * load(step.damping);
+    const Vec<Value> history = at + velocity * h;
+    const Vec<Value> falling = (velocity + (rate + fall) * h) * load(step.drag);
     // The rule's step h is half of the time that passes.
     return {history, history + falling * h, at + (velocity + rate * h) * (h + h)};
 }
 
 template <int lanes>
 void begin(RopeNode<lanes>& node, const Course<Doubles<lanes>>& course) {
-    const Vector3<Doubles<lanes>> at = load3(node.position);
+    const Vec<Doubles<lanes>> at = load3(node.position);
     const auto is_free = all_of<lanes>(0) < load(node.free);
     store3(node.earlier_velocity, load3(node.start_velocity));
     store3(node.start, at);
     store3(node.start_velocity, load3(node.velocity));
     store3(node.history, course.history);
-    store3(node.predicted, select3(is_free, course.predicted, at));
-    store3(node.position, select3(is_free, course.onward, at));
+    store3(node.predicted, select(is_free, course.predicted, at));
+    store3(node.position, select(is_free, course.onward, at));
 }
 
 template <int lanes>
 void begin_trapezoid(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step) {
     using Value = Doubles<lanes>;
     const Value none = all_of<lanes>(0), one = all_of<lanes>(1), hair = all_of<lanes>(aside);
-    Vector3<Value> arriving{none, none, none}, at = load3(nodes[0].position);
+    Vec<Value> arriving{none, none, none}, at = load3(nodes[0].position);
     for (uint32_t i = 0; i < count; ++i) {
-        Vector3<Value> leaving{none, none, none}, next = at;
+        Vec<Value> leaving{none, none, none}, next = at;
         if (i + 1 < count) {
             next = load3(nodes[i + 1].position);
-            const Vector3<Value> along = next - at;
+            const Vec<Value> along = next - at;
             const Value length = square_root(dot(along, along) + hair * hair);
-            leaving = Vector3<Value>{along.x + hair, along.y, along.z} * (load(nodes[i].tension) * (one / length));
+            leaving = Vec<Value>{along.x + hair, along.y, along.z} * (load(nodes[i].tension) * (one / length));
         }
         begin(nodes[i], by_trapezoid(nodes[i], step, leaving - arriving));
         arriving = leaving;
@@ -110,19 +112,19 @@ void finish(RopeNode<lanes>& node, const RopeStep<lanes>& step, RopeBounds<lanes
     using Value = Doubles<lanes>;
     const Value limit = all_of<lanes>(farthest), none = all_of<lanes>(0);
     const auto is_free = none < load(node.free);
-    Vector3<Value> at = load3(node.position);
+    Vec<Value> at = load3(node.position);
     at = {in_range(at.x, limit), in_range(at.y, limit), in_range(at.z, limit)};
     store3(node.position, at);
-    const Vector3<Value> velocity = (at * load(step.next) - load3(node.history)) * load(step.rate);
-    store3(node.velocity, select3(is_free, velocity, load3(node.velocity)));
-    const Vector3<Value> low = load3(bounds.low), high = load3(bounds.high);
-    store3(bounds.low, Vector3<Value>{least(low.x, at.x), least(low.y, at.y), least(low.z, at.z)});
-    store3(bounds.high, Vector3<Value>{largest(high.x, at.x), largest(high.y, at.y), largest(high.z, at.z)});
+    const Vec<Value> velocity = (at * load(step.next) - load3(node.history)) * load(step.rate);
+    store3(node.velocity, select(is_free, velocity, load3(node.velocity)));
+    const Vec<Value> low = load3(bounds.low), high = load3(bounds.high);
+    store3(bounds.low, Vec<Value>{least(low.x, at.x), least(low.y, at.y), least(low.z, at.z)});
+    store3(bounds.high, Vec<Value>{largest(high.x, at.x), largest(high.y, at.y), largest(high.z, at.z)});
 }
 
 template <class Value>
 struct Link {
-    Vector3<Value> direction;
+    Vec<Value> direction;
     Value stiffness;  // k
     Value error;      // metres too long
     Value softness;   // r: of compliance and regularisation
@@ -136,22 +138,22 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<
     const Value none = all_of<lanes>(0), one = all_of<lanes>(1), hair = all_of<lanes>(aside);
     const Value hair_squared = hair * hair;
     const Value step_squared = load(step.step_squared), inverse_step_squared = load(step.inverse_step_squared);
-    const Vector3<Value> nowhere{none, none, none};
+    const Vec<Value> nowhere{none, none, none};
     const Link<Value> absent{nowhere, none, none, one, one};
     Value reach = none;
     Symmetric3<Value> before{none, none, none, none, none, none};
-    Vector3<Value> own_before = nowhere, at = load3(nodes[0].position);
+    Vec<Value> own_before = nowhere, at = load3(nodes[0].position);
     Link<Value> arriving = absent;
     for (uint32_t i = 0; i < count; ++i) {
         RopeNode<lanes>& node = nodes[i];
         Link<Value> leaving = absent;
-        Vector3<Value> next = at;
+        Vec<Value> next = at;
         if (i + 1 < count) {
             next = load3(nodes[i + 1].position);
-            const Vector3<Value> along = next - at;
+            const Vec<Value> along = next - at;
             const Value length = square_root(dot(along, along) + hair_squared);
             const Value present = load(node.present), target = load(node.target), inverse = one / length;
-            leaving.direction = Vector3<Value>{along.x + hair, along.y, along.z} * (inverse * present);
+            leaving.direction = Vec<Value>{along.x + hair, along.y, along.z} * (inverse * present);
             // A link that is short at the moment must not become infinitely stiff sideways.
             leaving.stiffness =
                 largest(load(node.tension), none) * step_squared * least(inverse, load(node.inverse_target));
@@ -164,7 +166,7 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<
         }
         // What the nodes before make of the coupling by the link that arrives.
         const Value k = arriving.stiffness, k_squared = k * k, mass = load(node.mass);
-        const Vector3<Value> n = arriving.direction, v = before * n, q = n - v * k;
+        const Vec<Value> n = arriving.direction, v = before * n, q = n - v * k;
         const Value softness = arriving.softness + arriving.rigid * dot(n, v);
         const Value diagonal = mass + k + leaving.stiffness;
         const Symmetric3<Value> inner =
@@ -172,11 +174,11 @@ Doubles<lanes> eliminate(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<
                               -(k_squared * before.xz),         diagonal - k_squared * before.yy,
                               -(k_squared * before.yz),         diagonal - k_squared * before.zz}
                 .inverse(load(node.free));
-        const Vector3<Value> w = inner * q;
+        const Vec<Value> w = inner * q;
         const Value inverse_pivot = one / (softness + arriving.rigid * dot(q, w));
-        const Vector3<Value> pull = w * (arriving.rigid * inverse_pivot);
-        const Vector3<Value> force = (load3(node.predicted) - at) * mass + own_before * k;
-        const Vector3<Value> alone = inner * force;
+        const Vec<Value> pull = w * (arriving.rigid * inverse_pivot);
+        const Vec<Value> force = (load3(node.predicted) - at) * mass + own_before * k;
+        const Vec<Value> alone = inner * force;
         const Value tension = (arriving.rigid * (dot(q, alone) - dot(n, own_before)) + arriving.error) * inverse_pivot;
         own_before = alone - w * tension;
         before = {inner.xx - w.x * pull.x, inner.xy - w.x * pull.y, inner.xz - w.x * pull.z,
@@ -199,24 +201,24 @@ Mask substitute(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& s
                 const Mask& active) {
     using Value = Doubles<lanes>;
     const Value none = all_of<lanes>(0), inverse_step_squared = load(step.inverse_step_squared);
-    const Vector3<Value> nowhere{none, none, none};
-    Vector3<Value> moved_next = nowhere;
+    const Vec<Value> nowhere{none, none, none};
+    Vec<Value> moved_next = nowhere;
     Value tension = none, longest = none;
     Mask moving = none < none;
     for (uint32_t i = count; i-- > 0;) {
         RopeNode<lanes>& node = nodes[i];
-        Vector3<Value> given = nowhere;
-        const Vector3<Value> n = i + 1 < count ? load3(node.direction) : nowhere;
+        Vec<Value> given = nowhere;
+        const Vec<Value> n = i + 1 < count ? load3(node.direction) : nowhere;
         const Value k = i + 1 < count ? load(node.stiffness) : none;
         given = moved_next * k + n * tension;
         const Symmetric3<Value> inverse{load(node.inverse[0]), load(node.inverse[1]), load(node.inverse[2]),
                                         load(node.inverse[3]), load(node.inverse[4]), load(node.inverse[5])};
-        const Vector3<Value> moved = load3(node.own) + inverse * given;
+        const Vec<Value> moved = load3(node.own) + inverse * given;
         store3(node.own, moved);
-        store3(node.position, select3(active, load3(node.position) + moved, load3(node.position)));
+        store3(node.position, select(active, load3(node.position) + moved, load3(node.position)));
         longest = largest(longest, dot(moved, moved));
         if (i + 1 < count) {
-            const Vector3<Value> apart = moved_next - moved;
+            const Vec<Value> apart = moved_next - moved;
             const Value along = dot(n, apart);
             const Value newtons = (tension + k * along) * inverse_step_squared;
             store(node.tension, select(active, newtons, load(node.tension)));
@@ -246,7 +248,7 @@ auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
     auto lost = none < none;
     for (uint32_t i = 0; i + 1 < count; ++i) {
         const RopeNode<lanes>& node = nodes[i];
-        const Vector3<Value> along = load3(nodes[i + 1].position) - load3(node.position);
+        const Vec<Value> along = load3(nodes[i + 1].position) - load3(node.position);
         const Value target = load(node.target), stretch = load(node.compliance) * load(node.tension);
         const Value misfit = (square_root(dot(along, along)) - target - stretch) * load(node.present);
         lost = lost | ((none < target) & (part * target < largest(misfit, -misfit)));
@@ -256,8 +258,7 @@ auto find_lost(const RopeNode<lanes>* nodes, uint32_t count) {
 
 // Left to itself, gcc calls the operators on eight doubles, which are in memory then.
 template <int lanes>
-__attribute__((flatten)) void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step,
-                                        bool trapezoid) {
+GPHYS_FLATTEN void begin_all(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid) {
     if (trapezoid) {
         begin_trapezoid(nodes, count, step);
     } else {
@@ -266,8 +267,8 @@ __attribute__((flatten)) void begin_all(RopeNode<lanes>* nodes, uint32_t count, 
 }
 
 template <int lanes>
-__attribute__((flatten)) void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid,
-                                   RopeBounds<lanes>& bounds) {
+GPHYS_FLATTEN void move(RopeNode<lanes>* nodes, uint32_t count, const RopeStep<lanes>& step, bool trapezoid,
+                        RopeBounds<lanes>& bounds) {
     begin_all(nodes, count, step, trapezoid);
     auto active = all_of<lanes>(0) < all_of<lanes>(1);
     for (int iteration = 0; iteration < most_iterations && any(active); ++iteration) {

@@ -158,6 +158,10 @@ private:
 
     bool stays(uint32_t lane) const {
         if (bounds_.lost[lane] != 0) return false;
+        for (int k = 0; k < 3; ++k) {
+            constexpr double range = GPHYS_MAX_COORDINATE;
+            if (bounds_.low[k][lane] < -range || bounds_.high[k][lane] > range) return false;
+        }
         const Box* const box = ropes_[lane].confines;
         if (!box) return true;
         const double radius = bodies_[lane]->largest_radius;

@@ -1,26 +1,30 @@
 // From the arrays of bodies to nodes and back.
 #include "solver/rope/rope_nodes.h"
 
+#include <limits>
+
+#include "foundation/compiler.h"
+
 namespace gphys::GPHYS_ISA {
 
 namespace {
 
 /// The numbers at each rope's index(lane), `count` of them one behind the other.
 template <int count, int lanes, class Array, class Index>
-[[gnu::always_inline]] inline void load_each(const RopeArrays (&ropes)[lanes], Array RopeArrays::*array,
-                                             const Index& index, Doubles<lanes> (&to)[count]) {
+GPHYS_INLINE void load_each(const RopeArrays (&ropes)[lanes], Array RopeArrays::*array, const Index& index,
+                            Doubles<lanes> (&to)[count]) {
     load_components([&](int lane) { return ropes[lane].*array + size_t{count} * index(lane); }, to);
 }
 template <int lanes, class Array, class Index>
-[[gnu::always_inline]] inline void put_each(const RopeArrays (&ropes)[lanes], Array RopeArrays::*array,
-                                            const Index& index, double (&to)[lanes]) {
+GPHYS_INLINE void put_each(const RopeArrays (&ropes)[lanes], Array RopeArrays::*array, const Index& index,
+                           double (&to)[lanes]) {
     Doubles<lanes> value[1];
     load_each(ropes, array, index, value);
     store(to, value[0]);
 }
 template <int lanes, class Array, class Index>
-[[gnu::always_inline]] inline void put_each(const RopeArrays (&ropes)[lanes], Array RopeArrays::*array,
-                                            const Index& index, double (&to)[3][lanes]) {
+GPHYS_INLINE void put_each(const RopeArrays (&ropes)[lanes], Array RopeArrays::*array, const Index& index,
+                           double (&to)[3][lanes]) {
     Doubles<lanes> value[3];
     load_each(ropes, array, index, value);
     for (int k = 0; k < 3; ++k) store(to[k], value[k]);
@@ -38,15 +42,16 @@ void complete_link(RopeNode<lanes>& node, const Doubles<lanes>& inverse_masses, 
     store(node.inverse_target, select(present, one / largest(target, all_of<lanes>(rope_shortest)), one));
     store(node.compliance, select(present, load(node.compliance), none));
     store(node.regularisation, select(present, all_of<lanes>(rope_regularisation) * inverse_masses, one));
-    store(node.sideways, select(present, hair * target * target, all_of<lanes>(__builtin_inf())));
+    store(node.sideways,
+          select(present, hair * target * target, all_of<lanes>(std::numeric_limits<double>::infinity())));
     store(node.tension, select(present, load(node.tension), none));
 }
 
 }  // namespace
 
 template <int lanes>
-__attribute__((flatten)) void put_ropes(RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
-                                        const double (&gravity)[3]) {
+GPHYS_FLATTEN void put_ropes(RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
+                             const double (&gravity)[3]) {
     using Value = Doubles<lanes>;
     const Value none = all_of<lanes>(0), one = all_of<lanes>(1);
     double counts[lanes];
@@ -88,8 +93,8 @@ __attribute__((flatten)) void put_ropes(RopeNode<lanes>* nodes, uint32_t count, 
 }
 
 template <int lanes>
-__attribute__((flatten)) void take_ropes(const RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
-                                         const bool (&wanted)[lanes]) {
+GPHYS_FLATTEN void take_ropes(const RopeNode<lanes>* nodes, uint32_t count, const RopeArrays (&ropes)[lanes],
+                              const bool (&wanted)[lanes]) {
     uint32_t shortest_rope = count;
     for (int lane = 0; lane < lanes; ++lane) {
         const uint32_t nodes_of_rope = wanted[lane] ? ropes[lane].count : 0;

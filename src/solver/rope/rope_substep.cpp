@@ -96,13 +96,15 @@ void take_back_chains(Body& body) {
 void finish_chains(Body& body, const TimeScheme& scheme) {
     for (uint32_t p = 0; p < body.size(); ++p) {
         if (body.pinned(p)) continue;
-        keep_in_range(body.position[p], body.velocity[p]);
+        Vec3 &position = body.position[p], &velocity = body.velocity[p];
+        keep_in_range(position, velocity, body.start[p]);
         if (body.plan.limited && body.flying[p]) {
-            body.velocity[p] += (body.position[p] - body.predicted[p]) * (scheme.next / scheme.h);
-            continue;
+            velocity += (position - body.predicted[p]) * (scheme.next / scheme.h);
+        } else {
+            const Vec3 history = scheme.from_history(body.start[p], body.earlier[p], body.start_velocity[p]);
+            velocity = (position * scheme.next - history) / scheme.h;
         }
-        const Vec3 history = scheme.from_history(body.start[p], body.earlier[p], body.start_velocity[p]);
-        body.velocity[p] = (body.position[p] * scheme.next - history) / scheme.h;
+        keep_in_range(position, velocity);
     }
 }
 
@@ -157,9 +159,9 @@ void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const Time
         hold_touching(body);
         solve_directly(body, step);
         let_go_touching(body);
-        collide_again(body, around, quiet, {step, scheme.next / scheme.h});
         // What a shape at the border pushes out, and what hangs on it, may have left the range.
-        for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
+        for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p], body.start[p]);
+        collide_again(body, around, quiet, {step, scheme.next / scheme.h});
     }
     if (!body.attachments.empty()) give_tensions(body, around, scheme);
     leave_solids(body, around, step);

@@ -4,6 +4,8 @@
 // by more, as one that a string becomes when it is taut, goes on swinging.
 #include "solver/rope/rope_nodes.h"
 
+#include "foundation/compiler.h"
+
 namespace gphys::GPHYS_ISA {
 
 namespace {
@@ -16,7 +18,7 @@ constexpr double faster_weight = 6;
 /// What hangs from a link that is slack for a moment may pull at it before the step is over.
 template <int lanes>
 Doubles<lanes> weight_of(const RopeNode<lanes>& node) {
-    const Vector3<Doubles<lanes>> acceleration = load3(node.acceleration);
+    const Vec<Doubles<lanes>> acceleration = load3(node.acceleration);
     return square_root(dot(acceleration, acceleration)) * load(node.mass) * load(node.free);
 }
 
@@ -24,14 +26,14 @@ Doubles<lanes> weight_of(const RopeNode<lanes>& node) {
 
 /// Square of the turn per second of the link where it is largest.
 template <int lanes>
-__attribute__((flatten)) void find_agility(const RopeNode<lanes>* nodes, uint32_t count, double (&agility)[lanes]) {
+GPHYS_FLATTEN void find_agility(const RopeNode<lanes>* nodes, uint32_t count, double (&agility)[lanes]) {
     using Value = Doubles<lanes>;
     const Value none = all_of<lanes>(0), swings = all_of<lanes>(swing_weight), quickens = all_of<lanes>(faster_weight);
     Value most = none, weight = weight_of(nodes[0]);
     for (uint32_t i = 0; i + 1 < count; ++i) {
         const RopeNode<lanes>&a = nodes[i], &b = nodes[i + 1];
-        const Vector3<Value> apart = load3(b.velocity) - load3(a.velocity);
-        const Vector3<Value> faster = apart - (load3(b.start_velocity) - load3(a.start_velocity));
+        const Vec<Value> apart = load3(b.velocity) - load3(a.velocity);
+        const Vec<Value> faster = apart - (load3(b.start_velocity) - load3(a.start_velocity));
         const Value turning = largest(dot(apart, apart), quickens * dot(faster, faster));
         const Value tension = load(a.tension), weight_after = weight_of(b);
         const Value pull = largest(largest(tension, -tension), largest(weight, weight_after));

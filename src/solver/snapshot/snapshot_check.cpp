@@ -1,29 +1,21 @@
 #include "solver/snapshot/snapshot_check.h"
 
+#include "solver/state_range.h"
+
 namespace gphys {
 namespace {
 
 constexpr double range = GPHYS_MAX_COORDINATE;
-// A place that was in range, as it is relative to another origin: both origins are in range as well. Three times the
-// range, and some rounding.
-constexpr double far_range = 4 * range;
 // The least float, shared among as many particles as a body may have.
 constexpr double least_mass = 0x1p-149 * 0x1p-24;
 // Of a model, in whose coordinates the whole range is divided by its scale, which is 1e-15 at least.
 constexpr double farthest_in_model = 1e32;
 
-bool finite(double value) { return std::isfinite(value); }
-bool finite(Vec3 value) { return finite(value.x) && finite(value.y) && finite(value.z); }
-bool is_amount(double value) { return value >= 0 && value <= range; }
-bool is_finite_amount(double value) { return value >= 0 && finite(value); }
+bool is_finite_amount(double value) { return value >= 0 && is_finite(value); }
 /// Seconds of a step or a part of one; 0: none.
 bool is_time(double value) { return value >= 0 && value <= longest_step; }
 /// Between two particles, wherever they are.
 bool is_length(double value) { return value >= 0 && value <= far_range; }
-/// On its way to where it is, a place may be rounded beyond the range.
-bool is_place(Vec3 value) { return is_within(range * (1 + 0x1p-40), value); }
-bool is_earlier_place(Vec3 value) { return is_within(far_range, value); }
-bool is_speed(Vec3 value) { return is_within(fastest_particle, value); }
 
 template <class T, class Is>
 bool all(const Vector<T>& values, Is&& is) {
@@ -57,7 +49,7 @@ bool fine_box(const Box& box) {
 
 bool is_touch(const Touch& touch) {
     constexpr double unit = 1 + 0x1p-20;
-    return finite(widen(touch.point)) && is_within(unit, widen(touch.normal));
+    return is_finite(widen(touch.point)) && is_within(unit, widen(touch.normal));
 }
 
 bool looked_fine(const Vector<float>& looked) {
@@ -75,18 +67,20 @@ bool particles_fine(const Body& body) {
         if (!(mass >= least_mass && mass <= range && (inverse == 0 || inverse == 1 / mass))) return false;
     }
     const auto is_force = [](Vec3 force) { return is_within(range, force); };
-    const auto is_finite = [](float value) { return std::isfinite(value); };
+    const auto is_number = [](float value) { return is_finite(value); };
     return all(body.position, is_place) && all(body.velocity, is_speed) && all(body.force, is_force) &&
            all(body.radius, is_amount) && all(body.rest_position, is_place) && all(body.placed, is_place) &&
            all(body.start, is_earlier_place) && all(body.start_velocity, is_speed) && is_time(body.earlier_step) &&
            all(body.touches, is_touch) && all(body.stuck, [](uint32_t stuck) { return stuck <= 1; }) &&
-           all(body.cloth.moved, is_finite) && all(body.cloth.velocity_before, is_finite) &&
+           all(body.cloth.moved, is_number) && all(body.cloth.velocity_before, is_number) &&
            looked_fine(body.cloth.looked) && is_place(body.cloth.origin) && is_finite_amount(body.cloth.balance.lost) &&
            is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
 bool impulses_fine(const Body& body) {
-    const auto finite_one = [](const ModelImpulse& given) { return finite(given.linear) && finite(given.angular); };
+    const auto finite_one = [](const ModelImpulse& given) {
+        return is_finite(given.linear) && is_finite(given.angular);
+    };
     const auto out_of_order = [](const ModelImpulse& a, const ModelImpulse& b) { return a.model >= b.model; };
     return all(body.impulses, finite_one) &&
            std::adjacent_find(body.impulses.begin(), body.impulses.end(), out_of_order) == body.impulses.end();
@@ -223,7 +217,7 @@ const char* defect_of_joints(const SolverState& state) {
         if (!state.joint_ids.live(slot)) continue;
         const Joint& j = state.joints[slot];
         if (!is_end(j.body_a, j.particle_a) || !is_end(j.body_b, j.particle_b) || j.body_a == j.body_b ||
-            !is_length(j.rest) || !is_amount(j.compliance) || !finite(j.tension)) {
+            !is_length(j.rest) || !is_amount(j.compliance) || !is_finite(j.tension)) {
             return "words: a joint is none";
         }
     }
@@ -235,7 +229,7 @@ const char* defect(const Body& body) {
     if (!settings_fine(body)) return "words: a setting of a body is out of range";
     if (!particles_fine(body)) return "words: a particle's state is out of range";
     const Volume& volume = body.volume;
-    if (!is_finite_amount(volume.rest) || !is_amount(volume.compliance) || !finite(volume.pressure)) {
+    if (!is_finite_amount(volume.rest) || !is_amount(volume.compliance) || !is_finite(volume.pressure)) {
         return "words: a volume is none";
     }
     if (!impulses_fine(body)) return "words: an impulse is none";
@@ -252,7 +246,7 @@ const char* defect_of_plan(const Body& body) {
     if (plan.method != method_of(body)) return wrong;
     if (plan.method == GPHYS_SOLVE_DIRECT) {
         const bool fine = plan.tension.size() == body.constraint_ids.size() &&
-                          all(plan.tension, [](double tension) { return finite(tension); });
+                          all(plan.tension, [](double tension) { return is_finite(tension); });
         return fine ? nullptr : wrong;
     }
     if (plan.method == GPHYS_SOLVE_FREE) return nullptr;

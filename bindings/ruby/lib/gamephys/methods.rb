@@ -1290,7 +1290,7 @@ module Gamephys
 
   # Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
   # answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
-  # rotation in double precision).
+  # rotation in double precision). Others are as Gamephys.overlaps with a sphere.
   # Cost: O(1); O(log n) expected for a mesh.
   # @param tolerance metres, >= 0
   def self.contains?(shape, point, tolerance: 0)
@@ -1437,9 +1437,10 @@ module Gamephys
   # mesh.
   # @param displacement metres; may be zero
   # @return t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
-  #     the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself is in a
-  #     solid, the normal is opposite to the displacement (zero if that is zero). nil if nothing is
-  #     found.
+  #     the sphere's centre; in double precision its dot with the displacement is never above 0. Already
+  #     overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement too; where the
+  #     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). nil if
+  #     nothing is found.
   # @raise [Error] for a ray or a segment as the shape (ERROR_UNSUPPORTED)
   def self.sweep_sphere(shape, sphere, displacement)
     out_hit = Hit.room

@@ -91,7 +91,7 @@ public final class Gamephys extends GamephysBase {
     /**
      * Whether the point is within tolerance metres of the shape (solid or surface). With tolerance 0 the
      * answer is exact: on the plane, on the segment, inside the box (an OBB's axes are those of its
-     * rotation in double precision).
+     * rotation in double precision). Others are as Gamephys.overlaps with a sphere.
      * Cost: O(1); O(log n) expected for a mesh.
      * @param tolerance metres, &gt;= 0
      */
@@ -316,9 +316,10 @@ public final class Gamephys extends GamephysBase {
      * mesh.
      * @param displacement metres; may be zero
      * @return t in 0..1 of the displacement; point: of contact, on the shape; normal: from the point to
-     *     the sphere's centre. Already overlapping: t = 0, HIT_INSIDE, and where the centre itself is in a
-     *     solid, the normal is opposite to the displacement (zero if that is zero). empty if nothing is
-     *     found.
+     *     the sphere's centre; in double precision its dot with the displacement is never above 0. Already
+     *     overlapping: t = 0, HIT_INSIDE, and the normal may be along the displacement too; where the
+     *     centre itself is in a solid, it is opposite to the displacement (zero if that is zero). empty if
+     *     nothing is found.
      * @throws GamephysException with ERROR_UNSUPPORTED: for a ray or a segment as the shape
      */
     public static Optional<Hit> sweepSphere(Shape shape, Sphere sphere, Vec3 displacement) {

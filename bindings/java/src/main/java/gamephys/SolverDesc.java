@@ -150,7 +150,7 @@ public final class SolverDesc {
 
     /**
      * <pre>
-     * target of rigid constraints, see Solver.getSubsteps; 0: none; default 0
+     * of rigid constraints, see Solver.getSubsteps; 0: none, of cloth 0.02; default 0
      * </pre>
      */
     public SolverDesc maxStrain(float value) {

@@ -1,0 +1,190 @@
+// Vectors of three numbers: doubles, numbers of exact arithmetic (exact.h), or registers of floats or
+// doubles (simd.h, simd_double.h). Each formula stands here once; the type of the numbers says how it is
+// computed, and for how many vectors at a time.
+//
+// Everything is inlined: kernels (isa.h) define nothing outside of their own namespace, and calls would
+// hand registers over in memory.
+#pragma once
+
+#include "foundation/numbers.h"
+
+namespace gphys {
+
+/// value + rest, of which value is what rounding leaves (exact.h).
+template <class N>
+N two_terms(double value, double rest);
+
+template <class N>
+struct Vec {
+    N x{}, y{}, z{};
+
+    // Of doubles, for predicates (exact.h): v, a - b, and v + rest, nothing of which N rounds.
+    static Vec of(const Vec<double>& v) { return {N(v.x), N(v.y), N(v.z)}; }
+    static Vec difference(const Vec<double>& a, const Vec<double>& b) {
+        return {N(a.x) - N(b.x), N(a.y) - N(b.y), N(a.z) - N(b.z)};
+    }
+    static Vec two_terms(const Vec<double>& v, const Vec<double>& rest) {
+        return {gphys::two_terms<N>(v.x, rest.x), gphys::two_terms<N>(v.y, rest.y), gphys::two_terms<N>(v.z, rest.z)};
+    }
+
+    // Not (&x)[axis]: that is undefined and was seen miscompiled. To read from a copy costs no branch.
+    GPHYS_INLINE constexpr N operator[](int axis) const {
+        const N all[] = {x, y, z};
+        return all[axis];
+    }
+    GPHYS_INLINE constexpr N& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+
+/// N where it is not to be deduced, so that numbers are converted to those of the vector beside them.
+template <class N>
+struct SameAs {
+    using Number = N;
+};
+template <class N>
+using Same = typename SameAs<N>::Number;
+
+template <class N>
+GPHYS_INLINE constexpr Vec<N> operator+(const Vec<N>& a, const Vec<N>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> operator-(const Vec<N>& a, const Vec<N>& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> operator-(const Vec<N>& a) {
+    return {-a.x, -a.y, -a.z};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> operator*(const Vec<N>& a, const Same<N>& s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> operator*(const Same<N>& s, const Vec<N>& a) {
+    return a * s;
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> operator/(const Vec<N>& a, const Same<N>& s) {
+    return {a.x / s, a.y / s, a.z / s};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N>& operator+=(Vec<N>& a, const Vec<N>& b) {
+    return a = a + b;
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N>& operator-=(Vec<N>& a, const Vec<N>& b) {
+    return a = a - b;
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N>& operator*=(Vec<N>& a, const Same<N>& s) {
+    return a = a * s;
+}
+template <class N>
+GPHYS_INLINE constexpr bool operator==(const Vec<N>& a, const Vec<N>& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+template <class N>
+GPHYS_INLINE constexpr bool operator!=(const Vec<N>& a, const Vec<N>& b) {
+    return !(a == b);
+}
+
+template <class N>
+GPHYS_INLINE constexpr N dot(const Vec<N>& a, const Vec<N>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> cross(const Vec<N>& a, const Vec<N>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class N>
+GPHYS_INLINE constexpr N length_squared(const Vec<N>& a) {
+    return dot(a, a);
+}
+template <class N>
+GPHYS_INLINE N length(const Vec<N>& a) {
+    return square_root(dot(a, a));
+}
+template <class N>
+GPHYS_INLINE N distance(const Vec<N>& a, const Vec<N>& b) {
+    return length(a - b);
+}
+
+// Component by component. Of two that are equal, zeros of either sign among them, it is that of a.
+template <class N>
+GPHYS_INLINE Vec<N> abs(const Vec<N>& a) {
+    return {absolute(a.x), absolute(a.y), absolute(a.z)};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> by_component(const Vec<N>& a, const Vec<N>& b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> plus(const Vec<N>& a, const Same<N>& b) {
+    return {a.x + b, a.y + b, a.z + b};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> minus(const Vec<N>& a, const Same<N>& b) {
+    return {a.x - b, a.y - b, a.z - b};
+}
+/// Where it is positive, else 0.
+template <class N>
+GPHYS_INLINE constexpr Vec<N> positive(const Vec<N>& a) {
+    const N zero{};
+    return {largest(a.x, zero), largest(a.y, zero), largest(a.z, zero)};
+}
+/// With its sign turned on axes along which the direction does not go back.
+template <class N>
+GPHYS_INLINE constexpr Vec<N> against(const Vec<N>& a, const Vec<N>& direction) {
+    const N zero{};
+    return {select(zero <= direction.x, zero - a.x, a.x), select(zero <= direction.y, zero - a.y, a.y),
+            select(zero <= direction.z, zero - a.z, a.z)};
+}
+/// On all axes.
+template <class N>
+GPHYS_INLINE constexpr auto at_most(const Vec<N>& a, const Vec<N>& b) {
+    return (a.x <= b.x) & (a.y <= b.y) & (a.z <= b.z);
+}
+template <class Mask>
+GPHYS_INLINE constexpr Mask all_axes(const Mask& mask) {
+    return mask;
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> min(const Vec<N>& a, const Vec<N>& b) {
+    return {least(b.x, a.x), least(b.y, a.y), least(b.z, a.z)};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> max(const Vec<N>& a, const Vec<N>& b) {
+    return {largest(a.x, b.x), largest(a.y, b.y), largest(a.z, b.z)};
+}
+template <class Mask, class N>
+GPHYS_INLINE constexpr Vec<N> select(const Mask& mask, const Vec<N>& a, const Vec<N>& b) {
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+
+/// y, z, x; and z, x, y.
+template <class N>
+GPHYS_INLINE constexpr Vec<N> yzx(const Vec<N>& a) {
+    return {a.y, a.z, a.x};
+}
+template <class N>
+GPHYS_INLINE constexpr Vec<N> zxy(const Vec<N>& a) {
+    return {a.z, a.x, a.y};
+}
+
+template <class N>
+GPHYS_INLINE constexpr N sum(const Vec<N>& a) {
+    return a.x + a.y + a.z;
+}
+template <class N>
+GPHYS_INLINE constexpr N max_component(const Vec<N>& a) {
+    return largest(a.x, largest(a.y, a.z));
+}
+
+/// a / |a|; a must not be zero. Scaled first, so that lengths from 1e-300 to 1e300 survive.
+template <class N>
+GPHYS_INLINE Vec<N> normalized(const Vec<N>& a) {
+    const Vec<N> scaled = a / max_component(abs(a));
+    return scaled / length(scaled);
+}
+
+}  // namespace gphys

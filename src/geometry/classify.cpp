@@ -1,0 +1,111 @@
+#include "geometry/heights.h"
+#include "geometry/intersect.h"
+
+namespace gphys {
+
+namespace {
+
+double height(Vec3 point, const PlaneAt& plane) {
+    return value_of([&](auto number) { return height_above<decltype(number)>(plane, point); });
+}
+
+/// height - reach for the sphere's reach r |n|, whose root would round: where the two cancel, the
+/// difference of squares is exact, and (h - R) = (h^2 - R^2) / (h + R).
+double lowered(const Sphere& sphere, const PlaneAt& plane) {
+    const double reach = sphere.radius * length(plane.normal);
+    const double h = height(sphere.center, plane);
+    if (h <= 0) return h - reach;
+    const double squares = value_of([&](auto number) {
+        using N = decltype(number);
+        const N exact_height = height_above<N>(plane, sphere.center);
+        const Vec<N> normal = Vec<N>::of(plane.normal);
+        return exact_height * exact_height - N(sphere.radius) * N(sphere.radius) * dot(normal, normal);
+    });
+    return squares / (h + reach);
+}
+
+PlaneAt turned(const PlaneAt& plane) { return {-plane.normal, plane.origin, -plane.distance}; }
+
+}  // namespace
+
+Heights heights(const Sphere& sphere, const PlaneAt& plane) {
+    return {lowered(sphere, plane), -lowered(sphere, turned(plane))};
+}
+
+Heights heights(const Capsule& capsule, const PlaneAt& plane) {
+    const Heights a = heights(Sphere{capsule.a, capsule.radius}, plane);
+    const Heights b = heights(Sphere{capsule.b, capsule.radius}, plane);
+    return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
+
+Heights heights(const Aabb& box, const PlaneAt& plane) {
+    Vec3 lowest, highest;
+    for (int k = 0; k < 3; ++k) {
+        lowest[k] = plane.normal[k] > 0 ? box.min[k] : box.max[k];
+        highest[k] = plane.normal[k] > 0 ? box.max[k] : box.min[k];
+    }
+    return {height(lowest, plane), height(highest, plane)};
+}
+
+Heights heights(const Obb& box, const PlaneAt& plane) {
+    const auto extreme = [&](double way) {
+        return value_of([&](auto number) {
+            using N = decltype(number);
+            using V = Vec<N>;
+            const V n = V::of(plane.normal);
+            const N reach = abs(dot(n, V::of(box.axes.x))) * N(box.half.x) +
+                            abs(dot(n, V::of(box.axes.y))) * N(box.half.y) +
+                            abs(dot(n, V::of(box.axes.z))) * N(box.half.z);
+            return height_above<N>(plane, box.center) + N(way) * reach;
+        });
+    };
+    return {extreme(-1), extreme(1)};
+}
+
+Heights heights(const Triangle& triangle, const PlaneAt& plane) {
+    const double a = height(triangle.a, plane), b = height(triangle.b, plane), c = height(triangle.c, plane);
+    return {std::min({a, b, c}), std::max({a, b, c})};
+}
+
+Side classify(const Shape& shape, const Plane& plane, double& signed_distance) {
+    const Heights range = std::visit(
+        [&](const auto& s) {
+            using S = std::decay_t<decltype(s)>;
+            if constexpr (std::is_same_v<S, Plane> || std::is_same_v<S, Frustum>) {
+                return Heights{};
+            } else {
+                return heights(s, plane_at(plane));
+            }
+        },
+        shape);
+    if (range.low > 0) {
+        signed_distance = range.low / length(plane.normal);
+        return Side::inside;
+    }
+    if (range.high < 0) {
+        signed_distance = range.high / length(plane.normal);
+        return Side::outside;
+    }
+    signed_distance = 0;
+    return Side::crossing;
+}
+
+Side classify(const Shape& shape, const Frustum& frustum) {
+    const bool inside = std::visit(
+        [&](const auto& s) {
+            using S = std::decay_t<decltype(s)>;
+            if constexpr (std::is_same_v<S, Plane> || std::is_same_v<S, Frustum>) {
+                return false;
+            } else {
+                for (int i = 0; i < 6; ++i) {
+                    if (heights(s, plane_at(frustum, i)).low < 0) return false;
+                }
+                return true;
+            }
+        },
+        shape);
+    if (inside) return Side::inside;
+    return overlaps(shape, Shape(frustum)) ? Side::crossing : Side::outside;
+}
+
+}  // namespace gphys

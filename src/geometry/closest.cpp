@@ -1,0 +1,345 @@
+// contains: exact signs where the tolerance is 0. closest_point: in double, everything relative to
+// the query point or to a corner of the shape, so that an offset from the origin costs nothing.
+#include "foundation/exact.h"
+#include "geometry/heights.h"
+#include "geometry/intersect.h"
+#include "shapes/halfspaces.h"
+#include "shapes/nearest_common_point.h"
+
+namespace gphys {
+
+namespace {
+
+bool within(Vec3 a, Vec3 b, double tolerance) { return length_squared(a - b) <= tolerance * tolerance; }
+
+/// Whether |point - center|^2 <= radius^2, exactly.
+bool in_ball(Vec3 center, double radius, Vec3 point) {
+    return sign_of([&](auto number) {
+               using N = decltype(number);
+               const Vec<N> offset = Vec<N>::difference(point, center);
+               return dot(offset, offset) - N(radius) * N(radius);
+           }) <= 0;
+}
+
+}  // namespace
+
+bool contains(const Segment& segment, Vec3 point, double tolerance) {
+    return contains(Capsule{segment.a, segment.b, tolerance}, point, 0);
+}
+
+bool contains(const Ray& ray, Vec3 point, double tolerance) {
+    if (tolerance > 0) return within(closest_point(ray, point), point, tolerance);
+    const Vec3 d = ray.direction;
+    const auto crossed = [&](int i, int k) {
+        return sign_of([&](auto number) {
+            using N = decltype(number);
+            return N(d[i]) * (N(point[k]) - N(ray.origin[k])) - N(d[k]) * (N(point[i]) - N(ray.origin[i]));
+        });
+    };
+    if (crossed(0, 1) != 0 || crossed(1, 2) != 0 || crossed(2, 0) != 0) return false;
+    // On the line: one coordinate that changes along it tells t.
+    const int k = d.x != 0 ? 0 : d.y != 0 ? 1 : 2;
+    if ((point[k] - ray.origin[k]) * (d[k] > 0 ? 1 : -1) < 0) return false;
+    if (ray.t_max == infinity) return true;
+    return sign_of([&](auto number) {
+               using N = decltype(number);
+               return abs(N(point[k]) - N(ray.origin[k])) - N(ray.t_max) * abs(N(d[k]));
+           }) <= 0;
+}
+
+bool contains(const Sphere& sphere, Vec3 point, double tolerance) {
+    return in_ball(sphere.center, sphere.radius + tolerance, point);
+}
+
+bool contains(const Capsule& capsule, Vec3 point, double tolerance) {
+    const double radius = capsule.radius + tolerance;
+    // The side on which an end cap begins: sign of (to - from).(point - from).
+    const auto along = [&](Vec3 from, Vec3 to) {
+        return sign_of([&](auto number) {
+            using V = Vec<decltype(number)>;
+            return dot(V::difference(to, from), V::difference(point, from));
+        });
+    };
+    if (along(capsule.a, capsule.b) <= 0) return in_ball(capsule.a, radius, point);
+    if (along(capsule.b, capsule.a) <= 0) return in_ball(capsule.b, radius, point);
+    return sign_of([&](auto number) {
+               using N = decltype(number);
+               const Vec<N> axis = Vec<N>::difference(capsule.b, capsule.a);
+               const Vec<N> moment = cross(axis, Vec<N>::difference(point, capsule.a));
+               return dot(moment, moment) - N(radius) * N(radius) * dot(axis, axis);
+           }) <= 0;
+}
+
+bool contains(const Aabb& box, Vec3 point, double tolerance) {
+    return within(closest_point(box, point), point, tolerance);
+}
+
+bool contains(const Obb& box, Vec3 point, double tolerance) {
+    if (tolerance > 0) {
+        const Vec3 local = transpose_times(box.axes, point - box.center);
+        return contains(Aabb{-box.half, box.half}, local, tolerance);
+    }
+    const auto beyond = [&](Vec3 axis, double half) {
+        return sign_of([&](auto number) {
+                   using N = decltype(number);
+                   return abs(dot(Vec<N>::of(axis), Vec<N>::difference(point, box.center))) - N(half);
+               }) > 0;
+    };
+    return !beyond(box.axes.x, box.half.x) && !beyond(box.axes.y, box.half.y) && !beyond(box.axes.z, box.half.z);
+}
+
+bool contains(const Plane& plane, Vec3 point, double tolerance) {
+    // |n.p - d| <= tolerance |n|, squared.
+    return sign_of([&](auto number) {
+               using N = decltype(number);
+               const Vec<N> n = Vec<N>::of(plane.normal);
+               const N height = dot(n, Vec<N>::of(point)) - N(plane.distance);
+               return height * height - N(tolerance) * N(tolerance) * dot(n, n);
+           }) <= 0;
+}
+
+bool contains(const Triangle& triangle, Vec3 point, double tolerance) {
+    const auto& [a, b, c] = triangle;
+    if (tolerance > 0) {
+        return within(closest_point(Triangle{a - point, b - point, c - point}, {}), {}, tolerance);
+    }
+    const int axis = turning_axis(a, b, c);
+    if (axis < 0) {
+        return contains(Segment{a, b}, point, 0) || contains(Segment{b, c}, point, 0) ||
+               contains(Segment{c, a}, point, 0);
+    }
+    if (orientation(a, b, c, point) != 0) return false;
+    const int turn = orientation(a, b, c, axis);
+    return orientation(a, b, point, axis) != -turn && orientation(b, c, point, axis) != -turn &&
+           orientation(c, a, point, axis) != -turn;
+}
+
+bool contains(const Frustum& frustum, Vec3 point, double tolerance) {
+    bool inside = true;
+    for (int i = 0; i < 6; ++i) {
+        const PlaneAt plane = plane_at(frustum, i);
+        const double height = value_of([&](auto number) { return height_above<decltype(number)>(plane, point); });
+        if (height >= 0) continue;
+        // Beyond one plane by more than the tolerance (and what was rounded here): most points are.
+        if (-height > tolerance * length(plane.normal) * (1 + 0x1p-40)) return false;
+        inside = false;
+    }
+    if (inside) return true;
+    Frustum around = frustum;
+    around.origin -= point;
+    Vec3 nearest;
+    return closest_point(around, {}, nearest) && within(nearest, {}, tolerance);
+}
+
+Vec3 closest_point(const Segment& segment, Vec3 point) {
+    const Vec3 along = segment.b - segment.a;
+    const double t = dot(point - segment.a, along);
+    const double square = length_squared(along);
+    if (t <= 0) return segment.a;  // also when a == b
+    if (t >= square) return segment.b;
+    return segment.a + along * (t / square);
+}
+
+Vec3 closest_point(const Ray& ray, Vec3 point) {
+    const double t = dot(point - ray.origin, ray.direction);
+    if (t <= 0) return ray.origin;
+    return ray.origin + ray.direction * std::min(t / length_squared(ray.direction), ray.t_max);
+}
+
+Vec3 closest_point(const Sphere& sphere, Vec3 point) {
+    if (contains(sphere, point, 0)) return point;
+    const Vec3 outward = point - sphere.center;
+    return sphere.center + outward * (sphere.radius / length(outward));
+}
+
+Vec3 closest_point(const Capsule& capsule, Vec3 point) {
+    if (contains(capsule, point, 0)) return point;
+    const Vec3 core = closest_point(Segment{capsule.a, capsule.b}, point);
+    const Vec3 outward = point - core;
+    return core + outward * (capsule.radius / length(outward));
+}
+
+Vec3 closest_point(const Aabb& box, Vec3 point) { return min(max(point, box.min), box.max); }
+
+Vec3 closest_point(const Obb& box, Vec3 point) {
+    const Vec3 local = transpose_times(box.axes, point - box.center);
+    const Vec3 clamped = min(max(local, -box.half), box.half);
+    return clamped == local ? point : box.center + box.axes * clamped;
+}
+
+Vec3 closest_point(const Plane& plane, Vec3 point) {
+    const double height = dot(plane.normal, point) - plane.distance;
+    return point - plane.normal * (height / length_squared(plane.normal));
+}
+
+namespace {
+
+double sum(Vec3 v) { return v.x + v.y + v.z; }
+
+/// Whether a point, seen along the triangle's normal, is on its side of an edge, exactly.
+bool is_beside_edge(const Triangle& triangle, Vec3 from, Vec3 to, Vec3 point) {
+    return sign_of([&](auto number) {
+               using V = Vec<decltype(number)>;
+               const V normal = cross(V::difference(triangle.b, triangle.a), V::difference(triangle.c, triangle.a));
+               return dot(cross(normal, V::difference(to, from)), V::difference(point, from));
+           }) >= 0;
+}
+
+/// Whether a point, seen along the normal, is on the triangle's side of all its edges. True is exact: the foot of a
+/// point that is not may be far outside of a sliver. False may be rounding, but then an edge is as near.
+bool is_above(const Triangle& triangle, Vec3 normal, Vec3 point) {
+    const auto& [a, b, c] = triangle;
+    const auto side = [&](Vec3 from, Vec3 to) { return dot(cross(normal, to - from), point - from); };
+    if (!(side(a, b) >= 0 && side(b, c) >= 0 && side(c, a) >= 0)) return false;
+    // The six products of a side are off by the 2^-44 of the normal, and by less than 16 roundings of 2^-53 of what
+    // they are made of. No edge is longer than the two together, no corner further away than a and these.
+    const double edges = sum(abs(b - a)) + sum(abs(c - a));
+    const double error = 0x1p-43 * sum(abs(normal)) * edges * (sum(abs(point - a)) + edges);
+    const auto is_certain = [&](Vec3 from, Vec3 to) {
+        return side(from, to) > error || is_beside_edge(triangle, from, to, point);
+    };
+    return is_certain(a, b) && is_certain(b, c) && is_certain(c, a);
+}
+
+}  // namespace
+
+Vec3 closest_point(const Triangle& triangle, Vec3 point) {
+    const auto& [a, b, c] = triangle;
+    // The normal without cancellation: of a sliver, cross(b - a, c - a) is mostly rounding.
+    const Vec3 normal = accurate_cross(a, b, a, c);
+    if (normal != Vec3{} && is_above(triangle, normal, point)) {
+        return point - normal * (dot(normal, point - a) / length_squared(normal));
+    }
+    Vec3 best = closest_point(Segment{a, b}, point);
+    for (const Segment& edge : {Segment{b, c}, Segment{c, a}}) {
+        const Vec3 candidate = closest_point(edge, point);
+        if (length_squared(candidate - point) < length_squared(best - point)) best = candidate;
+    }
+    return best;
+}
+
+namespace {
+
+/// The best of the candidates for the closest point of a frustum. The closest point of a polyhedron
+/// is the foot of the point on a face, on the line of two faces or on the corner of three, and of
+/// all feet that lie in the polyhedron it is the nearest.
+class NearestFoot {
+public:
+    NearestFoot(const Plane (&planes)[6], Vec3 point) : point_(point) {
+        for (int i = 0; i < 6; ++i) {
+            planes_[i] = scaled_to_one(planes[i]);
+            size_[i] = length(planes_[i].normal);
+            if (size_[i] > 0) bounding_[bounding_count_++] = i;
+        }
+    }
+
+    /// The foot that a search names; false if the polyhedron does not hold it.
+    bool try_likely() {
+        Plane from_point[6];
+        for (int i = 0; i < bounding_count_; ++i) from_point[i] = seen_from_point(bounding_[i]);
+        const CommonPoint likely = nearest_common_point(from_point, bounding_count_);
+        if (likely.outcome != CommonPoint::Outcome::found) return false;
+        int i[3];
+        for (int k = 0; k < likely.plane_count; ++k) i[k] = bounding_[likely.planes[k]];
+        if (likely.plane_count == 1) try_face(i[0]);
+        if (likely.plane_count == 2) try_edge(i[0], i[1]);
+        if (likely.plane_count == 3) try_corner(i[0], i[1], i[2]);
+        return found();
+    }
+    void try_all() {
+        for (int i = 0; i < bounding_count_; ++i) {
+            try_face(bounding_[i]);
+            for (int j = i + 1; j < bounding_count_; ++j) {
+                try_edge(bounding_[i], bounding_[j]);
+                for (int k = j + 1; k < bounding_count_; ++k) try_corner(bounding_[i], bounding_[j], bounding_[k]);
+            }
+        }
+    }
+
+    bool found() const { return square_ < infinity; }
+    /// A foot well inside all planes but its own was met, so the frustum is not empty.
+    bool proves_a_point() const { return proves_a_point_; }
+    Vec3 foot() const { return foot_; }
+
+private:
+    Plane seen_from_point(int i) const {
+        return {planes_[i].normal, planes_[i].distance - dot(planes_[i].normal, point_)};
+    }
+    void try_face(int i) { add(point_ + foot_on(seen_from_point(i)), 1 << i); }
+    /// On the plane through the point across the line: as accurate as a corner, however small the angle of the two.
+    void try_edge(int i, int j) {
+        const Vec3 line = accurate_cross({}, planes_[i].normal, {}, planes_[j].normal);
+        Vec3 foot;
+        if (common_point(planes_[i], planes_[j], {line, dot(line, point_)}, foot)) add(foot, 1 << i | 1 << j);
+    }
+    void try_corner(int i, int j, int k) {
+        Vec3 corner;
+        if (common_point(planes_[i], planes_[j], planes_[k], corner)) add(corner, 1 << i | 1 << j | 1 << k);
+    }
+
+    void add(Vec3 foot, int own_planes) {
+        const double square = length_squared(foot - point_);
+        if (!(square < square_)) return;
+        bool well_inside = true;
+        const double reach = length(foot) + length(point_);
+        for (int i = 0; i < 6; ++i) {
+            const Plane& plane = planes_[i];
+            // Rounding moves a foot by some 2^-50 of its distance; through a corner of more than
+            // three planes none may be lost, so 2^-40 is forgiven.
+            const double slack = 0x1p-40 * size_[i] * reach;
+            const double height = dot(plane.normal, foot) - plane.distance;
+            if (height < -slack) return;
+            const bool is_own = own_planes >> i & 1;
+            well_inside = well_inside && (is_own ? height <= slack : height > 0x1p20 * slack);
+        }
+        proves_a_point_ = proves_a_point_ || well_inside;
+        foot_ = foot;
+        square_ = square;
+    }
+
+    Plane planes_[6];
+    double size_[6];  // of the normals
+    int bounding_[6], bounding_count_ = 0;
+    Vec3 point_, foot_;
+    double square_ = infinity;
+    bool proves_a_point_ = false;
+};
+
+}  // namespace
+
+bool closest_point(const Frustum& frustum, Vec3 point, Vec3& out) {
+    if (contains(frustum, point, 0)) {
+        out = point;
+        return true;
+    }
+    NearestFoot nearest(frustum.planes, point - frustum.origin);
+    if (!nearest.try_likely()) nearest.try_all();
+    if (!nearest.found() || (!nearest.proves_a_point() && is_empty(frustum))) return false;
+    out = frustum.origin + nearest.foot();
+    return true;
+}
+
+void closest_points(const Segment& a, const Segment& b, Vec3& out_a, Vec3& out_b) {
+    const Vec3 along_a = a.b - a.a, along_b = b.b - b.a, between = b.a - a.a;
+    const double aa = length_squared(along_a), bb = length_squared(along_b);
+    // Ericson's denominator aa bb - ab^2 is the square of this normal, which does not cancel.
+    const Vec3 normal = accurate_cross(a.a, a.b, b.a, b.b);
+    double s = 0;
+    if (normal != Vec3{}) {
+        s = std::clamp(dot(cross(between, along_b), normal) / length_squared(normal), 0.0, 1.0);
+    } else if (aa > 0 && bb > 0) {
+        // Parallel: the first point along a that lies beside b.
+        const double start = dot(between, along_a) / aa, end = dot(b.b - a.a, along_a) / aa;
+        s = std::clamp(std::min(start, end), 0.0, 1.0);
+    }
+    // The foot of that point on b's line; where it is beyond an end, that end's foot on a.
+    const double t = bb > 0 ? (dot(along_a, along_b) * s - dot(between, along_b)) / bb : 0;
+    out_b = t <= 0 ? b.a : t >= 1 ? b.b : b.a + along_b * t;
+    if (t > 0 && t < 1) {
+        out_a = s == 1 ? a.b : a.a + along_a * s;
+    } else {
+        out_a = closest_point(a, out_b);
+    }
+}
+
+}  // namespace gphys

@@ -1,0 +1,38 @@
+// How far a shape reaches above and below a plane: what classify and the overlaps of planes and
+// frusta share.
+#pragma once
+
+#include "foundation/exact.h"
+#include "shapes/shapes.h"
+
+namespace gphys {
+
+/// The lowest and highest dot(normal, x - origin) - distance of a shape's points x: signs exact,
+/// relative errors below 2^-43.
+struct Heights {
+    double low, high;
+};
+
+/// A plane whose distance counts from an origin, as in a frustum.
+struct PlaneAt {
+    Vec3 normal, origin;
+    double distance;
+};
+inline PlaneAt plane_at(const Plane& plane) { return {plane.normal, {}, plane.distance}; }
+inline PlaneAt plane_at(const Frustum& frustum, int i) {
+    return {frustum.planes[i].normal, frustum.origin, frustum.planes[i].distance};
+}
+
+template <class N>
+N height_above(const PlaneAt& plane, Vec3 point) {
+    using V = Vec<N>;
+    return dot(V::of(plane.normal), V::difference(point, plane.origin)) - N(plane.distance);
+}
+
+Heights heights(const Sphere& sphere, const PlaneAt& plane);
+Heights heights(const Capsule& capsule, const PlaneAt& plane);
+Heights heights(const Aabb& box, const PlaneAt& plane);
+Heights heights(const Obb& box, const PlaneAt& plane);
+Heights heights(const Triangle& triangle, const PlaneAt& plane);
+
+}  // namespace gphys

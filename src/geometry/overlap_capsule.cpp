@@ -1,0 +1,127 @@
+// A capsule meets a shape if its core segment does or comes within the radius. If the segment stays
+// outside, the closest pair is an end of the segment with the shape, or the segment with an edge.
+#include "geometry/overlap_capsule.h"
+
+#include "geometry/heights.h"
+#include "geometry/intersect.h"
+#include "shapes/halfspaces.h"
+
+namespace gphys {
+
+namespace {
+
+/// Relative to an end of one, so that a common offset costs no digits.
+bool segments_within(const Segment& a, const Segment& b, double distance) {
+    Vec3 on_a, on_b;
+    closest_points(Segment{{}, a.b - a.a}, Segment{b.a - a.a, b.b - a.a}, on_a, on_b);
+    return length_squared(on_a - on_b) <= distance * distance;
+}
+
+template <class Solid>
+bool an_end_meets(const Capsule& capsule, const Solid& solid) {
+    return contains(solid, capsule.a, capsule.radius) || contains(solid, capsule.b, capsule.radius);
+}
+
+Segment core(const Capsule& capsule) { return {capsule.a, capsule.b}; }
+/// The core as the degenerate triangle that exact predicates take.
+Triangle flat(const Capsule& capsule) { return {capsule.a, capsule.b, capsule.b}; }
+
+}  // namespace
+
+bool capsules_meet(const Capsule& a, const Capsule& b) {
+    return segments_within(core(a), core(b), a.radius + b.radius);
+}
+
+bool capsule_meets(const Capsule& capsule, const Aabb& box) {
+    const Vec3 low = min(capsule.a, capsule.b), high = max(capsule.a, capsule.b);
+    for (int k = 0; k < 3; ++k) {
+        if (low[k] - box.max[k] > capsule.radius || box.min[k] - high[k] > capsule.radius) return false;
+    }
+    if (an_end_meets(capsule, box) || overlaps(box, flat(capsule))) return true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int i = (axis + 1) % 3, k = (axis + 2) % 3;
+        for (int corner = 0; corner < 4; ++corner) {
+            Segment edge{box.min, box.max};
+            edge.a[i] = edge.b[i] = corner & 1 ? box.max[i] : box.min[i];
+            edge.a[k] = edge.b[k] = corner & 2 ? box.max[k] : box.min[k];
+            if (segments_within(core(capsule), edge, capsule.radius)) return true;
+        }
+    }
+    return false;
+}
+
+bool capsule_meets(const Capsule& capsule, const Obb& box) {
+    const auto local = [&](Vec3 p) { return transpose_times(box.axes, p - box.center); };
+    return capsule_meets(Capsule{local(capsule.a), local(capsule.b), capsule.radius}, Aabb{-box.half, box.half});
+}
+
+bool capsule_meets(const Capsule& capsule, const Triangle& triangle) {
+    if (an_end_meets(capsule, triangle) || overlaps(flat(capsule), triangle)) return true;
+    const auto& [a, b, c] = triangle;
+    for (const Segment& edge : {Segment{a, b}, Segment{b, c}, Segment{c, a}}) {
+        if (segments_within(core(capsule), edge, capsule.radius)) return true;
+    }
+    return false;
+}
+
+namespace {
+
+/// The part of the line of two planes that belongs to the frustum and lies beside the segment: only
+/// there can the line be closest to it. False if there is none.
+bool edge_beside(const Frustum& frustum, int i, int j, const Segment& segment, Segment& edge) {
+    const Plane &a = frustum.planes[i], &b = frustum.planes[j];
+    const Vec3 line = cross(a.normal, b.normal);
+    const double square = length_squared(line);
+    if (square == 0) return false;
+    const Vec3 direction = line / std::sqrt(square);
+    const Vec3 base = (cross(b.normal, line) * a.distance + cross(line, a.normal) * b.distance) / square;
+    const double start = dot(segment.a - frustum.origin, direction), end = dot(segment.b - frustum.origin, direction);
+    double low = -infinity, high = infinity;
+    for (int k = 0; k < 6; ++k) {
+        if (k == i || k == j) continue;
+        const Plane& plane = frustum.planes[k];
+        const double slope = dot(plane.normal, direction);
+        // A plane through the whole line must not cut it off for a rounding: see NearestFoot.
+        const double slack = 0x1p-40 * length(plane.normal) * length(base);
+        const double height = dot(plane.normal, base) - plane.distance + slack;
+        if (std::fabs(slope) <= 0x1p-50 * length(plane.normal)) {
+            if (height < 0) return false;
+        } else if (slope > 0) {
+            low = std::max(low, -height / slope);
+        } else {
+            high = std::min(high, -height / slope);
+        }
+    }
+    if (low > high) return false;
+    const auto place = [&](double t) { return frustum.origin + base + direction * std::clamp(t, low, high); };
+    edge = {place(start), place(end)};
+    return true;
+}
+
+}  // namespace
+
+bool capsule_meets(const Capsule& capsule, const Frustum& frustum) {
+    for (int i = 0; i < 6; ++i) {
+        if (heights(capsule, plane_at(frustum, i)).high < 0) return false;
+    }
+    if (an_end_meets(capsule, frustum)) return true;
+    Halfspaces set;
+    set.add(frustum);
+    if (set.meet(flat(capsule))) return true;
+    // Everything relative to one end; normals scaled to about one.
+    Frustum local{frustum.origin - capsule.a, {}};
+    for (int i = 0; i < 6; ++i) local.planes[i] = scaled_to_one(frustum.planes[i]);
+    const Segment segment{{}, capsule.b - capsule.a};
+    for (int i = 0; i < 6; ++i) {
+        for (int j = i + 1; j < 6; ++j) {
+            Segment edge;
+            // An empty frustum may have edges by its slack.
+            if (edge_beside(local, i, j, segment, edge) && segments_within(segment, edge, capsule.radius)) {
+                return !is_empty(frustum);
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace gphys

@@ -1,0 +1,279 @@
+// Where a moving sphere first touches a shape: where its centre, a point, enters the shape grown by
+// its radius (the Minkowski sum with a ball).
+//
+// A grown sphere or capsule is one again, and a grown plane is two planes. A grown triangle is made
+// of a prism and a capsule around each edge. A grown box is taken in stretches between which the
+// nearest face, edge or corner changes. A frustum, which may be infinite, is approached step by step.
+#include "foundation/exact.h"
+#include "geometry/capsule_axis.h"
+#include "geometry/intersect.h"
+
+namespace gphys {
+namespace {
+
+Ray path(const Sphere& moving, Vec3 displacement) { return {moving.center, displacement, 1}; }
+
+bool contact(double t, Vec3 point, Vec3 normal, uint32_t flags, Hit& hit) {
+    hit = Hit{};
+    hit.t = t;
+    hit.point = point;
+    hit.normal = normal;
+    hit.flags = flags;
+    return true;
+}
+
+/// Contact before any motion. The normal leads from the nearest point of the shape to the centre;
+/// from within a solid none does, and it is against the motion.
+bool contact_at_start(const Sphere& moving, Vec3 displacement, Vec3 nearest, Hit& hit) {
+    const Vec3 out = moving.center != nearest ? moving.center - nearest : -displacement;
+    return contact(0, nearest, out == Vec3{} ? Vec3{} : normalized(out), GPHYS_HIT_INSIDE, hit);
+}
+
+template <class Shape>
+bool touches_at_start(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    return contains(shape, moving.center, moving.radius) &&
+           contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
+}
+
+/// That of a contact at the start, where the nearest point of a long capsule is too coarse to lead from.
+void mend_normal(const Capsule& capsule, const Sphere& moving, Hit& hit) {
+    const double size = max_component(abs(capsule.a) + abs(moving.center - capsule.a) + abs(capsule.b - capsule.a));
+    if (!is_coarse(size, capsule.radius + moving.radius) || contains(capsule, moving.center, 0)) return;
+    const auto is_beside = [&](Vec3 end, Vec3 other) {
+        return sign_of([&](auto number) {
+                   using V = Vec<decltype(number)>;
+                   return dot(V::difference(other, end), V::difference(moving.center, end));
+               }) > 0;
+    };
+    if (!is_beside(capsule.a, capsule.b) || !is_beside(capsule.b, capsule.a)) return;
+    const Vec3 out = away_from_line(capsule, moving.center);
+    if (out != Vec3{}) hit.normal = normalized(out);
+}
+
+/// The hit of the path with the grown shape becomes one of the sphere with the shape.
+template <class Shape>
+bool contact_on(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    // The start was out of reach, but only just: the two questions round differently.
+    if (hit.t == 0) {
+        return contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
+    }
+    const Vec3 center = moving.center + displacement * hit.t;
+    return contact(hit.t, closest_point(shape, center), hit.normal, 0, hit);
+}
+
+}  // namespace
+
+bool sweep(const Sphere& sphere, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    if (moving.radius == 0) return raycast(sphere, path(moving, displacement), hit);
+    if (touches_at_start(sphere, moving, displacement, hit)) return true;
+    return raycast(Sphere{sphere.center, sphere.radius + moving.radius}, path(moving, displacement), hit) &&
+           contact_on(sphere, moving, displacement, hit);
+}
+
+bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    if (moving.radius == 0) return raycast(capsule, path(moving, displacement), hit);
+    const Capsule grown{capsule.a, capsule.b, capsule.radius + moving.radius};
+    const bool meets =
+        touches_at_start(capsule, moving, displacement, hit) ||
+        (raycast(grown, path(moving, displacement), hit) && contact_on(capsule, moving, displacement, hit));
+    if (meets && hit.t == 0) mend_normal(capsule, moving, hit);
+    return meets;
+}
+
+/// The squared distance from the centre to the box is the sum of the squares by which it is outside
+/// on each axis. Between two times at which the centre crosses the plane of a face, the axes that
+/// it is outside of stay the same, and in these axes alone the box is a point.
+bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    if (moving.radius == 0) return raycast(box, path(moving, displacement), hit);
+    if (touches_at_start(box, moving, displacement, hit)) return true;
+    double face_times[6];
+    int face_count = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double face : {box.min[axis], box.max[axis]}) {
+            const double offset = face - moving.center[axis], way = displacement[axis];
+            if (offset * way > 0 && std::fabs(offset) < std::fabs(way)) face_times[face_count++] = offset / way;
+        }
+    }
+    double end = 0;
+    for (double start = 0; start < 1; start = end) {
+        end = 1;
+        for (int i = 0; i < face_count; ++i) {
+            if (face_times[i] > start) end = std::min(end, face_times[i]);
+        }
+        const double middle = start + (end - start) / 2;
+        Ray outside{{}, {}, end - start};  // the path, relative to the box, in the axes that matter
+        for (int axis = 0; axis < 3; ++axis) {
+            const double at = moving.center[axis] + displacement[axis] * middle;
+            if (at >= box.min[axis] && at <= box.max[axis]) continue;
+            const double face = at < box.min[axis] ? box.min[axis] : box.max[axis];
+            outside.origin[axis] = (moving.center[axis] - face) + displacement[axis] * start;
+            outside.direction[axis] = displacement[axis];
+        }
+        if (!raycast(Sphere{{}, moving.radius}, outside, hit)) continue;
+        // Contact at the very start of a stretch: rounding missed it at the end of the one before.
+        if (hit.flags & GPHYS_HIT_INSIDE && outside.origin != Vec3{}) hit.normal = normalized(outside.origin);
+        hit.t = std::min(start + hit.t, 1.0);
+        return contact_on(box, moving, displacement, hit);
+    }
+    return false;
+}
+
+bool sweep(const Obb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    const Sphere local{transpose_times(box.axes, moving.center - box.center), moving.radius};
+    if (!sweep(Aabb{-box.half, box.half}, local, transpose_times(box.axes, displacement), hit)) return false;
+    hit.point = box.center + box.axes * hit.point;
+    hit.normal = box.axes * hit.normal;
+    return true;
+}
+
+bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    if (moving.radius == 0) return raycast(plane, path(moving, displacement), hit);
+    const Vec3 front = normalized(plane.normal);
+    const double height = value_of([&](auto number) {
+        using V = Vec<decltype(number)>;
+        return dot(V::of(plane.normal), V::of(moving.center)) - decltype(number)(plane.distance);
+    });
+    const double climb = dot(front, displacement);
+    const bool behind = height < 0 || (height == 0 && climb > 0);
+    const Vec3 normal = behind ? -front : front;
+    const double gap = std::fabs(height) / length(plane.normal) - moving.radius;
+    const double approach = -dot(normal, displacement);
+    if (gap > 0 && (approach <= 0 || gap > approach)) return false;
+    const double t = gap > 0 ? gap / approach : 0;
+    const Vec3 center = moving.center + displacement * t;
+    const uint32_t flags = (behind ? GPHYS_HIT_BACK : 0) | (gap > 0 ? 0 : GPHYS_HIT_INSIDE);
+    return contact(t, closest_point(plane, center), normal, flags, hit);
+}
+
+/// Touching the inside of the face comes first if it comes at all: no point of the capsules around
+/// the edges is further from the plane.
+bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    const Ray center_path = path(moving, displacement);
+    if (moving.radius == 0) return raycast(triangle, center_path, hit);
+    const auto& [a, b, c] = triangle;
+    const Vec3 cross_product = accurate_cross(a, b, a, c);
+    const Vec3 front = cross_product == Vec3{} ? Vec3{} : normalized(cross_product);
+    const double height = dot(front, moving.center - a);
+    const bool behind = height < 0 || (height == 0 && dot(front, displacement) > 0);
+    const Vec3 up = behind ? -front : front;
+
+    if (contains(triangle, moving.center, moving.radius)) {
+        const Vec3 nearest = closest_point(triangle, moving.center);
+        const bool on_face = nearest == moving.center && front != Vec3{};
+        contact_at_start(moving, on_face ? -up : displacement, nearest, hit);
+    } else {
+        Hit first;
+        // From the centre, for far from the origin the foot would be rounded by more than the band.
+        const Triangle around{a - moving.center, b - moving.center, c - moving.center};
+        if (std::fabs(height) > moving.radius && raycast(around, {up * -moving.radius, displacement, 1}, first)) {
+            // At a distance of mere rounding the side may be taken for the other.
+            first.normal = dot(up, displacement) <= 0 ? up : -up;
+        } else {
+            for (const Capsule& edge :
+                 {Capsule{a, b, moving.radius}, Capsule{b, c, moving.radius}, Capsule{c, a, moving.radius}}) {
+                Hit on_edge;
+                if (raycast(edge, center_path, on_edge) && on_edge.t < first.t) first = on_edge;
+            }
+        }
+        if (first.t == infinity) return false;
+        contact_on(triangle, moving, displacement, first);
+        hit = first;
+    }
+    barycentric(triangle, hit.point, hit.u, hit.v);
+    if (dot(hit.normal, front) < 0) hit.flags |= GPHYS_HIT_BACK;
+    return true;
+}
+
+namespace {
+
+/// Whether a moving sphere stays outside of one plane all the way.
+bool passes_outside(const Frustum& frustum, const Sphere& moving, Vec3 displacement) {
+    const Vec3 from = moving.center - frustum.origin, reach = abs(from) + abs(displacement);
+    for (const Plane& plane : frustum.planes) {
+        const double start = dot(plane.normal, from) - plane.distance;
+        const double end = start + dot(plane.normal, displacement);
+        const double radius = moving.radius * length(plane.normal);
+        // Both are off by less than eight roundings of 2^-53 of what they are summed from.
+        const double margin = radius + 0x1p-48 * (dot(abs(plane.normal), reach) + std::fabs(plane.distance) + radius);
+        if (std::max(start, end) < -margin) return true;
+    }
+    return false;
+}
+
+/// The distance to a convex set is a convex function of time whose slope is the speed along the
+/// normal, so Newton's method from the start never overshoots the first contact (compare van den
+/// Bergen 2004, who bounds the distance in the same way).
+bool approach_frustum(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    if (passes_outside(frustum, moving, displacement)) return false;
+    Vec3 nearest;
+    if (!closest_point(frustum, moving.center, nearest)) return false;
+    if (distance(nearest, moving.center) <= moving.radius) {
+        return contact_at_start(moving, displacement, nearest, hit);
+    }
+    double t = 0;
+    Vec3 normal;
+    // Converges quadratically, but where the sphere just grazes the frustum the error only halves:
+    // then 60 halvings are more than a double can tell.
+    for (int step = 0; step < 60; ++step) {
+        const Vec3 center = moving.center + displacement * t;
+        closest_point(frustum, center, nearest);
+        const Vec3 offset = center - nearest;
+        normal = offset != Vec3{} ? normalized(offset) : -normalized(displacement);
+        const double gap = length(offset) - moving.radius;
+        // Both points carry a few roundings of their coordinates.
+        const double resolution = 0x1p-50 * (max_component(abs(center)) + max_component(abs(frustum.origin)));
+        const double approach = -dot(normal, displacement);
+        if (gap <= resolution) {
+            // Touching as far as rounding tells, and on its way out.
+            if (t == 0 && approach <= 0) return contact_at_start(moving, displacement, nearest, hit);
+            break;
+        }
+        if (approach <= 0 || gap > approach * (1 - t)) return false;
+        t += gap / approach;
+    }
+    return contact(t, nearest, normal, 0, hit);
+}
+
+}  // namespace
+
+/// Relative to the sphere, so that nothing is lost far from the origin.
+bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    if (moving.radius == 0) return raycast(frustum, path(moving, displacement), hit);
+    Frustum around = frustum;
+    around.origin = frustum.origin - moving.center;
+    if (!approach_frustum(around, {{}, moving.radius}, displacement, hit)) return false;
+    hit.point = hit.point + moving.center;
+    return true;
+}
+
+bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    return std::visit([&](const auto& each) { return sweep(each, moving, displacement, hit); }, shape);
+}
+
+namespace {
+
+/// The nearest vector to a unit normal that is not along the motion, of length 1. The normal that rounding has moved
+/// is not, so this one is no further from it.
+Vec3 against(Vec3 motion, Vec3 normal) {
+    const double speed = length(motion);
+    // Sixteen roundings of 2^-53 more than needed, for the few that follow.
+    const double along = dot(normal, motion) / speed + 0x1p-49;
+    return along <= 0 ? normal : normalized(normal - motion * (along / speed));
+}
+
+}  // namespace
+
+gphys_hit to_contact(const Hit& hit, Vec3 displacement, uint32_t model, uint32_t tag) {
+    gphys_hit contact = to_hit(hit, model, tag);
+    if ((hit.flags & GPHYS_HIT_INSIDE) || dot(widen(contact.normal), displacement) <= 0) return contact;
+    // No float is further along the motion than the double that it stands for.
+    const Vec3 normal = against(displacement, hit.normal);
+    const auto rounded = [&](int axis) {
+        const double way = displacement[axis];
+        return way > 0 ? round_down(normal[axis]) : way < 0 ? round_up(normal[axis]) : static_cast<float>(normal[axis]);
+    };
+    contact.normal = {rounded(0), rounded(1), rounded(2)};
+    return contact;
+}
+
+}  // namespace gphys

@@ -1,0 +1,60 @@
+#include "solver/state_range.h"
+
+#include "solver/solver.h"
+
+namespace gphys {
+namespace {
+
+/// In a form that compilers compare several numbers side by side for. What is no number is not within.
+template <class Number>
+bool all_within(double limit, const Number* values, size_t count) {
+    const Number most = static_cast<Number>(limit);
+    Number outside = 0;
+    for (size_t i = 0; i < count; ++i) outside = std::fabs(values[i]) <= most ? outside : 1;
+    return outside == 0;
+}
+
+bool all_within(double limit, const Vector<Vec3>& values) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    return all_within(limit, reinterpret_cast<const double*>(values.data()), 3 * values.size());
+}
+
+template <class Number>
+bool all_finite(const Vector<Number>& values) {
+    return all_within(std::numeric_limits<Number>::max(), values.data(), values.size());
+}
+
+/// Ropes are brought back in each substep (finish_chains), so that where they have been is in range as well.
+bool is_in_range(const Body& body) {
+    if (!all_within(farthest_place, body.position) || !all_within(fastest_particle, body.velocity)) return false;
+    if (!is_graph(body)) return all_finite(body.plan.tension);
+    return all_within(far_range, body.start) && all_finite(body.cloth.moved) &&
+           all_finite(body.cloth.velocity_before) && is_finite(body.volume.pressure) &&
+           is_finite(body.cloth.balance.lost);
+}
+
+void bring_back(Body& body) {
+    for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
+    interrupt(body);
+    if (!body.start.empty()) body.start = body.position;
+    if (!body.start_velocity.empty()) body.start_velocity = body.velocity;
+    for (Vector<float>* values : {&body.cloth.moved, &body.cloth.velocity_before}) {
+        std::fill(values->begin(), values->end(), 0.0f);
+    }
+    body.cloth.looked.clear();
+    body.cloth.balance.lost = 0;
+    std::fill(body.plan.tension.begin(), body.plan.tension.end(), 0.0);
+    body.volume.pressure = 0;
+    body.extent.reset();
+}
+
+}  // namespace
+
+void stay_in_range(Body& body) {
+    if (!is_in_range(body)) bring_back(body);
+    for (ModelImpulse& given : body.impulses) {
+        if (!is_finite(given.linear) || !is_finite(given.angular)) given.linear = given.angular = {};
+    }
+}
+
+}  // namespace gphys

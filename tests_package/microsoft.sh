@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# src is C++17 that another compiler takes: extensions of gcc and clang are for these two, in compiler.h and
+# simd_plain.h alone.
+# clang looks at all of src as Microsoft's compiler would: with the branches for that one, vectors without
+# operators (microsoft/intrin.h), and what a GNU extension is told by -pedantic-errors and -Wgnu is an error.
+# -fms-extensions is for __forceinline and __declspec; -fms-compatibility would refuse this system's C++
+# library, and allows more than it forbids.
+source "$SOURCE/tests_package/common.sh"
+command -v clang++ >/dev/null || {
+    echo "clang is not installed"
+    exit 77
+}
+cd "$SOURCE"
+
+# extensions FILE...: words by which they are told where clang has no warning.
+extensions() { grep -nE '__builtin_|__attribute__|__extension__|__int128|__restrict|\[\[(gnu|clang)::|_Pragma|#pragma [^o]|\basm\b|vector_size' "$@"; }
+if found=$(extensions -r src --exclude=compiler.h --exclude=simd_plain.h); then fail "extensions outside of src/foundation/compiler.h and simd_plain.h: $found"; fi
+
+flags=(-std=c++17 -fms-extensions -pedantic-errors -Wgnu -Werror -Wno-microsoft -Wno-language-extension-token
+    -fsyntax-only -Isrc -Iinclude -DGAMEPHYS_STATIC -isystem tests_package/microsoft
+    -include tests_package/microsoft/prelude.h)
+check() { clang++ "${flags[@]}" "$@"; }
+# The narrowest and the widest registers, or all if the argument is "all": float4.h has those of SSE2 anyway.
+sets=(scalar avx512)
+[ "${1:-}" != all ] || sets=(scalar sse2 avx2 avx512)
+for set in "${sets[@]}"; do
+    find src -name '*_kernels.cpp' -printf "-DGPHYS_ISA=$set %p\n"
+done >"$WORK/units.txt"
+[ -s "$WORK/units.txt" ] || fail "no kernels found"
+find src -name '*.cpp' ! -name '*_kernels.cpp' >>"$WORK/units.txt"
+xargs -d '\n' -P 2 -I{} sh -c 'clang++ "$@" $0' {} "${flags[@]}" <"$WORK/units.txt"
+
+# refused NAME CODE: in a function of a file with the registers of SSE2.
+refused() {
+    printf '#include "foundation/simd_sse2.h"\n%s\n' "$2" >"$WORK/$1.cpp"
+    if check "$WORK/$1.cpp" 2>"$WORK/$1.log"; then fail "$1 is taken"; fi
+}
+refused operators '__m128 twice(__m128 a) { return a + a; }'
+refused elements 'float first(__m128 a) { return a[0]; }'
+refused conversions '__m128i bits(__m128 a) { return (__m128i)a; }'
+refused attributes '__attribute__((noinline)) void f() {}'
+refused int128 'unsigned long high(__int128 a) { return (unsigned long)(a >> 64); }'
+refused statements 'int one() { return ({ int a = 1; a; }); }'
+refused arrays 'int sum(int n) { int all[n]; return all[0]; }'
+refused conditionals 'int either(int a, int b) { return a ?: b; }'
+printf 'int place(unsigned a) { return __builtin_ctz(a); }\n' >"$WORK/builtin.cpp"
+extensions "$WORK/builtin.cpp" >/dev/null || fail "a builtin is taken"
+printf '#include "foundation/simd_sse2.h"\n__m128 twice(__m128 a) { return _mm_add_ps(a, a); }\n' >"$WORK/intrinsics.cpp"
+check "$WORK/intrinsics.cpp"
