@@ -3,12 +3,13 @@
 # Installs what it needs, builds with the flags that users get, writes build/bench/<suite>.csv with
 # a plot beside each, the machine's description and ratios.md. --peers measures Embree, Bullet and
 # FCL in the same run; --quick is a few seconds of smaller work; --docs puts the results into
-# docs/benchmarks.md, those of the accuracy suite into docs/accuracy.md, those of the solver into
+# docs/benchmarks.md and the README, those of the accuracy suite into docs/accuracy.md, those of the solver into
 # docs/solver_figures.md. The batches suite fails if a batch of rays takes longer
 # than single calls.
 set -euo pipefail
 cd "$(dirname "$0")"
 
+usage="usage: ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]"
 peers=OFF
 docs=OFF
 arguments=()
@@ -23,8 +24,12 @@ for argument in "$@"; do
         scene | mesh | query | update | accuracy) suites+=("$argument") ;;
         solver) solver=ON ;;
         batches) batches=ON ;;
+        --help | -h)
+            echo "$usage"
+            exit
+            ;;
         *)
-            echo "usage: ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]" >&2
+            echo "$usage" >&2
             exit 2
             ;;
     esac
@@ -32,7 +37,7 @@ done
 
 source cmake/install_packages.sh
 packages=(g++ cmake ninja-build libbenchmark-dev gnuplot-nox python3)
-peer_packages=(libembree-dev libbullet-dev libfcl-dev)
+peer_packages=(libembree-dev libbullet-dev libfcl-dev libnanoflann-dev)
 [ $peers = ON ] && packages+=(pkg-config "${peer_packages[@]}")
 install_packages "${packages[@]}"
 
@@ -127,6 +132,7 @@ if [ $docs = ON ] && [ -f $accuracy ]; then
 fi
 if [ $docs = ON ] && [ -f build/bench/scene.csv ]; then
     python3 bench/report.py build/bench --docs >docs/benchmarks.md
+    python3 bench/report.py build/bench --summary README.md
     gnuplot - <<PLOT
 set terminal pngcairo size 800,480
 set output "docs/images/growth.png"

@@ -85,6 +85,34 @@ public:
         return true;
     }
 
+    bool segments(const std::vector<gphys_segment>& segments) override {
+        answers_.resize(segments.size());
+        for (size_t i = 0; i < segments.size(); ++i) {
+            const btVector3 from = vector(segments[i].a), to = vector(segments[i].b);
+            Closest hit(from, to);
+            world_->rayTest(from, to, hit);
+            answers_[i] = hit.hasHit() ? Answer{hit.m_closestHitFraction,
+                                                static_cast<uint32_t>(hit.m_collisionObject->getUserIndex())}
+                                       : Answer{std::numeric_limits<float>::infinity(), no_object};
+        }
+        return true;
+    }
+
+    bool sweeps(const std::vector<Sweep>& sweeps) override {
+        answers_.resize(sweeps.size());
+        for (size_t i = 0; i < sweeps.size(); ++i) {
+            const btSphereShape shape(sweeps[i].sphere.radius);
+            const gphys_vec3 from = sweeps[i].sphere.center, way = sweeps[i].displacement;
+            const gphys_vec3 to{from.x + way.x, from.y + way.y, from.z + way.z};
+            btCollisionWorld::ClosestConvexResultCallback hit(vector(from), vector(to));
+            world_->convexSweepTest(&shape, placement(from, {0, 0, 0, 1}), placement(to, {0, 0, 0, 1}), hit);
+            answers_[i] = hit.hasHit() ? Answer{hit.m_closestHitFraction,
+                                                static_cast<uint32_t>(hit.m_hitCollisionObject->getUserIndex())}
+                                       : Answer{std::numeric_limits<float>::infinity(), no_object};
+        }
+        return true;
+    }
+
     bool overlap(const std::vector<gphys_sphere>& queries, uint64_t& total) override {
         if (arrays_) return false;
         total = 0;

@@ -16,6 +16,9 @@ struct V {
 };
 V operator-(V a, V b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 float dot(V a, V b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/// One instruction each, where std::fmax and std::fmin are calls for the sake of NaN.
+float larger(float a, float b) { return a < b ? b : a; }
+float smaller(float a, float b) { return a > b ? b : a; }
 
 /// An oriented box as a user of Embree would keep it: centre, half extents, axes.
 struct Box {
@@ -38,22 +41,27 @@ bool ray_box(const Box& box, V origin, V direction, float t_far, float& t) {
     for (int k = 0; k < 3; ++k) {
         const float position = dot(o, box.axis[k]), inverse = 1 / dot(direction, box.axis[k]);
         const float middle = -position * inverse, reach = std::fabs(half[k] * inverse);
-        t0 = std::fmax(t0, middle - reach);
-        t1 = std::fmin(t1, middle + reach);
+        t0 = larger(t0, middle - reach);
+        t1 = smaller(t1, middle + reach);
     }
     t = t0;
     return t0 <= t1;
 }
 
-bool sphere_touches(const Box& box, V center, float radius) {
-    const V d = center - box.center;
+float squared_distance(const Box& box, V point) {
+    const V d = point - box.center;
     const float half[3] = {box.half.x, box.half.y, box.half.z};
     float sum = 0;
     for (int k = 0; k < 3; ++k) {
-        const float out = std::fmax(0.0f, std::fabs(dot(d, box.axis[k])) - half[k]);
+        const float out = larger(0.0f, std::fabs(dot(d, box.axis[k])) - half[k]);
         sum += out * out;
     }
-    return sum <= radius * radius;
+    return sum;
+}
+bool sphere_touches(const Box& box, V center, float radius) { return squared_distance(box, center) <= radius * radius; }
+float squared_distance(const gphys_vec3& at, V point) {
+    const V d = point - V{at.x, at.y, at.z};
+    return dot(d, d);
 }
 
 /// By the fifteen axes of Gottschalk, Lin and Manocha 1996 that may separate them, those of the world first: most
@@ -105,6 +113,11 @@ void box_bounds(const RTCBoundsFunctionArguments* args) {
     o.upper_z = b.center.z + reach(&V::z);
 }
 
+void point_bounds(const RTCBoundsFunctionArguments* args) {
+    const gphys_vec3& p = (*static_cast<const std::vector<gphys_vec3>*>(args->geometryUserPtr))[args->primID];
+    *args->bounds_o = {p.x, p.y, p.z, 0, p.x, p.y, p.z, 0};
+}
+
 void box_intersect(const RTCIntersectFunctionNArguments* args) {
     if (!args->valid[0]) return;
     auto* ray = reinterpret_cast<RTCRayHit*>(args->rayhit);
@@ -118,30 +131,46 @@ void box_intersect(const RTCIntersectFunctionNArguments* args) {
     }
 }
 
-/// The same for eight rays side by side, in loops that compilers turn into SIMD.
-void box_intersect_packet(const RTCIntersectFunctionNArguments* args) {
-    const Box& box = (*static_cast<const std::vector<Box>*>(args->geometryUserPtr))[args->primID];
-    auto& ray = reinterpret_cast<RTCRayHit8*>(args->rayhit)->ray;
-    auto& hit = reinterpret_cast<RTCRayHit8*>(args->rayhit)->hit;
+/// The same for N rays side by side, in loops that the compiler vectorises. The fields of a packet are arrays of N
+/// floats one after the other, in the order of RTCRayHit16.
+template <unsigned N>
+void box_intersect_lanes(const Box& box, const RTCIntersectFunctionNArguments* args) {
+    float* const fields = reinterpret_cast<float*>(args->rayhit);
+    const auto ray = [&](unsigned field, unsigned i) -> float& { return fields[field * N + i]; };
+    constexpr unsigned org_x = 0, org_y = 1, org_z = 2, dir_x = 4, dir_y = 5, dir_z = 6, tfar = 8;
     const float half[3] = {box.half.x, box.half.y, box.half.z};
-    float t0[8] = {}, t1[8];
-    for (int i = 0; i < 8; ++i) t1[i] = ray.tfar[i];
+    float t0[N] = {}, t1[N];
+    for (unsigned i = 0; i < N; ++i) t1[i] = ray(tfar, i);
     for (int k = 0; k < 3; ++k) {
         const V axis = box.axis[k];
-        for (int i = 0; i < 8; ++i) {
-            const float position = (ray.org_x[i] - box.center.x) * axis.x + (ray.org_y[i] - box.center.y) * axis.y +
-                                   (ray.org_z[i] - box.center.z) * axis.z;
-            const float inverse = 1 / (ray.dir_x[i] * axis.x + ray.dir_y[i] * axis.y + ray.dir_z[i] * axis.z);
+        for (unsigned i = 0; i < N; ++i) {
+            const float position = (ray(org_x, i) - box.center.x) * axis.x + (ray(org_y, i) - box.center.y) * axis.y +
+                                   (ray(org_z, i) - box.center.z) * axis.z;
+            const float inverse = 1 / (ray(dir_x, i) * axis.x + ray(dir_y, i) * axis.y + ray(dir_z, i) * axis.z);
             const float middle = -position * inverse, reach = std::fabs(half[k] * inverse);
-            t0[i] = t0[i] < middle - reach ? middle - reach : t0[i];
-            t1[i] = t1[i] > middle + reach ? middle + reach : t1[i];
+            t0[i] = larger(t0[i], middle - reach);
+            t1[i] = smaller(t1[i], middle + reach);
         }
     }
-    for (int i = 0; i < 8; ++i) {
+    for (unsigned i = 0; i < N; ++i) {
         if (!args->valid[i] || !(t0[i] <= t1[i])) continue;
-        ray.tfar[i] = t0[i];
-        hit.primID[i] = args->primID;
-        hit.geomID[i] = args->geomID;
+        ray(tfar, i) = t0[i];
+        RTCHitN* const hit = RTCRayHitN_HitN(args->rayhit, N);
+        RTCHitN_primID(hit, N, i) = args->primID;
+        RTCHitN_geomID(hit, N, i) = args->geomID;
+    }
+}
+
+void box_intersect_packet(const RTCIntersectFunctionNArguments* args) {
+    const Box& box = (*static_cast<const std::vector<Box>*>(args->geometryUserPtr))[args->primID];
+    if (args->N == 16) {
+        box_intersect_lanes<16>(box, args);
+    } else if (args->N == 8) {
+        box_intersect_lanes<8>(box, args);
+    } else if (args->N == 4) {
+        box_intersect_lanes<4>(box, args);
+    } else {
+        box_intersect_lanes<1>(box, args);
     }
 }
 
@@ -163,10 +192,10 @@ public:
         rtcSetDeviceMemoryMonitorFunction(
             device_,
             [](void* user, ssize_t bytes, bool) {
-                *static_cast<int64_t*>(user) += bytes;
+                static_cast<Heap*>(user)->add(bytes);
                 return true;
             },
-            &bytes_);
+            &heap_);
     }
     ~Embree() override {
         release(inner_);
@@ -176,13 +205,14 @@ public:
 
     bool load(const std::vector<gphys_obb>& boxes) override {
         start();
-        boxes_.clear();
+        boxes_.reserve(boxes.size());
         for (const gphys_obb& b : boxes) boxes_.push_back(prepare(b));
+        heap_.add(static_cast<int64_t>(boxes_.size() * sizeof boxes_[0]));  // what its callbacks read
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
         rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(boxes_.size()));
         rtcSetGeometryUserData(geometry, &boxes_);
         rtcSetGeometryBoundsFunction(geometry, box_bounds, nullptr);
-        rtcSetGeometryIntersectFunction(geometry, mode_ == EmbreeMode::packets ? box_intersect_packet : box_intersect);
+        rtcSetGeometryIntersectFunction(geometry, wants_packets() ? box_intersect_packet : box_intersect);
         rtcSetGeometryOccludedFunction(geometry, box_occluded);
         finish(geometry);
         return true;
@@ -198,6 +228,18 @@ public:
         return true;
     }
 
+    bool load(const std::vector<gphys_vec3>& points) override {
+        start();
+        boxes_.clear();
+        points_ = points;
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(points_.size()));
+        rtcSetGeometryUserData(geometry, &points_);
+        rtcSetGeometryBoundsFunction(geometry, point_bounds, nullptr);
+        finish(geometry);
+        return true;
+    }
+
     bool load(const Triangles& mesh) override {
         start();
         finish(triangles(mesh));
@@ -206,7 +248,6 @@ public:
 
     bool load(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
         start();
-        release(inner_);
         inner_ = rtcNewScene(device_);
         attach(inner_, triangles(mesh));
         rtcCommitScene(inner_);
@@ -226,17 +267,48 @@ public:
         return true;
     }
 
-    bool wants_packets() const override { return mode_ == EmbreeMode::packets; }
-    uint64_t memory() const override { return static_cast<uint64_t>(bytes_); }
+    bool wants_packets() const override { return mode_ == EmbreeMode::packets || mode_ == EmbreeMode::packets_robust; }
+    uint64_t memory() const override { return heap_.now(); }
+    uint64_t peak_memory() const override { return heap_.peak(); }
+
+    bool closest_singly(const std::vector<gphys_ray>& rays) override { return !wants_packets() && closest(rays); }
+    bool any_singly(const std::vector<gphys_ray>& rays, std::vector<int32_t>& answers) override {
+        return !wants_packets() && any(rays, answers);
+    }
 
     bool closest(const std::vector<gphys_ray>& rays) override {
-        if (mode_ == EmbreeMode::packets) return closest_by_packets(rays);
+        if (wants_packets()) return closest_by_packets(rays);
         answers_.resize(rays.size());
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         for (size_t i = 0; i < rays.size(); ++i) {
             RTCRayHit r;
             r.ray = to_embree(rays[i]);
+            r.hit.geomID = r.hit.primID = r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+            rtcIntersect1(scene_, &context, &r);
+            answers_[i] = answer(r.hit.geomID, r.hit.instID[0], r.hit.primID, r.ray.tfar);
+        }
+        return true;
+    }
+
+    bool nearest(const std::vector<gphys_vec3>& points) override {
+        if (boxes_.empty() && points_.empty()) return false;
+        answers_.resize(points.size());
+        for (size_t i = 0; i < points.size(); ++i) {
+            answers_[i] = boxes_.empty() ? nearest_of(points_, points[i]) : nearest_of(boxes_, points[i]);
+        }
+        return true;
+    }
+
+    bool segments(const std::vector<gphys_segment>& segments) override {
+        if (mode_ == EmbreeMode::packets) return false;
+        answers_.resize(segments.size());
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        for (size_t i = 0; i < segments.size(); ++i) {
+            const gphys_vec3 a = segments[i].a, b = segments[i].b;
+            RTCRayHit r;
+            r.ray = to_embree({a, {b.x - a.x, b.y - a.y, b.z - a.z}, 1});
             r.hit.geomID = r.hit.primID = r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
             rtcIntersect1(scene_, &context, &r);
             answers_[i] = answer(r.hit.geomID, r.hit.instID[0], r.hit.primID, r.ray.tfar);
@@ -287,6 +359,33 @@ public:
     }
 
 private:
+    /// The ball of a point query shrinks to each object that is nearer.
+    template <class Object>
+    Answer nearest_of(const std::vector<Object>& objects, gphys_vec3 point) const {
+        struct Found {
+            const std::vector<Object>& objects;
+            V point;
+            float squared;
+            uint32_t object;
+        } found{objects, {point.x, point.y, point.z}, std::numeric_limits<float>::infinity(), no_object};
+        RTCPointQuery query{point.x, point.y, point.z, 0, std::numeric_limits<float>::infinity()};
+        RTCPointQueryContext context;
+        rtcInitPointQueryContext(&context);
+        rtcPointQuery(
+            scene_, &query, &context,
+            [](RTCPointQueryFunctionArguments* args) {
+                auto* f = static_cast<Found*>(args->userPtr);
+                const float squared = squared_distance(f->objects[args->primID], f->point);
+                if (squared >= f->squared) return false;
+                f->squared = squared;
+                f->object = args->primID;
+                args->query->radius = std::sqrt(squared);
+                return true;
+            },
+            &found);
+        return {std::sqrt(found.squared), found.object};
+    }
+
     /// How many boxes pass a test, of those whose bounds are that near.
     template <class Test>
     uint64_t count_near(V center, float radius, const Test& test) const {
@@ -314,10 +413,10 @@ private:
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        for (size_t first = 0; first < rays.size(); first += 8) {
-            alignas(32) int valid[8];
-            RTCRayHit8 r;
-            for (size_t lane = 0; lane < 8; ++lane) {
+        for (size_t first = 0; first < rays.size(); first += 16) {
+            alignas(64) int valid[16];
+            RTCRayHit16 r;
+            for (size_t lane = 0; lane < 16; ++lane) {
                 valid[lane] = first + lane < rays.size() ? -1 : 0;
                 const RTCRay one = to_embree(rays[std::min(first + lane, rays.size() - 1)]);
                 r.ray.org_x[lane] = one.org_x;
@@ -334,8 +433,8 @@ private:
                 r.ray.flags[lane] = one.flags;
                 r.hit.geomID[lane] = r.hit.primID[lane] = r.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
             }
-            rtcIntersect8(valid, scene_, &context, &r);
-            for (size_t lane = 0; lane < 8 && valid[lane]; ++lane) {
+            rtcIntersect16(valid, scene_, &context, &r);
+            for (size_t lane = 0; lane < 16 && valid[lane]; ++lane) {
                 answers_[first + lane] =
                     answer(r.hit.geomID[lane], r.hit.instID[0][lane], r.hit.primID[lane], r.ray.tfar[lane]);
             }
@@ -354,10 +453,15 @@ private:
     }
 
     void start() {
+        release(inner_);
         release(scene_);
+        if (!boxes_.empty()) heap_.add(-static_cast<int64_t>(boxes_.size() * sizeof boxes_[0]));
+        boxes_ = {};
+        heap_.forget_peak();
         scene_ = rtcNewScene(device_);
         instances_ = false;
-        if (mode_ == EmbreeMode::robust) rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        if (mode_ == EmbreeMode::robust || mode_ == EmbreeMode::packets_robust)
+            rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         if (mode_ == EmbreeMode::refit) {  // Embree refits only under both of these, else it rebuilds
             rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
             rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_LOW);
@@ -407,7 +511,8 @@ private:
     RTCDevice device_;
     RTCScene scene_ = nullptr, inner_ = nullptr;
     std::vector<Box> boxes_;
-    int64_t bytes_ = 0;
+    Heap heap_;
+    std::vector<gphys_vec3> points_;
     EmbreeMode mode_;
     bool instances_ = false;
 };

@@ -1,6 +1,7 @@
 #include "float_kernels.h"
 
-#include "octree/octree_many.h"
+#include "octree/interleaved_traversal.h"
+#include "octree/packet_traversal.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -50,22 +51,24 @@ bool meet(const TrianglePacket& packet, FloatRay& ray) {
 
 void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* along,
                FloatRay* rays, const float* limits, uint32_t count, bool together) {
-    RayLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
+    PacketLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
     const auto meet_one = [&](uint32_t ray, uint32_t number) {
         if (!meet(packets[number], rays[ray])) return;
         of_all.limits[ray] = along[ray].limit(static_cast<double>(rays[ray].t));
     };
     const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return along[ray]; };
-    const auto fetch = [&](uint32_t number) __attribute__((always_inline)) {
-        fetch_ahead(packets + number, sizeof(TrianglePacket));
+    const auto prefetch_of = [&](uint32_t number) __attribute__((always_inline)) {
+        prefetch_range(packets + number, sizeof(TrianglePacket));
     };
     if (together) {
-        BundleTest bundle(probe_of, of_all.limits, count);
+        PacketTest packet(probe_of, of_all.limits, count);
         const auto visit = [&](uint32_t group, uint32_t set, uint32_t number) {
             for (; set != 0; set &= set - 1) meet_one(8 * group + static_cast<uint32_t>(__builtin_ctz(set)), number);
         };
-        return rays_together(
-            nodes, root, bundle, visit, [] {}, fetch);
+        if (traverse_packet(
+                nodes, root, packet, count, visit, [] {}, prefetch_of))
+            return;
+        limits = of_all.limits;
     }
     const auto visit = [&](const uint32_t* numbers, const uint32_t* items, uint32_t size, float* new_limits) {
         for (uint32_t k = 0; k < size; ++k) {
@@ -74,7 +77,7 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
         }
         return (1u << size) - 1;
     };
-    rays_in_turns<NearestFirst>(nodes, root, probe_of, limits, count, visit, fetch);
+    traverse_interleaved<ClosestHit>(nodes, root, probe_of, limits, count, visit, prefetch_of);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 // gamephys through its public interface, as a user links it.
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -15,6 +18,24 @@ void check(gphys_status status) {
 }
 
 const gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
+
+/// What a batch gives for a ray that hits nothing.
+const gphys_hit nothing = [] {
+    gphys_hit hit{};
+    hit.t = INFINITY;
+    hit.triangle = GPHYS_NO_TRIANGLE;
+    return hit;
+}();
+
+void* allocate(void* heap, size_t size, size_t alignment) {
+    void* const memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    if (memory) static_cast<Heap*>(heap)->add(static_cast<int64_t>(size));
+    return memory;
+}
+void release(void* heap, void* memory, size_t size, size_t) {
+    static_cast<Heap*>(heap)->add(-static_cast<int64_t>(size));
+    std::free(memory);
+}
 
 class Gamephys final : public Implementation {
 public:
@@ -39,6 +60,12 @@ public:
         return true;
     }
 
+    bool load(const std::vector<gphys_vec3>& points) override {
+        std::vector<gphys_sphere> spheres;
+        for (const gphys_vec3& point : points) spheres.push_back({point, 0});
+        return load(spheres);
+    }
+
     bool load(const Triangles& mesh) override {
         clear();
         create_mesh(mesh);
@@ -55,21 +82,64 @@ public:
         return true;
     }
 
-    uint64_t memory() const override {
-        gphys_octree_stats stats{};
-        if (!mesh_) {
-            check(gphys_scene_get_octree_stats(scene_, &stats));
-            return stats.memory_bytes;
+    uint64_t memory() const override { return heap_.now(); }
+    uint64_t peak_memory() const override { return heap_.peak(); }
+
+    bool closest_singly(const std::vector<gphys_ray>& rays) override {
+        if (callers_ != 1 || worker_count_ != 1) return false;
+        hits_.resize(rays.size());
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const gphys_status status = mesh_ ? gphys_shape_raycast(GPHYS_SHAPE_MESH, mesh_, &rays[i], &hits_[i])
+                                              : gphys_scene_raycast(scene_, &rays[i], GPHYS_ALL_LAYERS, &hits_[i]);
+            check(status);
+            if (status == GPHYS_NO_HIT) hits_[i] = nothing;
         }
-        check(gphys_mesh_get_octree_stats(mesh_, &stats));
-        uint32_t vertices = 0, indices = 0;  // kept beside the tree
-        check(gphys_mesh_get_vertices(mesh_, nullptr, 0, &vertices));
-        check(gphys_mesh_get_indices(mesh_, nullptr, 0, &indices));
-        return stats.memory_bytes + sizeof(gphys_vec3) * uint64_t{vertices} + sizeof(uint32_t) * uint64_t{indices};
+        return true;
+    }
+
+    bool any_singly(const std::vector<gphys_ray>& rays, std::vector<int32_t>& answers) override {
+        if (callers_ != 1 || worker_count_ != 1) return false;
+        answers.resize(rays.size());
+        for (size_t i = 0; i < rays.size(); ++i) {
+            check(mesh_ ? gphys_mesh_raycast_any(mesh_, &rays[i], &answers[i])
+                        : gphys_scene_raycast_any(scene_, &rays[i], GPHYS_ALL_LAYERS, &answers[i]));
+        }
+        return true;
+    }
+
+    bool nearest(const std::vector<gphys_vec3>& points) override {
+        nearest_.resize(points.size());
+        hits_.clear();
+        by_callers(points, [&](uint32_t, const gphys_vec3* some, uint32_t n) {
+            check(gphys_scene_nearest_batch(scene_, some, sizeof *some, n, std::numeric_limits<float>::infinity(),
+                                            GPHYS_ALL_LAYERS, nearest_.data() + (some - points.data()),
+                                            sizeof nearest_[0]));
+        });
+        return true;
+    }
+
+    bool segments(const std::vector<gphys_segment>& segments) override {
+        start_hits(segments.size());
+        by_callers(segments, [&](uint32_t, const gphys_segment* some, uint32_t n) {
+            check(gphys_scene_segment_test_batch(scene_, some, sizeof *some, n, GPHYS_ALL_LAYERS,
+                                                 hits_.data() + (some - segments.data()), sizeof hits_[0]));
+        });
+        return true;
+    }
+
+    bool sweeps(const std::vector<Sweep>& sweeps) override {
+        start_hits(sweeps.size());
+        by_callers(sweeps, [&](uint32_t, const Sweep* some, uint32_t n) {
+            if (n == 0) return;
+            check(gphys_scene_sweep_sphere_batch(scene_, &some->sphere, sizeof *some, &some->displacement, sizeof *some,
+                                                 n, GPHYS_ALL_LAYERS, hits_.data() + (some - sweeps.data()),
+                                                 sizeof hits_[0]));
+        });
+        return true;
     }
 
     bool closest(const std::vector<gphys_ray>& rays) override {
-        hits_.resize(rays.size());
+        start_hits(rays.size());
         by_callers(rays, [&](uint32_t, const gphys_ray* some, uint32_t n) {
             gphys_hit* const hits = hits_.data() + (some - rays.data());
             check(mesh_
@@ -80,7 +150,8 @@ public:
     }
     std::vector<Answer> answers() const override {
         std::vector<Answer> found;
-        found.reserve(hits_.size());
+        found.reserve(hits_.size() + nearest_.size());
+        for (const gphys_nearest& near : nearest_) found.push_back({near.distance, near.model ? near.tag : no_object});
         for (const gphys_hit& hit : hits_) {
             found.push_back({hit.t, mesh_ ? hit.triangle : hit.model ? hit.tag : no_object});
         }
@@ -143,6 +214,12 @@ private:
         gphys_scene_destroy(scene_);
         mesh_ = nullptr;
         scene_ = nullptr;
+        heap_.forget_peak();
+    }
+
+    void start_hits(size_t count) {
+        hits_.resize(count);
+        nearest_.clear();
     }
 
     void place(const std::vector<gphys_obb>& boxes) {
@@ -151,18 +228,21 @@ private:
     }
 
     void create_mesh(const Triangles& mesh) {
-        check(gphys_mesh_create(nullptr, &mesh.vertices[0].x, sizeof mesh.vertices[0],
+        gphys_mesh_desc desc;
+        check(gphys_mesh_desc_init(&desc, sizeof desc));
+        desc.allocator = &allocator_;
+        check(gphys_mesh_create(&desc, &mesh.vertices[0].x, sizeof mesh.vertices[0],
                                 static_cast<uint32_t>(mesh.vertices.size()), mesh.indices.data(),
                                 static_cast<uint32_t>(mesh.indices.size()), &mesh_));
     }
 
     void add(gphys_shape_type type, const void* shapes, uint32_t stride,
              const std::vector<gphys_transform>& transforms) {
-        gphys_scene_destroy(scene_);
-        scene_ = nullptr;
+        clear();
         gphys_scene_desc desc;
         check(gphys_scene_desc_init(&desc, sizeof desc));
         desc.worker_count = worker_count_;
+        desc.allocator = &allocator_;
         check(gphys_scene_create(&desc, &scene_));
         models_.resize(transforms.size());
         check(gphys_scene_add_batch(scene_, type, shapes, stride, transforms.data(), sizeof transforms[0],
@@ -204,11 +284,15 @@ private:
     }
 
     uint32_t worker_count_, callers_;
+    Heap heap_;
+    const gphys_allocator allocator_{allocate, release, &heap_};
     gphys_scene* scene_ = nullptr;
     gphys_mesh* mesh_ = nullptr;
     std::vector<gphys_model_id> models_;
     std::vector<gphys_transform> transforms_;
+    // Of the last question, either of them.
     std::vector<gphys_hit> hits_;
+    std::vector<gphys_nearest> nearest_;
     std::vector<uint32_t> models_seen_, offsets_;
 };
 

@@ -18,6 +18,21 @@ struct Answer {
     uint32_t object;
 };
 
+/// Bytes that an implementation holds, everything counted, and the most that it has held.
+class Heap {
+public:
+    void add(int64_t bytes) {
+        now_ += bytes;
+        peak_ = now_ > peak_ ? now_ : peak_;
+    }
+    void forget_peak() { peak_ = now_; }
+    uint64_t now() const { return static_cast<uint64_t>(now_); }
+    uint64_t peak() const { return static_cast<uint64_t>(peak_); }
+
+private:
+    int64_t now_ = 0, peak_ = 0;
+};
+
 class Implementation {
 public:
     virtual ~Implementation() = default;
@@ -25,6 +40,7 @@ public:
     // Content; each call replaces what was there.
     virtual bool load(const std::vector<gphys_obb>&) { return false; }
     virtual bool load(const std::vector<gphys_sphere>&) { return false; }
+    virtual bool load(const std::vector<gphys_vec3>&) { return false; }
     virtual bool load(const Triangles&) { return false; }
     virtual bool load(const Triangles&, const std::vector<gphys_transform>&) { return false; }
     /// Takes rays in packets, of which only those of a camera have any use.
@@ -32,10 +48,19 @@ public:
     /// So slow that a part of the rays must do.
     virtual bool is_slow() const { return false; }
 
-    /// Bytes that the content takes, 0 if unknown.
+    /// Bytes of the heap that the content takes, all that belongs to it included, and the most while it was
+    /// loaded; 0 if unknown.
     virtual uint64_t memory() const { return 0; }
+    virtual uint64_t peak_memory() const { return 0; }
 
     virtual bool closest(const std::vector<gphys_ray>&) { return false; }
+    /// The same, a call for each ray.
+    virtual bool closest_singly(const std::vector<gphys_ray>&) { return false; }
+    virtual bool any_singly(const std::vector<gphys_ray>&, std::vector<int32_t>&) { return false; }
+    virtual bool nearest(const std::vector<gphys_vec3>&) { return false; }
+    /// t is a part of the way.
+    virtual bool segments(const std::vector<gphys_segment>&) { return false; }
+    virtual bool sweeps(const std::vector<Sweep>&) { return false; }
     /// What it found; to put that into a form that all have in common is no part of the work.
     virtual std::vector<Answer> answers() const { return answers_; }
     virtual bool any(const std::vector<gphys_ray>&, std::vector<int32_t>&) { return false; }
@@ -61,13 +86,17 @@ protected:
 std::unique_ptr<Implementation> make_gamephys(uint32_t worker_count, uint32_t callers = 1);
 /// The library's own trees with float tests in place of its exact ones: for the accuracy suite.
 std::unique_ptr<Implementation> make_gamephys_float();
-/// A flat sweep over all boxes with SIMD, the baseline for culling.
-std::unique_ptr<Implementation> make_simd_sweep();
+/// A sweep over all boxes with SIMD, the baseline for culling: over all, or over blocks of 64 that are near each
+/// other, with a box around each that is tested first.
+std::unique_ptr<Implementation> make_simd_sweep(bool in_blocks);
 #ifdef GAMEPHYS_BENCH_PEERS
-enum class EmbreeMode { plain, robust, refit, packets };
+/// Packets are of sixteen coherent rays.
+enum class EmbreeMode { plain, robust, refit, packets, packets_robust };
 std::unique_ptr<Implementation> make_embree(EmbreeMode mode);
 std::unique_ptr<Implementation> make_bullet();
 std::unique_ptr<Implementation> make_fcl();
+/// Knows nearest points only, by a k-d tree.
+std::unique_ptr<Implementation> make_nanoflann();
 #endif
 
 /// The true answer of one ray by a loop over everything in double precision.
@@ -75,5 +104,10 @@ Answer reference(const std::vector<gphys_obb>&, const gphys_ray&);
 Answer reference(const std::vector<gphys_sphere>&, const gphys_ray&);
 Answer reference(const Triangles&, const gphys_ray&);
 Answer reference(const Triangles&, const std::vector<gphys_transform>&, const gphys_ray&);
+/// Of a point: the nearest and its distance.
+Answer reference(const std::vector<gphys_obb>&, const gphys_vec3&);
+Answer reference(const std::vector<gphys_vec3>&, const gphys_vec3&);
+Answer reference(const std::vector<gphys_obb>&, const gphys_segment&);
+Answer reference(const std::vector<gphys_obb>&, const Sweep&);
 
 }  // namespace bench

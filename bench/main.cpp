@@ -12,6 +12,7 @@
 #include <ctime>
 #include <functional>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "hard_cases.h"
@@ -77,6 +78,7 @@ std::vector<Entry> everybody([[maybe_unused]] bool moving = false) {
     all.push_back({"embree_robust", make_embree(EmbreeMode::robust)});
     all.push_back({"bullet", make_bullet()});
     all.push_back({"fcl", make_fcl()});
+    all.push_back({"nanoflann", make_nanoflann()});
 #endif
     return all;
 }
@@ -96,6 +98,7 @@ public:
         return bench::camera_rays(half_side, camera_width(), camera_width() * 3 / 4);
     }
     bool wants(uint32_t n) const { return options_.wants(n); }
+    bool wants(const std::string& name, uint32_t n) const { return options_.wants(name, n); }
     std::vector<uint32_t> sizes() const {
         return options_.quick ? std::vector<uint32_t>{1000, 10000}
                               : std::vector<uint32_t>{1000, 10000, 100000, 1000000};
@@ -173,30 +176,33 @@ private:
     std::vector<Row> rows_;
 };
 
-/// Some of the rays with their true answers: as many as a second or two allows.
+/// Some of the queries with their true answers: as many as a second or two allows.
+template <class Query>
 struct Sample {
     template <class Reference>
-    Sample(const std::vector<gphys_ray>& all, double tests_per_ray, Reference reference) {
+    Sample(const std::vector<Query>& all, double tests_per_ray, Reference reference) {
         const auto affordable = static_cast<size_t>(std::clamp(2e8 / tests_per_ray, 20.0, 2000.0));
         const size_t count = std::min(all.size(), affordable);
         for (size_t i = 0; i < count; ++i) {
-            rays.push_back(all[i * all.size() / count]);
-            truth.push_back(reference(rays.back()));
+            queries.push_back(all[i * all.size() / count]);
+            truth.push_back(reference(queries.back()));
         }
     }
 
     std::pair<double, std::string> wrong_fraction(size_t wrong) const {
-        return {static_cast<double>(wrong) / static_cast<double>(rays.size()), "WRONG_FRACTION"};
+        return {static_cast<double>(wrong) / static_cast<double>(queries.size()), "WRONG_FRACTION"};
     }
 
-    std::vector<gphys_ray> rays;
+    std::vector<Query> queries;
     std::vector<Answer> truth;
 };
+using RaySample = Sample<gphys_ray>;
 
 /// Distances may differ by float rounding; a hit of something else, or a miss, is wrong.
-Check closest_right(const Sample& sample) {
-    return [&sample](Implementation& implementation) -> std::pair<double, std::string> {
-        implementation.closest(sample.rays);
+template <class Query>
+Check answers_right(const Sample<Query>& sample, bool (Implementation::*ask)(const std::vector<Query>&)) {
+    return [&sample, ask](Implementation& implementation) -> std::pair<double, std::string> {
+        (implementation.*ask)(sample.queries);
         const std::vector<Answer> answers = implementation.answers();
         double worst = 0;
         size_t wrong = 0;
@@ -206,7 +212,8 @@ Check closest_right(const Sample& sample) {
                 wrong += answers[i].object != truth.object;
                 continue;
             }
-            const double error = std::fabs(double(answers[i].t) - truth.t) / truth.t;
+            const double difference = std::fabs(double(answers[i].t) - truth.t);
+            const double error = difference == 0 ? 0 : difference / truth.t;  // 0 inside of something
             if (error > 1e-4) {
                 ++wrong;
             } else {
@@ -217,11 +224,14 @@ Check closest_right(const Sample& sample) {
         return {worst, "relative"};
     };
 }
+Check closest_right(const RaySample& sample, bool singly = false) {
+    return answers_right(sample, singly ? &Implementation::closest_singly : &Implementation::closest);
+}
 
-Check any_right(const Sample& sample) {
-    return [&sample](Implementation& implementation) -> std::pair<double, std::string> {
+Check any_right(const RaySample& sample, bool singly = false) {
+    return [&sample, singly](Implementation& implementation) -> std::pair<double, std::string> {
         std::vector<int32_t> answers;
-        implementation.any(sample.rays, answers);
+        singly ? implementation.any_singly(sample.queries, answers) : implementation.any(sample.queries, answers);
         size_t wrong = 0;
         for (size_t i = 0; i < answers.size(); ++i) wrong += (answers[i] != 0) != (sample.truth[i].object != no_object);
         if (wrong) return sample.wrong_fraction(wrong);
@@ -260,26 +270,54 @@ Task closest_hits(const std::vector<gphys_ray>& rays) {
     };
 }
 
+/// Closest hits, a call for each ray.
+Task closest_hits_singly(const std::vector<gphys_ray>& rays) {
+    return [&rays, some = every_61st_tile(rays)](Implementation& i) -> double {
+        const std::vector<gphys_ray>& its_rays = i.is_slow() ? some : rays;
+        return i.closest_singly(its_rays) ? static_cast<double>(its_rays.size()) : 0;
+    };
+}
+
+/// The same rays, pointing away: they miss the bounds of everything.
+std::vector<gphys_ray> turned_away(std::vector<gphys_ray> rays) {
+    for (gphys_ray& ray : rays) {
+        const gphys_vec3 d = ray.direction;
+        ray.direction = {-d.x, -d.y, -d.z};
+    }
+    return rays;
+}
+
 void ray_cases(Bench& bench, const std::string& suite, const std::string& prefix, uint32_t n, float half,
                std::vector<Entry>& entries, double tests_per_ray, const std::function<Answer(const gphys_ray&)>& truth,
-               bool with_any) {
-    const std::vector<gphys_ray> random = random_rays(half, bench.ray_count(n));
-    const Sample random_sample(random, tests_per_ray, truth);
-    const auto closest_random = [task = closest_hits(random)](Implementation& i) {
-        return i.wants_packets() ? 0 : task(i);
+               bool with_any_batch) {
+    const std::vector<gphys_ray> random = random_rays(half, bench.ray_count(n)), away = turned_away(random);
+    const RaySample random_sample(random, tests_per_ray, truth), away_sample(away, tests_per_ray, truth);
+    const auto without_packets = [](const Task& task) -> Task {
+        return [task](Implementation& i) { return i.wants_packets() ? 0 : task(i); };
     };
-    bench.measure(suite, prefix + "_ray_random", n, entries, closest_random, closest_right(random_sample));
+    bench.measure(suite, prefix + "_ray_random", n, entries, without_packets(closest_hits(random)),
+                  closest_right(random_sample));
+    bench.measure(suite, prefix + "_single_random", n, entries, closest_hits_singly(random),
+                  closest_right(random_sample, true));
+    bench.measure(suite, prefix + "_single_miss", n, entries, closest_hits_singly(away),
+                  closest_right(away_sample, true));
     const std::vector<gphys_ray> camera = bench.camera_rays(half);
-    const Sample camera_sample(camera, tests_per_ray, truth);
+    const RaySample camera_sample(camera, tests_per_ray, truth);
     bench.measure(suite, prefix + "_ray_camera", n, entries, closest_hits(camera), closest_right(camera_sample));
     const std::vector<gphys_ray> rows = row_by_row(camera, bench.camera_width());
     bench.measure(suite, prefix + "_ray_rows", n, entries, closest_hits(rows), closest_right(camera_sample));
-    if (!with_any) return;
+    bench.measure(suite, prefix + "_single_rows", n, entries, closest_hits_singly(rows),
+                  closest_right(camera_sample, true));
     std::vector<int32_t> hits;
+    const auto count = static_cast<double>(random.size());
+    if (with_any_batch) {
+        bench.measure(suite, prefix + "_ray_any", n, entries,
+                      without_packets([&](Implementation& i) { return i.any(random, hits) ? count : 0; }),
+                      any_right(random_sample));
+    }
     bench.measure(
-        suite, prefix + "_ray_any", n, entries,
-        [&](Implementation& i) -> double { return !i.wants_packets() && i.any(random, hits) ? random.size() : 0; },
-        any_right(random_sample));
+        suite, prefix + "_single_any", n, entries,
+        [&](Implementation& i) { return i.any_singly(random, hits) ? count : 0; }, any_right(random_sample, true));
 }
 
 template <class... Content>
@@ -289,11 +327,13 @@ void load(std::vector<Entry>& entries, const Content&... content) {
     }
 }
 
-/// Embree's packets of eight: the same structure as without them, so that only rays are of interest.
+/// Embree's packets: the same structure as without them, so that only rays are of interest.
 template <class Content>
 void add_packets([[maybe_unused]] std::vector<Entry>& entries, [[maybe_unused]] const Content& content) {
 #ifdef GAMEPHYS_BENCH_PEERS
     entries.push_back({"embree_packets", make_embree(EmbreeMode::packets)});
+    entries.back().implementation->load(content);
+    entries.push_back({"embree_packets_robust", make_embree(EmbreeMode::packets_robust)});
     entries.back().implementation->load(content);
 #endif
 }
@@ -302,8 +342,11 @@ void report_memory(Bench& bench, const std::string& suite, const std::string& na
                    std::vector<Entry>& entries) {
     for (Entry& entry : entries) {
         if (!entry.implementation || entry.several_threads || entry.implementation->memory() == 0) continue;
-        bench.add(
-            {suite, name, entry.name, n, static_cast<double>(entry.implementation->memory()) / n, "B", 0, "exact"});
+        const auto add = [&](const std::string& what, uint64_t bytes) {
+            bench.add({suite, what + name, entry.name, n, static_cast<double>(bytes) / n, "B", 0, "exact"});
+        };
+        add("memory_", entry.implementation->memory());
+        add("memory_peak_", entry.implementation->peak_memory());
     }
 }
 
@@ -316,7 +359,7 @@ void scene_suite(Bench& bench) {
         entries.push_back(on_two_threads());
         bench.measure(
             "scene", "build_scene", n, entries, [&](Implementation& i) { return i.load(content) ? n : 0; }, unchecked);
-        report_memory(bench, "scene", "memory_scene", n, entries);
+        report_memory(bench, "scene", "scene", n, entries);
         add_packets(entries, content);
         entries.push_back(two_apart());
         entries.back().implementation->load(content);
@@ -352,11 +395,14 @@ void mesh_suite(Bench& bench) {
         bench.measure(
             "mesh", "build_mesh", mesh.count(), entries,
             [&](Implementation& i) { return i.load(mesh) ? mesh.count() : 0; }, unchecked);
-        report_memory(bench, "mesh", "memory_mesh", mesh.count(), entries);
+        report_memory(bench, "mesh", "mesh", mesh.count(), entries);
         add_packets(entries, mesh);
-        ray_cases(
-            bench, "mesh", "mesh", mesh.count(), 1.1f, entries, mesh.count(),
-            [&](const gphys_ray& r) { return reference(mesh, r); }, false);
+        const auto truth = [&](const gphys_ray& r) { return reference(mesh, r); };
+        ray_cases(bench, "mesh", "mesh", mesh.count(), 1.1f, entries, mesh.count(), truth, false);
+        // The mesh as the one model of a scene; others, who need no model for that, have it as it is.
+        const std::vector<gphys_transform> one{{{0, 0, 0}, {0, 0, 0, 1}, 1}};
+        entries.front().implementation->load(mesh, one);
+        ray_cases(bench, "mesh", "mesh_model", mesh.count(), 1.1f, entries, mesh.count(), truth, true);
     }
 }
 
@@ -370,6 +416,41 @@ Check same_count(const uint64_t& expected, const std::function<bool(Implementati
             std::fabs(static_cast<double>(total) - static_cast<double>(expected)) / static_cast<double>(expected);
         return {difference, difference <= 1e-5 ? "relative" : "DIFFERS"};
     };
+}
+
+/// A benchmark of queries that nothing answers, or that ask the same again and again, measures nothing.
+template <class Query>
+void demand_variety(const std::string& name, const std::vector<Query>& queries, const std::vector<Answer>& answers) {
+    size_t hits = 0, repeated = 0;
+    std::set<std::vector<unsigned char>> seen;
+    for (const Query& query : queries) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(&query);
+        repeated += !seen.emplace(bytes, bytes + sizeof query).second;
+    }
+    for (const Answer& answer : answers) hits += answer.object != no_object;
+    if (repeated > queries.size() / 1000) throw std::runtime_error(name + ": queries are repeated");
+    if (answers.size() != queries.size() || 5 * hits < queries.size()) {
+        throw std::runtime_error(name + ": too few queries find something");
+    }
+}
+
+/// Queries with one answer each, against the loop in double precision.
+template <class Query, class Content>
+void answer_case(Bench& bench, const std::string& name, std::vector<Entry>& entries, const Content& content,
+                 const std::vector<Query>& queries, bool (Implementation::*ask)(const std::vector<Query>&)) {
+    const auto n = static_cast<uint32_t>(content.size());
+    if (!bench.wants(name, n)) return;
+    const Sample<Query> sample(queries, n, [&](const Query& query) { return reference(content, query); });
+    Implementation& first = *entries.front().implementation;
+    (first.*ask)(queries);
+    demand_variety(name, queries, first.answers());
+    std::vector<Query> part;  // where all would take minutes
+    for (size_t i = 0; i < queries.size(); i += 50) part.push_back(queries[i]);
+    const auto task = [&](Implementation& i) -> double {
+        const std::vector<Query>& its_queries = i.is_slow() ? part : queries;
+        return (i.*ask)(its_queries) ? static_cast<double>(its_queries.size()) : 0;
+    };
+    bench.measure("query", name, n, entries, task, answers_right(sample, ask));
 }
 
 void query_suite(Bench& bench) {
@@ -395,10 +476,21 @@ void query_suite(Bench& bench) {
         const std::vector<gphys_aabb> blocks = query_boxes(half, 10000, 5);
         run("overlap_box", static_cast<double>(blocks.size()),
             [&](Implementation& i, uint64_t& sum) { return i.overlap(blocks, sum); });
+        answer_case(bench, "nearest_box", entries, content, query_points(half, 100000), &Implementation::nearest);
+        answer_case(bench, "segment", entries, content, query_segments(half, 100000, 10), &Implementation::segments);
+        answer_case(bench, "sweep_sphere", entries, content, query_sweeps(half, 100000, 0.1f, 10),
+                    &Implementation::sweeps);
         const gphys_frustum frustum = view(half);
-        entries.push_back({"simd_sweep", make_simd_sweep()});
-        entries.back().implementation->load(content);
+        for (const bool in_blocks : {false, true}) {
+            entries.push_back({in_blocks ? "simd_blocks" : "simd_sweep", make_simd_sweep(in_blocks)});
+            entries.back().implementation->load(content);
+        }
         run("cull", n, [&](Implementation& i, uint64_t& sum) { return i.cull(frustum, sum); });
+        std::vector<gphys_vec3> points;
+        for (const gphys_obb& box : content) points.push_back(box.center);
+        std::vector<Entry> of_points = everybody();
+        load(of_points, points);
+        answer_case(bench, "nearest_point", of_points, points, query_points(half, 100000), &Implementation::nearest);
     }
 }
 
@@ -429,7 +521,7 @@ void update_suite(Bench& bench) {
     load(fresh, content);
     for (Entry& entry : fresh) entries.push_back({entry.name + "_fresh", std::move(entry.implementation)});
     const std::vector<gphys_ray> rays = random_rays(half_side(n), bench.ray_count(n));
-    const Sample sample(rays, n, [&](const gphys_ray& r) { return reference(content, r); });
+    const RaySample sample(rays, n, [&](const gphys_ray& r) { return reference(content, r); });
     bench.measure("update", "ray_after_update", n, entries, closest_hits(rays), closest_right(sample));
 
     const uint32_t some = n / 100;
@@ -455,9 +547,9 @@ Check false_answers(const HardRays& work) {
 }
 
 /// The same where the truth is that of a loop in double precision, for some of the rays.
-Check false_answers(const Sample& sample) {
+Check false_answers(const RaySample& sample) {
     return [&sample](Implementation& implementation) -> std::pair<double, std::string> {
-        implementation.closest(sample.rays);
+        implementation.closest(sample.queries);
         const std::vector<Answer> answers = implementation.answers();
         size_t wrong = 0;
         for (size_t i = 0; i < answers.size(); ++i) {
@@ -476,7 +568,7 @@ void easy_cases(Bench& bench, const std::string& prefix, uint32_t n, float half,
     load(entries, content);
     for (const bool of_camera : {false, true}) {
         const std::vector<gphys_ray> rays = of_camera ? bench.camera_rays(half) : random_rays(half, bench.ray_count(n));
-        const Sample sample(rays, n, [&](const gphys_ray& r) { return reference(content, r); });
+        const RaySample sample(rays, n, [&](const gphys_ray& r) { return reference(content, r); });
         bench.measure("accuracy", prefix + (of_camera ? "_camera" : "_random"), n, entries, closest_hits(rays),
                       false_answers(sample));
     }

@@ -31,10 +31,10 @@ V turn_back(gphys_quat q, V a) {
     return {component(u.x, a.x, c.x), component(u.y, a.y, c.y), component(u.z, a.z, c.z)};
 }
 
-double ray_box(const gphys_ray& ray, const gphys_obb& box) {
-    const V o = turn_back(box.rotation, v(ray.origin) - v(box.center)), d = turn_back(box.rotation, v(ray.direction));
+double ray_box(V origin, V direction, double t_max, const gphys_obb& box) {
+    const V o = turn_back(box.rotation, origin - v(box.center)), d = turn_back(box.rotation, direction);
     const V h = v(box.half_extents);
-    double t_near = 0, t_far = ray.t_max;
+    double t_near = 0, t_far = t_max;
     const auto slab = [&](double origin, double direction, double half) {
         if (direction == 0) {
             if (std::fabs(origin) > half) t_far = -1;
@@ -48,6 +48,36 @@ double ray_box(const gphys_ray& ray, const gphys_obb& box) {
     slab(o.y, d.y, h.y);
     slab(o.z, d.z, h.z);
     return t_near <= t_far ? t_near : infinity;
+}
+
+double distance(V point, const gphys_obb& box) {
+    const V local = turn_back(box.rotation, point - v(box.center)), h = v(box.half_extents);
+    const V out{std::max(std::fabs(local.x) - h.x, 0.0), std::max(std::fabs(local.y) - h.y, 0.0),
+                std::max(std::fabs(local.z) - h.z, 0.0)};
+    return std::sqrt(dot(out, out));
+}
+
+/// The distance to a box is a convex function of the way: its least is found by thirds, the contact by halves.
+double sweep_box(const Sweep& sweep, const gphys_obb& box) {
+    const V from = v(sweep.sphere.center), way = v(sweep.displacement), h = v(box.half_extents);
+    const double radius = sweep.sphere.radius, apart = std::sqrt(dot(from - v(box.center), from - v(box.center)));
+    if (apart > radius + std::sqrt(dot(way, way)) + std::sqrt(dot(h, h))) return infinity;
+    const auto gap = [&](double t) {
+        return distance({from.x + t * way.x, from.y + t * way.y, from.z + t * way.z}, box) - radius;
+    };
+    if (gap(0) <= 0) return 0;
+    double low = 0, high = 1;  // of where it is least
+    for (int i = 0; i < 100; ++i) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        (gap(a) <= gap(b) ? high : low) = gap(a) <= gap(b) ? b : a;
+    }
+    if (gap(low) > 0) return infinity;
+    double outside = 0, touching = low;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (outside + touching) / 2;
+        (gap(middle) > 0 ? outside : touching) = middle;
+    }
+    return touching;
 }
 
 double ray_sphere(const gphys_ray& ray, const gphys_sphere& sphere) {
@@ -83,12 +113,12 @@ double ray_mesh(V o, V d, double t_max, const Triangles& mesh, uint32_t& triangl
     return best;
 }
 
-template <class Object, class Cast>
-Answer first_of(const std::vector<Object>& objects, const gphys_ray& ray, Cast cast) {
+template <class Object, class Query, class Cast>
+Answer first_of(const std::vector<Object>& objects, const Query& query, Cast cast) {
     double best = infinity;
     uint32_t object = no_object;
     for (uint32_t i = 0; i < objects.size(); ++i) {
-        const double t = cast(ray, objects[i]);
+        const double t = cast(query, objects[i]);
         if (t < best) {
             best = t;
             object = i;
@@ -99,7 +129,30 @@ Answer first_of(const std::vector<Object>& objects, const gphys_ray& ray, Cast c
 
 }  // namespace
 
-Answer reference(const std::vector<gphys_obb>& boxes, const gphys_ray& ray) { return first_of(boxes, ray, ray_box); }
+Answer reference(const std::vector<gphys_obb>& boxes, const gphys_ray& ray) {
+    return first_of(boxes, ray, [](const gphys_ray& r, const gphys_obb& box) {
+        return ray_box(v(r.origin), v(r.direction), r.t_max, box);
+    });
+}
+
+Answer reference(const std::vector<gphys_obb>& boxes, const gphys_segment& segment) {
+    return first_of(boxes, segment, [](const gphys_segment& s, const gphys_obb& box) {
+        return ray_box(v(s.a), v(s.b) - v(s.a), 1, box);
+    });
+}
+
+Answer reference(const std::vector<gphys_obb>& boxes, const Sweep& sweep) { return first_of(boxes, sweep, sweep_box); }
+
+Answer reference(const std::vector<gphys_obb>& boxes, const gphys_vec3& point) {
+    return first_of(boxes, point, [](const gphys_vec3& p, const gphys_obb& box) { return distance(v(p), box); });
+}
+
+Answer reference(const std::vector<gphys_vec3>& points, const gphys_vec3& point) {
+    return first_of(points, point, [](const gphys_vec3& p, const gphys_vec3& other) {
+        const V apart = v(p) - v(other);
+        return std::sqrt(dot(apart, apart));
+    });
+}
 
 Answer reference(const std::vector<gphys_sphere>& spheres, const gphys_ray& ray) {
     return first_of(spheres, ray, ray_sphere);

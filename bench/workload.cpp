@@ -164,6 +164,33 @@ std::vector<gphys_aabb> query_boxes(float half_side, uint32_t count, float half)
     return result;
 }
 
+std::vector<gphys_vec3> query_points(float half_side, uint32_t count) {
+    Random random(41);
+    std::vector<gphys_vec3> result(count);
+    for (gphys_vec3& p : result) p = random.point(half_side);
+    return result;
+}
+
+std::vector<gphys_segment> query_segments(float half_side, uint32_t count, float length) {
+    Random random(43);
+    std::vector<gphys_segment> result(count);
+    for (gphys_segment& s : result) {
+        s.a = random.point(half_side);
+        s.b = s.a + random.direction() * length;
+    }
+    return result;
+}
+
+std::vector<Sweep> query_sweeps(float half_side, uint32_t count, float radius, float length) {
+    Random random(47);
+    std::vector<Sweep> result(count);
+    for (Sweep& s : result) {
+        s.sphere = {random.point(half_side), radius};
+        s.displacement = random.direction() * length;
+    }
+    return result;
+}
+
 gphys_frustum view(float half_side) {
     // From a corner region towards the middle: about a tenth of the objects lie within.
     const View v = outside_looking_in(0.62f * half_side);

@@ -44,6 +44,14 @@ std::vector<gphys_ray> random_rays(float half_side, uint32_t count);
 std::vector<gphys_ray> camera_rays(float half_side, uint32_t width, uint32_t height);
 std::vector<gphys_sphere> query_spheres(float half_side, uint32_t count, float radius);
 std::vector<gphys_aabb> query_boxes(float half_side, uint32_t count, float half);
+struct Sweep {
+    gphys_sphere sphere;
+    gphys_vec3 displacement;
+};
+std::vector<gphys_vec3> query_points(float half_side, uint32_t count);
+/// Between points of the cube that are that far apart.
+std::vector<gphys_segment> query_segments(float half_side, uint32_t count, float length);
+std::vector<Sweep> query_sweeps(float half_side, uint32_t count, float radius, float length);
 /// A frustum that sees about a tenth of the cube.
 gphys_frustum view(float half_side);
 
