@@ -70,16 +70,19 @@ inline const char* Scene::place(uint32_t slot, const gphys_transform& world) con
 
 /// As the sum of its coordinates; 0 for a plane.
 float Scene::farthest_point(uint32_t slot) const {
-    return with_stored(slot, [&](const auto& stored) {
-        if constexpr (is_box<std::decay_t<decltype(stored)>>) {
+    return with_stored(slot, [&](const auto& stored) -> float {
+        using Shape = std::decay_t<decltype(stored)>;
+        if constexpr (is_box<Shape>) {
             const FloatBox box = float_box(stored);
             return sum(abs(box.center) + box.half)[0];
+        } else if constexpr (std::is_same_v<Shape, gphys_plane>) {
+            return 0;
         } else {
             constexpr gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
             const Box box = world_box(slot, identity);
             float farthest = 0;
             for (int k = 0; k < 3; ++k) farthest += std::max(std::fabs(box.min[k]), std::fabs(box.max[k]));
-            return models_[slot].type() == GPHYS_SHAPE_PLANE ? 0 : farthest;
+            return farthest;
         }
     });
 }
