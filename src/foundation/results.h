@@ -30,13 +30,14 @@ public:
         if (total_ < std::numeric_limits<uint32_t>::max()) ++total_;
     }
 
-    /// The same if `is_one`, of which the processor is to foresee nothing. Else what is there is stored
-    /// again: what a caller keeps behind the results stays.
+    /// The same if `is_one`, without a branch. Else what is there is stored again: what a caller keeps behind the
+    /// results stays. The masks, not two exclusive ors, keep memory checkers from taking the result for uninitialised.
     void add_if(bool is_one, const T& value) {
         static_assert(std::is_unsigned_v<T>);
         if (total_ + 1 < capacity_) {
             T& next = out_[total_];
-            next ^= (next ^ value) & (T{0} - T{is_one});
+            const T taken = T{0} - T{is_one};
+            next = (value & taken) | (next & ~taken);
             total_ += is_one;
         } else if (is_one) {
             add(value);
