@@ -56,7 +56,8 @@ void SparseLdl::factor(const double* entries, const double* diagonal) {
             factor_[end] = entry;
             ++filled_[i];
         }
-        inverse_pivot_[k] = 1 / pivot;
+        // 0 for a row that depends on those before.
+        inverse_pivot_[k] = pivot != 0 ? 1 / pivot : 0;
         filled_[k] = 0;
     }
 }

@@ -85,7 +85,7 @@ struct Factors {
         for (int j = 0; j < 4; ++j) {
             pivot[j] = m[j][j];
             for (int k = 0; k < j; ++k) pivot[j] -= lower[j][k] * lower[j][k] * pivot[k];
-            inverse_pivot[j] = 1 / pivot[j];
+            inverse_pivot[j] = pivot[j] != 0 ? 1 / pivot[j] : 0;  // 0 for a row that depends on those before
             for (int i = j + 1; i < 4; ++i) {
                 double sum = m[i][j];
                 for (int k = 0; k < j; ++k) sum -= lower[i][k] * lower[j][k] * pivot[k];
