@@ -1,5 +1,5 @@
 # For the scripts at the top: install_packages PACKAGE... installs those Debian packages that are
-# missing, as root or with sudo, and says which.
+# missing, as root or with sudo, and says which. Another installation is waited for.
 install_packages() {
     local missing=() package
     for package in "$@"; do
@@ -12,5 +12,5 @@ install_packages() {
     local as_root=()
     [ "$(id -u)" -eq 0 ] || as_root=(sudo)
     "${as_root[@]}" apt-get -q update
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends "${missing[@]}"
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600 install -y --no-install-recommends "${missing[@]}"
 }
