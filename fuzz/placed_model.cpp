@@ -140,14 +140,17 @@ bool raycast(const PlacedModel& model, const Ray& ray, gphys_hit& out) {
     return found;
 }
 
-bool sweep(const PlacedModel& model, const Sphere& moving, Vec3 displacement, gphys_hit& out) {
+namespace {
+
+/// `local` is the solid in the mesh's coordinates.
+template <class Solid>
+bool sweep_model(const PlacedModel& model, const Solid& moving, const Solid& local, Vec3 displacement, gphys_hit& out) {
     Hit first;
     bool found = false;
     if (const Shape* shape = std::get_if<Shape>(&model.shape)) {
         found = gphys::sweep(*shape, moving, displacement, first);
     } else {
         const MeshSource& mesh = *std::get<1>(model.shape);
-        const Sphere local{model.world.inverse_apply(moving.center), moving.radius / model.world.scale};
         for (uint32_t i = 0; i < mesh.triangles(); ++i) {
             Hit hit;
             if (!gphys::sweep(triangle_of(mesh, i), local, model.world.inverse_apply_to_vector(displacement), hit))
@@ -160,8 +163,38 @@ bool sweep(const PlacedModel& model, const Sphere& moving, Vec3 displacement, gp
         first.point = model.world.apply(first.point);
         first.normal = model.world.rotation * first.normal;
     }
-    if (found) out = to_hit(first, model.id, model.tag);
+    if (found) out = to_contact(first, displacement, model.id, model.tag);
     return found;
+}
+
+}  // namespace
+
+bool sweep(const PlacedModel& model, const Sphere& moving, Vec3 displacement, gphys_hit& out) {
+    const Sphere local{model.world.inverse_apply(moving.center), moving.radius / model.world.scale};
+    return sweep_model(model, moving, local, displacement, out);
+}
+
+bool sweep(const PlacedModel& model, const Shape& moving, Vec3 displacement, gphys_hit& out) {
+    if (const Sphere* sphere = std::get_if<Sphere>(&moving)) return sweep(model, *sphere, displacement, out);
+    return sweep_model(model, moving, inverse_transformed(moving, model.world), displacement, out);
+}
+
+void add_ways_out(const PlacedModel& model, const Shape& moving, std::vector<gphys_penetration>& out) {
+    if (const Shape* shape = std::get_if<Shape>(&model.shape)) {
+        if (!gphys::overlaps(*shape, moving)) return;
+        out.push_back(to_penetration(penetration(*shape, moving), GPHYS_NO_TRIANGLE, model.id, model.tag));
+        return;
+    }
+    const MeshSource& mesh = *std::get<1>(model.shape);
+    const Shape local = inverse_transformed(moving, model.world);
+    for (uint32_t i = 0; i < mesh.triangles(); ++i) {
+        const Triangle triangle = triangle_of(mesh, i);
+        if (!gphys::overlaps(Shape(triangle), local)) continue;
+        const Penetration way = penetration(triangle, local);
+        const Penetration world{way.depth * model.world.scale, model.world.rotation * way.normal,
+                                model.world.apply(way.point)};
+        out.push_back(to_penetration(world, i, model.id, model.tag));
+    }
 }
 
 bool overlaps(const PlacedModel& model, const Shape& query) {

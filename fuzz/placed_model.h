@@ -3,6 +3,7 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "geometry/intersect.h"
 #include "mesh_source.h"
@@ -21,6 +22,10 @@ PlacedModel placed(gphys_model_id id, uint32_t tag, const gphys_transform& world
 
 bool raycast(const PlacedModel& model, const gphys::Ray& ray, gphys_hit& hit);
 bool sweep(const PlacedModel& model, const gphys::Sphere& moving, gphys::Vec3 displacement, gphys_hit& hit);
+/// The same for a moving sphere, capsule or box.
+bool sweep(const PlacedModel& model, const gphys::Shape& moving, gphys::Vec3 displacement, gphys_hit& hit);
+/// The ways of a sphere, capsule or box out of the model, in no order.
+void add_ways_out(const PlacedModel& model, const gphys::Shape& moving, std::vector<gphys_penetration>& out);
 bool overlaps(const PlacedModel& model, const gphys::Shape& query);
 /// Whether the answer of overlaps is the same if the query, or else the model, is larger, or smaller, by more than the
 /// error that the header allows for the pair: then it has to be right.

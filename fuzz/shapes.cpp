@@ -292,6 +292,47 @@ void sweeps(Program& p) {
                "a sweep starts inside where the sphere overlaps");
 }
 
+constexpr gphys_shape_type solids[] = {GPHYS_SHAPE_SPHERE, GPHYS_SHAPE_CAPSULE, GPHYS_SHAPE_AABB, GPHYS_SHAPE_OBB};
+
+void solid_sweeps(Program& p) {
+    const Asked a(p);
+    AnyShape moving = p.shape(solids[p.below(4)]);
+    gphys_vec3 displacement = p.one_in(8) ? gphys_vec3{0, 0, 0} : p.direction();
+    p.spoil(moving, 40);
+    p.spoil(displacement, 40);
+    Output<gphys_hit> hit;
+    const gphys_status status =
+        call(gphys_shape_sweep, a.shape.type, a.shape.bytes, moving.type, moving.bytes, &displacement, &hit.value);
+    hit.after(status);
+    const bool supported = a.shape.type != GPHYS_SHAPE_FRUSTUM || moving.type == GPHYS_SHAPE_SPHERE;
+    FUZZ_CHECK((status >= 0) == (supported && a.valid && is_valid(moving) && is_valid(displacement)),
+               "sweep takes valid input only");
+    if (status < 0) return;
+    if (status == GPHYS_OK) check_hit(hit.value, 1, displacement, true);
+    const bool says_touching = status == GPHYS_OK && (hit.value.flags & GPHYS_HIT_INSIDE);
+    FUZZ_CHECK(says_touching == overlap(moving, a.shape) || !is_clear(moving, a.shape),
+               "a sweep starts inside where the solid overlaps");
+}
+
+void ways_out(Program& p) {
+    const Asked a(p);
+    AnyShape moving = p.shape(solids[p.below(4)]);
+    p.spoil(moving, 40);
+    Output<gphys_penetration> out;
+    const gphys_status status =
+        call(gphys_shape_penetration, a.shape.type, a.shape.bytes, moving.type, moving.bytes, &out.value);
+    out.after(status);
+    FUZZ_CHECK((status >= 0) == (a.shape.type != GPHYS_SHAPE_FRUSTUM && a.valid && is_valid(moving)),
+               "penetration takes valid input only");
+    if (status < 0) return;
+    FUZZ_CHECK((status == GPHYS_OK) == overlap(a.shape, moving), "there is a way out of what is overlapped");
+    if (status != GPHYS_OK) return;
+    const gphys_vec3& n = out.value.normal;
+    const double square = double{n.x} * n.x + double{n.y} * n.y + double{n.z} * n.z;
+    FUZZ_CHECK(is_finite(out.value.point) && std::fabs(square - 1) < 1e-5 && out.value.depth >= 0,
+               "a way out has a point, a direction and a length");
+}
+
 void closest_of_segments(Program& p) {
     gphys_segment a = p.segment(), b = p.segment();
     p.spoil(a, 40);
@@ -409,6 +450,7 @@ void misuse(Program& p) {
     const uint32_t bad_stride = 1 + p.below(3);
     gphys_hit hit;
     gphys_nearest near;
+    gphys_penetration way;
     int32_t flag = 0;
     const int32_t bad_type = p.one_in(2) ? static_cast<int32_t>(p.word()) | 64 : 9;
     const gphys_status refused[] = {
@@ -431,6 +473,10 @@ void misuse(Program& p) {
         call(gphys_shape_raycast_batch, shape.type, shape.bytes, &ray, bad_stride, 1u, &hit, 56u),
         call(gphys_shape_segment_test, shape.type, shape.bytes, &segment, nullptr),
         call(gphys_shape_sweep_sphere, shape.type, shape.bytes, &sphere, nullptr, &hit),
+        call(gphys_shape_sweep, shape.type, shape.bytes, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &sphere, nullptr, &hit),
+        call(gphys_shape_sweep, shape.type, shape.bytes, bad_type, &sphere, &point, &hit),
+        call(gphys_shape_penetration, shape.type, shape.bytes, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &sphere, nullptr),
+        call(gphys_shape_penetration, shape.type, nullptr, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &sphere, &way),
         call(gphys_frustum_corners, nullptr, nullptr),
         call(gphys_frustum_from_matrix, nullptr, 0, 0, nullptr),
         call(gphys_shape_classify_plane, shape.type, shape.bytes, nullptr, &flag, nullptr),
@@ -445,10 +491,10 @@ void misuse(Program& p) {
 
 void run(Program& p) {
     constexpr void (*questions[])(Program&) = {
-        validation,  bounds,  transformation, containment, containment,    overlapping, overlapping,
-        overlapping, rays,    rays,           rays,        segments,       segments,    sweeps,
-        frusta,      batches, misuse,         rays,        classification, overlapping, closest_of_segments,
-        segments,    sweeps,  containment};
+        validation,  bounds,  transformation, containment,  containment,    overlapping, overlapping,
+        overlapping, rays,    rays,           rays,         segments,       segments,    sweeps,
+        frusta,      batches, misuse,         rays,         classification, overlapping, closest_of_segments,
+        segments,    sweeps,  containment,    solid_sweeps, solid_sweeps,   ways_out,    ways_out};
     for (int i = 0; i < 64 && !p.done(); ++i) questions[p.below(std::size(questions))](p);
 }
 

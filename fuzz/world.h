@@ -62,12 +62,15 @@ private:
 
     // world_queries.cpp: the scene against all models, one by one
     uint32_t mask();
+    AnyShape solid();
     std::vector<PlacedModel> placed(uint32_t layers) const;
     void raycast();
     void segment_test();
     void overlap();
     void nearest();
     void sweep();
+    void sweep_solid();
+    void ways_out();
     void cull();
     void ray_batches();
     void other_batches();

@@ -139,6 +139,56 @@ void World::sweep() {
     FUZZ_CHECK(status != GPHYS_OK || same_bits(hit.value, expected), "sweep gives the first of the linear scan");
 }
 
+AnyShape World::solid() {
+    constexpr gphys_shape_type types[] = {GPHYS_SHAPE_SPHERE, GPHYS_SHAPE_CAPSULE, GPHYS_SHAPE_AABB, GPHYS_SHAPE_OBB};
+    return p_.shape(types[p_.below(4)]);
+}
+
+void World::sweep_solid() {
+    const AnyShape moving = solid();
+    const gphys_vec3 displacement = p_.one_in(10) ? gphys_vec3{0, 0, 0} : p_.direction();
+    const uint32_t layers = mask();
+    Output<gphys_hit> hit;
+    const gphys_status status =
+        call(gphys_scene_sweep, scene_, moving.type, moving.bytes, &displacement, layers, &hit.value);
+    hit.after(status);
+    FUZZ_CHECK((status >= 0) == is_valid(moving), "a scene is swept by valid solids only");
+    if (status < 0) return;
+    gphys_hit expected = no_hit, batch[2];
+    for (const PlacedModel& model : placed(layers)) {
+        gphys_hit other;
+        const bool touches = fuzz::sweep(model, widened(moving), gphys::widen(displacement), other);
+        if (touches && other.t < expected.t) expected = other;
+    }
+    FUZZ_CHECK((status == GPHYS_OK) == (expected.model != 0), "a sweep touches a scene where it touches a model");
+    FUZZ_CHECK(status != GPHYS_OK || same_bits(hit.value, expected), "sweep gives the first of the linear scan");
+    call(gphys_scene_sweep_batch, scene_, moving.type, moving.bytes, 0u, &displacement, 0u, 2u, layers, batch,
+         uint32_t{sizeof(gphys_hit)});
+    FUZZ_CHECK(same_bits(batch[0], expected) && same_bits(batch[1], expected), "sweep_batch gives the bits of sweep");
+}
+
+void World::ways_out() {
+    const AnyShape moving = solid();
+    const uint32_t layers = mask(), room = p_.below(12);
+    std::vector<gphys_penetration> expected, found(64), deepest(room + 1);
+    uint32_t total = 0;
+    const gphys_status status = call(gphys_scene_penetration, scene_, moving.type, moving.bytes, layers, found.data(),
+                                     static_cast<uint32_t>(found.size()), &total);
+    FUZZ_CHECK((status >= 0) == is_valid(moving), "a valid solid gets out");
+    if (status < 0) return;
+    for (const PlacedModel& model : placed(layers)) add_ways_out(model, widened(moving), expected);
+    std::sort(expected.begin(), expected.end(), gphys::DeepestFirst());
+    found.resize(std::min(total, uint32_t{64}));
+    FUZZ_CHECK(total == expected.size(), "a scene lists what is overlapped");
+    const auto agree = [&](const std::vector<gphys_penetration>& list, size_t count) {
+        for (size_t i = 0; i < count; ++i) FUZZ_CHECK(same_bits(list[i], expected[i]), "the deepest come first");
+    };
+    agree(found, found.size());
+    call(gphys_scene_penetration, scene_, moving.type, moving.bytes, layers, room ? deepest.data() : nullptr, room,
+         &total);
+    agree(deepest, std::min<size_t>(room, total));
+}
+
 void World::cull() {
     const gphys_frustum frustum = p_.frustum();
     const AnyShape any = AnyShape::of(GPHYS_SHAPE_FRUSTUM, frustum);
@@ -291,6 +341,10 @@ void World::query_misuse() {
         call(gphys_scene_nearest_batch, none, &zero, 12u, 1u, 1.0f, 7u, &nearest_out, 28u),
         call(gphys_scene_sweep_sphere, scene_, &ball, nullptr, 7u, &out),
         call(gphys_scene_sweep_sphere_batch, scene_, &ball, 16u, &zero, bad_stride, 1u, 7u, &out, 56u),
+        call(gphys_scene_sweep, scene_, gphys_shape_type{GPHYS_SHAPE_PLANE}, &ball, &zero, 7u, &out),
+        call(gphys_scene_sweep_batch, scene_, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &ball, 16u, &zero, bad_stride, 1u,
+             7u, &out, 56u),
+        call(gphys_scene_penetration, none, gphys_shape_type{GPHYS_SHAPE_SPHERE}, &ball, 7u, nullptr, 0u, &total),
         call(gphys_scene_cull, scene_, nullptr, 7u, &id, 1u, &total)};
     for (const gphys_status status : refused) FUZZ_CHECK(status < 0, "a call that makes no sense is refused");
 }

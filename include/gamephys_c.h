@@ -276,6 +276,16 @@ typedef struct gphys_nearest {
     uint32_t triangle; /* index within a mesh, else GPHYS_NO_TRIANGLE */
 } gphys_nearest;
 
+/** How a solid gets out of something that it overlaps. */
+typedef struct gphys_penetration {
+    uint32_t model; /* as in gphys_hit */
+    uint32_t tag;
+    gphys_vec3 point;  /* on what is overlapped: where the two touch when the solid has gone depth along normal */
+    gphys_vec3 normal; /* unit: the way out, from what is overlapped to the solid */
+    float depth;       /* metres along normal; 0 for shapes that touch */
+    uint32_t triangle; /* index within a mesh, else GPHYS_NO_TRIANGLE */
+} gphys_penetration;
+
 /** Says which struct a `const void* shape` points to. */
 typedef int32_t gphys_shape_type;
 enum {
@@ -448,6 +458,38 @@ GPHYS_API gphys_status gphys_shape_segment_test(gphys_shape_type type, const voi
  *  Cost: O(1), about 10 us for a frustum, which is approached step by step; O(log n + k) expected for a mesh. */
 GPHYS_API gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void* shape, const gphys_sphere* sphere,
                                                 const gphys_vec3* displacement, gphys_hit* out_hit);
+
+/** First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
+ *  sphere, capsule, AABB, OBB, plane, triangle or mesh.
+ *  @param moving_type   sphere, capsule, AABB or OBB
+ *  @param displacement  metres; may be zero
+ *  @param out_hit  t, point and normal as in gphys_shape_sweep_sphere, whose answers a sphere gets. The
+ *                  point is one of those where the two touch, always the same. Already overlapping, but
+ *                  for a sphere: t = 0, GPHYS_HIT_INSIDE, and point and normal of gphys_shape_penetration;
+ *                  of a mesh, those of its first triangle.
+ *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a
+ *          frustum unless a sphere moves, and for other types that move
+ *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of t.
+ *  Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh. */
+GPHYS_API gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
+                                         const void* moving, const gphys_vec3* displacement, gphys_hit* out_hit);
+
+/** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
+ *  OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is nearer. Of a
+ *  mesh: out of the triangle that it is deepest in; others may remain, and have translations of their own.
+ *  @param moving_type      sphere, capsule, AABB or OBB
+ *  @param out_penetration  depth and normal of the translation, which is their product; of several that are
+ *                          as short one, always the same. The point of the solid that gets furthest in
+ *                          is point - depth * normal.
+ *  @return GPHYS_OK if gphys_shape_overlaps says that they overlap, else GPHYS_NO_HIT;
+ *          GPHYS_ERROR_UNSUPPORTED for rays, segments and frusta, and for other types that move
+ *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of
+ *  depth; by 2^-32 where the centre or axis of what is round is less than that away from the other shape.
+ *  Rounded to floats, the translation may leave as much overlap as they tell positions apart.
+ *  Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk 1996), what
+ *  is round by the distance of its core (Gilbert, Johnson, Keerthi 1988). */
+GPHYS_API gphys_status gphys_shape_penetration(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
+                                               const void* moving, gphys_penetration* out_penetration);
 
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  *  left-bottom, right-bottom, right-top, left-top.
@@ -900,6 +942,35 @@ GPHYS_API gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, 
                                                       uint32_t sphere_stride, const gphys_vec3* displacements,
                                                       uint32_t displacement_stride, uint32_t count, uint32_t layers,
                                                       gphys_hit* out_hits, uint32_t out_stride);
+
+/** First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+ *  turning; t in 0..1. Fields as in gphys_shape_sweep.
+ *  @param displacement  metres; may be zero
+ *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for other types
+ *  Cost: O(log n + k) expected, k the models that the swept box touches. */
+GPHYS_API gphys_status gphys_scene_sweep(const gphys_scene* scene, gphys_shape_type type, const void* shape,
+                                         const gphys_vec3* displacement, uint32_t layers, gphys_hit* out_hit);
+/** First models that count shapes of one type touch while each moves by its displacement, as
+ *  gphys_scene_sweep; one that touches nothing gets model = 0 and t = INFINITY.
+ *  @param shapes         a stride of 0 takes one shape throughout
+ *  @param displacements  metres; a stride of 0 moves all alike
+ *  @param out_hits       count elements
+ *  @return GPHYS_ERROR_UNSUPPORTED as gphys_scene_sweep
+ *  Cost: that of count single calls; shared among workers. */
+GPHYS_API gphys_status gphys_scene_sweep_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                               uint32_t shape_stride, const gphys_vec3* displacements,
+                                               uint32_t displacement_stride, uint32_t count, uint32_t layers,
+                                               gphys_hit* out_hits, uint32_t out_stride);
+
+/** What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+ *  a mesh one for each triangle, as gphys_shape_penetration. Deepest first; those that are as deep by
+ *  model, then triangle. Each is the way out of that one alone. The models are those of gphys_scene_overlap. Kept when
+ *  the array is too small: the deepest.
+ *  @return GPHYS_ERROR_UNSUPPORTED for other types
+ *  Cost: O(log n + k log k) expected. */
+GPHYS_API gphys_status gphys_scene_penetration(const gphys_scene* scene, gphys_shape_type type, const void* shape,
+                                               uint32_t layers, gphys_penetration* out_penetrations, uint32_t capacity,
+                                               uint32_t* out_total);
 
 /** How the scene's octree is made up. Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);

@@ -139,6 +139,8 @@ static void single_queries(world* w) {
         ok(gphys_scene_overlap(w->scene, GPHYS_SHAPE_OBB, &box, ~0u, w->found, MODELS, &total));
         ok(gphys_scene_nearest(w->scene, &ball.center, 5, ~0u, &nearest));
         ok(gphys_scene_sweep_sphere(w->scene, &ball, &away, ~0u, w->hits));
+        ok(gphys_scene_sweep(w->scene, GPHYS_SHAPE_OBB, &box, &away, ~0u, w->hits));
+        ok(gphys_scene_penetration(w->scene, GPHYS_SHAPE_OBB, &box, ~0u, NULL, 0, &total));
     }
 }
 
@@ -208,6 +210,11 @@ static void shape_queries(world* w) {
         }
         for (k = 0; k < RAYS; ++k) (void)gphys_shape_raycast(type, shapes[i], &w->rays[k], w->hits);
         (void)gphys_shape_sweep_sphere(type, shapes[i], &sphere, &zero, w->hits);
+        for (j = 0; j < 4; ++j) {
+            gphys_penetration out;
+            (void)gphys_shape_sweep(type, shapes[i], types[j], shapes[j], &zero, w->hits);
+            (void)gphys_shape_penetration(type, shapes[i], types[j], shapes[j], &out);
+        }
     }
 }
 

@@ -79,6 +79,7 @@ typedef struct answers {
     gphys_model_id models[MODELS];
     gphys_transform transforms[MODELS], world_transforms[MODELS];
     gphys_hit raycast[QUERIES], segment_test[QUERIES], sweep[QUERIES], pick[QUERIES], raycast_all[LIST];
+    gphys_hit solid_sweep[QUERIES];
     gphys_hit raycast_all_cut[CUT], raycast_all_exact[LIST];
     int32_t raycast_any[QUERIES];
     gphys_nearest nearest[QUERIES];
@@ -159,6 +160,10 @@ static answers* ask_everything(uint32_t worker_count, const gphys_task_runner* r
         gphys_scene_sweep_sphere_batch(scene, input.spheres, sizeof *input.spheres, input.points, sizeof *input.points,
                                        QUERIES, layers, all->sweep, sizeof *all->sweep),
         GPHYS_OK);
+    const gphys_obb brick = {{1, 2, 3}, {0.5f, 1, 2}, {0, 0.6f, 0, 0.8f}};
+    assert_int_equal(gphys_scene_sweep_batch(scene, GPHYS_SHAPE_OBB, &brick, 0, input.points, sizeof *input.points,
+                                             QUERIES, layers, all->solid_sweep, sizeof *all->solid_sweep),
+                     GPHYS_OK);
     assert_int_equal(gphys_camera_pick_batch(camera, scene, input.pixels[0], sizeof *input.pixels, QUERIES, layers,
                                              all->pick, sizeof *all->pick),
                      GPHYS_OK);

@@ -86,10 +86,11 @@ inline bool raycast(const PlacedModel& model, const Ray& ray, Hit& hit) {
     return found;
 }
 
-inline bool sweep(const PlacedModel& model, const Sphere& moving, Vec3 displacement, Hit& hit) {
+/// `local` is the solid in the mesh's coordinates.
+template <class Solid>
+bool sweep_solid(const PlacedModel& model, const Solid& moving, const Solid& local, Vec3 displacement, Hit& hit) {
     if (const Shape* shape = std::get_if<Shape>(&model.shape)) return gphys::sweep(*shape, moving, displacement, hit);
     const MeshSource& mesh = *std::get<1>(model.shape);
-    const Sphere local{model.world.inverse_apply(moving.center), moving.radius / model.world.scale};
     bool found = false;
     for (uint32_t i = 0; i < mesh.triangle_count(); ++i) {
         Hit candidate;
@@ -105,6 +106,33 @@ inline bool sweep(const PlacedModel& model, const Sphere& moving, Vec3 displacem
         hit.normal = model.world.rotation * hit.normal;
     }
     return found;
+}
+
+inline bool sweep(const PlacedModel& model, const Sphere& moving, Vec3 displacement, Hit& hit) {
+    const Sphere local{model.world.inverse_apply(moving.center), moving.radius / model.world.scale};
+    return sweep_solid(model, moving, local, displacement, hit);
+}
+inline bool sweep(const PlacedModel& model, const Shape& moving, Vec3 displacement, Hit& hit) {
+    if (const Sphere* sphere = std::get_if<Sphere>(&moving)) return sweep(model, *sphere, displacement, hit);
+    return sweep_solid(model, moving, inverse_transformed(moving, model.world), displacement, hit);
+}
+
+/// The ways of a solid out of the model, in no order.
+inline void add_ways_out(const PlacedModel& model, const Shape& moving, std::vector<gphys_penetration>& out) {
+    if (const Shape* shape = std::get_if<Shape>(&model.shape)) {
+        if (!gphys::overlaps(*shape, moving)) return;
+        out.push_back(to_penetration(penetration(*shape, moving), GPHYS_NO_TRIANGLE, model.id, model.tag));
+        return;
+    }
+    const MeshSource& mesh = *std::get<1>(model.shape);
+    const Shape local = inverse_transformed(moving, model.world);
+    for (uint32_t i = 0; i < mesh.triangle_count(); ++i) {
+        if (!gphys::overlaps(Shape(mesh.triangle(i)), local)) continue;
+        const Penetration way = penetration(mesh.triangle(i), local);
+        out.push_back(to_penetration(
+            {way.depth * model.world.scale, model.world.rotation * way.normal, model.world.apply(way.point)}, i,
+            model.id, model.tag));
+    }
 }
 
 inline bool overlaps(const PlacedModel& model, const Shape& query) {

@@ -188,6 +188,71 @@ bool sweep_agrees(RandomScene& world) {
     return status == (expected.model ? GPHYS_OK : GPHYS_NO_HIT) && same_bits(expected, found);
 }
 
+/// A sphere, capsule or box, as the caller has it and as the library reads it.
+struct Solid {
+    explicit Solid(RandomScene& world) {
+        const gphys_vec3 a = world.point(15), b = world.point(2);
+        const gphys_vec3 half{std::fabs(b.x), std::fabs(b.y), std::fabs(b.z)};
+        switch (world.random.index(3)) {
+            case 0:
+                capsule = {a, {a.x + b.x, a.y + b.y, a.z + b.z}, world.size(1)};
+                type = GPHYS_SHAPE_CAPSULE, shape = &capsule, wide = widen(capsule);
+                break;
+            case 1:
+                box = {a, {a.x + half.x, a.y + half.y, a.z + half.z}};
+                type = GPHYS_SHAPE_AABB, shape = &box, wide = widen(box);
+                break;
+            default:
+                turned = {a, half, world.random.rotation()};
+                type = GPHYS_SHAPE_OBB, shape = &turned, wide = widen(turned);
+        }
+    }
+    Solid(const Solid&) = delete;
+
+    gphys_capsule capsule;
+    gphys_aabb box;
+    gphys_obb turned;
+    gphys_shape_type type;
+    const void* shape;
+    Shape wide;
+};
+
+bool solid_sweep_agrees(RandomScene& world) {
+    const Solid moving(world);
+    const gphys_vec3 displacement = world.random.index(20) ? world.point(20) : gphys_vec3{};
+    const uint32_t layers = random_layers(world);
+    gphys_hit expected{}, found{}, batch{};
+    for (const PlacedModel& model : world.models) {
+        Hit hit;
+        if (!seen(model, layers) || !sweep(model, moving.wide, widen(displacement), hit)) continue;
+        if (expected.model != 0 && reported(hit.t) >= expected.t) continue;
+        expected = to_contact(hit, widen(displacement), model.id, model.tag);
+    }
+    const gphys_status status =
+        gphys_scene_sweep(world.scene, moving.type, moving.shape, &displacement, layers, &found);
+    gphys_scene_sweep_batch(world.scene, moving.type, moving.shape, 0, &displacement, 0, 1, layers, &batch,
+                            sizeof batch);
+    return status == (expected.model ? GPHYS_OK : GPHYS_NO_HIT) && same_bits(expected, found) &&
+           (status == GPHYS_NO_HIT || same_bits(expected, batch));
+}
+
+bool ways_out_agree(RandomScene& world) {
+    const Solid moving(world);
+    const uint32_t layers = random_layers(world);
+    std::vector<gphys_penetration> expected, found(100);
+    for (const PlacedModel& model : world.models) {
+        if (seen(model, layers)) add_ways_out(model, moving.wide, expected);
+    }
+    std::sort(expected.begin(), expected.end(), DeepestFirst());
+    uint32_t total = 0;
+    gphys_scene_penetration(world.scene, moving.type, moving.shape, layers, found.data(),
+                            static_cast<uint32_t>(found.size()), &total);
+    found.resize(std::min<size_t>(total, found.size()));
+    if (total != expected.size()) return false;
+    return std::equal(found.begin(), found.end(), expected.begin(),
+                      [](const auto& a, const auto& b) { return std::memcmp(&a, &b, sizeof a) == 0; });
+}
+
 /// How far the corner of the box that is furthest in is behind a plane, in units of the sum of
 /// magnitudes that float arithmetic rounds.
 double relative_depth_outside(const Aabb& box, const Frustum& frustum, const Plane& plane) {
@@ -268,6 +333,8 @@ constexpr Kind kinds[] = {{"raycast", raycast_agrees},
                           {"overlap", overlap_agrees},
                           {"nearest", nearest_agrees},
                           {"sweep", sweep_agrees},
+                          {"sweep of a solid", solid_sweep_agrees},
+                          {"ways out", ways_out_agree},
                           {"cull", cull_agrees},
                           {"candidates", candidates_agree}};
 

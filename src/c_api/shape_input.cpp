@@ -42,6 +42,13 @@ gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) no
     }
 }
 
+gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out) noexcept {
+    GPHYS_TRY(read_shape(type, shape, out));
+    const bool moves = type == GPHYS_SHAPE_SPHERE || type == GPHYS_SHAPE_CAPSULE || type == GPHYS_SHAPE_AABB ||
+                       type == GPHYS_SHAPE_OBB;
+    return moves ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, "type: only a sphere, capsule, AABB or OBB moves");
+}
+
 gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out) noexcept {
     if (type != GPHYS_SHAPE_MESH) return read_shape(type, shape, out.shape);
     GPHYS_REQUIRE(shape, "shape is null");

@@ -21,6 +21,9 @@ struct ShapeOrMesh {
 };
 /// @return as read_shape, but a mesh is taken too
 gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out) noexcept;
+/// A shape that moves.
+/// @return as read_shape; GPHYS_ERROR_UNSUPPORTED for what is no sphere, capsule, AABB or OBB
+gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out) noexcept;
 /// Bytes of the public struct; 0 for a mesh and for unknown types.
 size_t shape_struct_size(gphys_shape_type type) noexcept;
 

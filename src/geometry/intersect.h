@@ -4,7 +4,8 @@
 //   overlaps       do two shapes share a point?                  overlap.cpp
 //   classify       on which side of a plane or frustum?          classify.cpp
 //   raycast        where does a ray first meet a shape?          raycast*.cpp
-//   sweep          where does a moving sphere first touch?       sweep.cpp
+//   sweep          where does a moving solid first touch?        sweep.cpp, sweep_convex.cpp
+//   penetration    how does a solid get out of a shape?          penetration.cpp
 // Shapes are closed sets; solids are solid. Inputs are valid (shapes.h: defect).
 #pragma once
 
@@ -123,6 +124,38 @@ bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit
 bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit);
+/// The same for a moving sphere, capsule or box. The shape is no frustum, unless a sphere moves.
+bool sweep(const Shape& shape, const Shape& moving, Vec3 displacement, Hit& hit);
+bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit& hit);
+/// The box around a sphere, capsule or box, its middle, and how far it reaches along each axis.
+struct BoxInMotion {
+    explicit BoxInMotion(const Shape& moving);
+    Box box;
+    Vec3 middle, half;
+};
+
+/// The shortest way for a solid out of a shape that it overlaps.
+struct Penetration {
+    double depth;  // its length
+    Vec3 normal;   // its direction, of length 1
+    Vec3 point;    // where the two then touch
+};
+/// The public form; model 0 when the question was not of a scene.
+inline gphys_penetration to_penetration(const Penetration& way, uint32_t triangle = GPHYS_NO_TRIANGLE,
+                                        uint32_t model = 0, uint32_t tag = 0) {
+    return {model, tag, rounded_point(way.point), narrow(way.normal), reported(way.depth), triangle};
+}
+/// Deepest first, then by model and triangle: the order of lists of them.
+struct DeepestFirst {
+    bool operator()(const gphys_penetration& a, const gphys_penetration& b) const {
+        if (a.depth != b.depth) return a.depth > b.depth;
+        return a.model != b.model ? a.model < b.model : a.triangle < b.triangle;
+    }
+};
+/// For a sphere, capsule or box, and shapes that are no frusta; they overlap (overlaps), but for rounding.
+Penetration penetration(const Shape& shape, const Shape& moving);
+Penetration penetration(const Triangle& triangle, const Shape& moving);
+
 /// The public form of a sweep's hit. Its normal is against the motion as floats too, unless the sphere started
 /// touching.
 gphys_hit to_contact(const Hit& hit, Vec3 displacement, uint32_t model = 0, uint32_t tag = 0);

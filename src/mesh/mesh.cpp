@@ -192,6 +192,33 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
     return true;
 }
 
+bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
+    if (packets_.empty()) return false;
+    if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, hit);
+    const BoxInMotion box(moving);
+    const RayProbe probe(box.middle, displacement, box.half, bounds());
+    Hit first;
+    float first_t = std::numeric_limits<float>::infinity();
+    octree_.sweep(box.middle, displacement, box.half, [&](uint32_t number, double& t_max) {
+        const TrianglePacket& packet = packets_[number];
+        for_each_lane(kernels_.lanes_along(packet, probe, probe.limit(t_max)), [&](int lane) {
+            Hit candidate;
+            if (!gphys::sweep(packet.triangle(lane), moving, displacement, candidate)) return true;
+            candidate.triangle = packet.index[lane];
+            const float t = reported(candidate.t);
+            if (t < first_t || (t == first_t && candidate.triangle < first.triangle)) {
+                first = candidate;
+                first_t = t;
+                t_max = std::min(t_max, limit_of_ties<double>(t));
+            }
+            return true;
+        });
+    });
+    if (first.triangle == GPHYS_NO_TRIANGLE) return false;
+    hit = first;
+    return true;
+}
+
 bool Mesh::overlaps(const Shape& shape) const {
     bool found = false;
     for_each_overlap(shape, [&](uint32_t) {

@@ -75,11 +75,22 @@ public:
     bool closest_point(Vec3 point, double max_distance, const DistanceOf& distance_of, const LimitOf& limit_of,
                        Vec3& out, uint32_t& triangle) const;
     bool sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties = Ties::as_reported) const;
+    /// For a moving sphere, capsule or box.
+    bool sweep(const Shape& moving, Vec3 displacement, Hit& hit) const;
     bool overlaps(const Shape& shape) const;
     bool overlaps(const Mesh& other) const;
     /// Every triangle that shares a point with the shape: visit(triangle) returns whether to go on.
     template <class Visit>
     void for_each_overlap(const Shape& shape, Visit&& visit) const;
+    /// How a sphere, capsule or box gets out of each triangle that it overlaps, one at a time: visit(Penetration,
+    /// triangle).
+    template <class Visit>
+    void for_each_penetration(const Shape& moving, Visit&& visit) const {
+        for_each_overlap(moving, [&](uint32_t index) {
+            visit(penetration(triangle(index), moving), index);
+            return true;
+        });
+    }
 
     Memory memory;
 

@@ -98,6 +98,14 @@ bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement
     return true;
 }
 
+bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit) {
+    const Transform& world = instance.world;
+    const Vec3 local = world.inverse_apply_to_vector(displacement);
+    if (!instance.mesh.sweep(inverse_transformed(moving, world), local, hit)) return false;
+    out_of_mesh(hit, world);
+    return true;
+}
+
 bool overlaps(const MeshInstance& instance, const Shape& shape) {
     return instance.mesh.overlaps(inverse_transformed(shape, instance.world));
 }

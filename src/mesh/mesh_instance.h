@@ -22,9 +22,21 @@ bool comes_near(const MeshInstance& instance, const Ray& ray);
 bool raycast_any(const MeshInstance& instance, const Ray& ray);
 bool sweep(const MeshInstance& instance, const Sphere& moving, Vec3 displacement, Hit& hit,
            Ties ties = Ties::as_reported);
+/// For a moving sphere, capsule or box.
+bool sweep(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit);
 bool overlaps(const MeshInstance& instance, const Shape& shape);
 /// False if no triangle is within max_distance (as computed: or, by rounding, barely beyond it).
 bool closest_point(const MeshInstance& instance, Vec3 point, double max_distance, Vec3& out, uint32_t& triangle,
                    Ties ties = Ties::as_reported);
+
+/// As Mesh::for_each_penetration.
+template <class Visit>
+void for_each_penetration(const MeshInstance& instance, const Shape& moving, Visit&& visit) {
+    const Transform& world = instance.world;
+    instance.mesh.for_each_penetration(
+        inverse_transformed(moving, world), [&](const Penetration& way, uint32_t triangle) {
+            visit(Penetration{way.depth * world.scale, world.rotation * way.normal, world.apply(way.point)}, triangle);
+        });
+}
 
 }  // namespace gphys

@@ -57,6 +57,20 @@ RayProbe::RayProbe(Vec3 origin, Vec3 direction, const RaysRoot& root) {
     course = {setup.slack, setup.scale, setup.start, setup.span};
 }
 
+// As for a ball that is as large as the box is on its longest axis; on the others the faces are moved back by what they
+// are nearer. That leaves out 2^-20 of it, and another 2^-22 of the origins, which are rounded once more.
+RayProbe::RayProbe(Vec3 middle, Vec3 displacement, Vec3 half, const Box& root)
+    : RayProbe(middle, displacement, max_component(half), root) {
+    if (!excludes()) return;
+    for (int k = 0; k < 3; ++k) {
+        const double rounded = 0x1p-22 * std::max(std::fabs(near_origin[k]), std::fabs(far_origin[k]));
+        const double nearer = std::max((max_component(half) - half[k]) * (1 - 0x1p-20) - rounded, 0.0);
+        const double back_again = near_face[k] < far_face[k] ? -nearer : nearer;
+        near_origin[k] = static_cast<float>(near_origin[k] + back_again);
+        far_origin[k] = static_cast<float>(far_origin[k] - back_again);
+    }
+}
+
 float RayProbe::limit(double t_max) const {
     return static_cast<float>(ray_limit(t_max, course.slack, course.scale, course.start, course.span));
 }

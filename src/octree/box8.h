@@ -51,6 +51,8 @@ struct alignas(16) RayProbe {
     /// `root` encloses all boxes that will be tested.
     RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root);
     RayProbe(Vec3 origin, Vec3 direction, const RaysRoot& root);
+    /// For a box that moves: its middle, its way, and how far it reaches along each axis.
+    RayProbe(Vec3 middle, Vec3 displacement, Vec3 half, const Box& root);
 
     /// False if every box passes.
     bool excludes() const { return course.span < beyond_trees; }

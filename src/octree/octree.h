@@ -78,6 +78,9 @@ public:
     /// As raycast, for a sphere that moves from `center` to center + displacement, t = 0..1.
     template <class Visit>
     void sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit, ItemMemory items = {}) const;
+    /// The same for a box that reaches so far on each axis.
+    template <class Visit>
+    void sweep(Vec3 middle, Vec3 displacement, Vec3 half, Visit&& visit, ItemMemory items = {}) const;
     /// Roughly nearest first. visit(item, max_distance) may lower max_distance; a negative one ends
     /// the query.
     template <class Visit>

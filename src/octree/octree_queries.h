@@ -104,6 +104,12 @@ void Octree::sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit,
 }
 
 template <class Visit>
+void Octree::sweep(Vec3 middle, Vec3 displacement, Vec3 half, Visit&& visit, ItemMemory items) const {
+    if (root_ == none) return;
+    traverse_to_bound(kernels_.ray, RayProbe(middle, displacement, half, bounds_), 1, visit, items);
+}
+
+template <class Visit>
 void Octree::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items) const {
     if (root_ == none) return;
     traverse_to_bound(kernels_.point, PointProbe(point, bounds_), max_distance, visit, items);

@@ -5,6 +5,7 @@
 //   scene_transforms.cpp  they move, and their descendants with them
 //   scene_rays.cpp        rays
 //   scene_queries.cpp     overlaps, nearest, sweeps, culling
+//   scene_solids.cpp      sweeps of capsules and boxes, and ways out
 //   scene_contact.cpp     one model and one point, for collision response
 //   scene_check.cpp       is everything in agreement?
 //
@@ -116,6 +117,10 @@ public:
     void meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* met) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
+    /// For a moving sphere, capsule or box.
+    gphys_status sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
+    /// The way of a sphere, capsule or box out of each model, or each triangle of a mesh, that it overlaps.
+    void penetration(const Shape& moving, uint32_t layers, Smallest<gphys_penetration, DeepestFirst>& out) const;
     /// World boxes that lie outside none of the six planes and of the frustum's own box, in
     /// arithmetic rounded outward: a superset of what the frustum sees.
     /// The lowest `capacity` ids, ascending; returns how many there are. Beyond them `out` is scratch.

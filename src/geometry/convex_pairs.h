@@ -1,0 +1,63 @@
+// A sphere, capsule or box and any other shape, as what the answers about them are made of: the set of differences of
+// two convex shapes, or a convex shape over a plane.
+#pragma once
+
+#include "geometry/convex.h"
+
+namespace gphys {
+
+/// Counted from `from`, a point of the moving shape.
+template <class Other, class Moving>
+ConvexDifference difference_of(const Other& other, const Moving& moving, Vec3 from) {
+    return {core_of(relative_to(from, other)), core_of(relative_to(from, moving))};
+}
+template <class Moving>
+ConvexDifference difference_of(const Triangle& other, const Moving& moving, Vec3 from) {
+    return {relative_to(from, other), core_of(relative_to(from, moving))};
+}
+
+/// The side of a plane that the middle of a solid is on, and how far the solid is away from it.
+struct OverPlane {
+    template <class Moving>
+    OverPlane(const Plane& plane, const Moving& moving, Vec3 from)
+        : OverPlane(relative_to(from, plane), core_of(relative_to(from, moving))) {}
+    /// A plane through the middle has the solid on its front.
+    OverPlane(const Plane& plane, const Core& solid) {
+        const double size = length(plane.normal);
+        const double height = (dot(plane.normal, solid.center) - plane.distance) / size;
+        behind = height < 0;
+        normal = normalized(plane.normal) * (behind ? -1 : 1);
+        gap = std::fabs(height) - solid.radius;
+        foot = solid.center - normal * std::fabs(height);
+        for (int k = 0; k < solid.axis_count; ++k) {
+            const double slope = dot(normal, solid.axes[k]);
+            gap -= solid.half[k] * std::fabs(slope);
+            // The middle of a face or an edge that lies flat.
+            const double way = slope > 0 ? -solid.half[k] : slope < 0 ? solid.half[k] : 0;
+            foot += (solid.axes[k] - normal * slope) * way;
+        }
+    }
+
+    double gap;   // below 0 if they overlap
+    Vec3 normal;  // from the plane to the solid
+    Vec3 foot;    // where the plane is nearest to the solid
+    bool behind;  // the plane's normal points the other way
+};
+
+/// visit gets a moving sphere, capsule, Aabb or Obb.
+template <class Visit>
+auto with_solid(const Shape& moving, Visit&& visit) {
+    if (const auto* sphere = std::get_if<Sphere>(&moving)) return visit(*sphere);
+    if (const auto* capsule = std::get_if<Capsule>(&moving)) return visit(*capsule);
+    if (const auto* box = std::get_if<Aabb>(&moving)) return visit(*box);
+    return visit(std::get<Obb>(moving));
+}
+/// visit gets the other shape too.
+template <class Visit>
+auto with_pair(const Shape& other, const Shape& moving, Visit&& visit) {
+    return with_solid(moving, [&](const auto& solid) {
+        return std::visit([&](const auto& each) { return visit(each, solid); }, other);
+    });
+}
+
+}  // namespace gphys

@@ -1,0 +1,42 @@
+// The shortest way out. What overlaps is convex, or a plane with its two sides, so that there is a direction with a
+// proof for it: along the normal the two just touch, and no other direction is shorter (convex_separation.cpp).
+#include <algorithm>
+
+#include "geometry/convex_pairs.h"
+#include "geometry/intersect.h"
+
+namespace gphys {
+
+namespace {
+
+template <class Other, class Moving>
+Penetration pair(const Other& other, const Moving& moving) {
+    const Vec3 from = reference_point(moving);
+    const ConvexDifference set = difference_of(other, moving, from);
+    const Separation apart = separation(set);
+    const Vec3 point = contact_on_other(set, apart) + apart.normal * set.other_radius();
+    return {std::max(0.0, set.radius() - apart.distance), apart.normal, from + point};
+}
+
+template <class Moving>
+Penetration pair(const Plane& plane, const Moving& moving) {
+    const Vec3 from = reference_point(moving);
+    const OverPlane over(plane, moving, from);
+    return {std::max(0.0, -over.gap), over.normal, from + over.foot};
+}
+
+template <class Moving>
+Penetration pair(const Frustum&, const Moving&) {
+    return {};
+}
+
+}  // namespace
+
+Penetration penetration(const Shape& shape, const Shape& moving) {
+    return with_pair(shape, moving, [](const auto& other, const auto& solid) { return pair(other, solid); });
+}
+Penetration penetration(const Triangle& triangle, const Shape& moving) {
+    return with_solid(moving, [&](const auto& solid) { return pair(triangle, solid); });
+}
+
+}  // namespace gphys

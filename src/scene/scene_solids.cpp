@@ -1,0 +1,70 @@
+// How spheres, capsules and boxes move in the scene: what they touch first, and how they get out of what they overlap.
+#include "scene/scene.h"
+#include "scene/winner.h"
+
+namespace gphys {
+
+namespace {
+
+bool sweep_shape(const MeshInstance& instance, const Shape& moving, Vec3 displacement, Hit& hit) {
+    return sweep(instance, moving, displacement, hit);
+}
+template <class Primitive>
+bool sweep_shape(const Primitive& shape, const Shape& moving, Vec3 displacement, Hit& hit) {
+    return sweep(Shape(shape), moving, displacement, hit);
+}
+
+/// The ways out of a model: add(Penetration, triangle).
+template <class Add>
+void each_way_out(const MeshInstance& instance, const Shape& moving, const Add& add) {
+    for_each_penetration(instance, moving, add);
+}
+template <class Primitive, class Add>
+void each_way_out(const Primitive& shape, const Shape& moving, const Add& add) {
+    if (overlaps(Shape(shape), moving)) add(gphys::penetration(Shape(shape), moving), GPHYS_NO_TRIANGLE);
+}
+
+}  // namespace
+
+gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
+    if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, layers, out);
+    Hit first, hit;
+    Winner winner;
+    double end = 1;
+    const auto exact = [&](const auto& shape) { return sweep_shape(shape, moving, displacement, hit); };
+    const auto ask = [&](uint32_t slot) {
+        if (!(models_[slot].layers & layers) || !with_shape(slot, exact)) return;
+        const float t = reported(hit.t);
+        if (!winner.is_beaten_by(t, slot, ids_)) return;
+        winner = {t, slot};
+        end = std::min(1.0, limit_of_ties<double>(t));
+        first = hit;
+    };
+    for (const uint32_t slot : unbounded_) ask(slot);
+    const auto visit = [&](uint32_t slot, double& t_max) {
+        ask(slot);
+        t_max = end;
+    };
+    const BoxInMotion box(moving);
+    octree_.sweep(box.middle, displacement, box.half, visit, model_memory());
+    if (!winner.exists()) return GPHYS_NO_HIT;
+    out = to_contact(first, displacement, ids_.id(winner.slot), tags_[winner.slot]);
+    return GPHYS_OK;
+}
+
+void Scene::penetration(const Shape& moving, uint32_t layers, Smallest<gphys_penetration, DeepestFirst>& out) const {
+    const auto ask = [&](uint32_t slot) {
+        if (!(models_[slot].layers & layers)) return true;
+        with_shape(slot, [&](const auto& shape) {
+            each_way_out(shape, moving, [&](const Penetration& way, uint32_t triangle) {
+                out.add(to_penetration(way, triangle, ids_.id(slot), tags_[slot]));
+            });
+        });
+        return true;
+    };
+    for (const uint32_t slot : unbounded_) ask(slot);
+    const auto visit = [&](uint32_t slot, bool) { return ask(slot); };
+    octree_.overlap_box(BoxInMotion(moving).box, visit, model_memory(), model_memory());
+}
+
+}  // namespace gphys

@@ -1,0 +1,146 @@
+// A sweep of a solid is held against overlaps, which decide otherwise: shortly before the first contact the two do not
+// overlap, shortly after it they do, and nowhere on a way without contact. Shortly is in metres along the normal: a
+// solid that is larger or smaller by the band.
+#include "solid_cases.h"
+
+using namespace gphys;
+using namespace test;
+
+namespace {
+
+constexpr int cases = 100000, many_cases = 1000000;
+
+struct Proof {
+    int contacts = 0, at_start = 0, misses = 0, too_late = 0, too_early = 0, missed = 0, wrong_starts = 0,
+        wrong_normals = 0, wrong_points = 0, overlap_beside = 0, wrong_times = 0;
+
+    void add(const SolidPair& pair, Random& random) {
+        const Vec3 displacement = pair.way;
+        const double band = 0x1p-40 * pair.size;
+        // What is flat cannot be smaller by the band.
+        const bool shrinks = has_thickness(pair.moving, band);
+        const auto overlap_at = [&](double t, double grow) {
+            return overlaps(pair.other, grown(moved(pair.moving, displacement * t), grow));
+        };
+        Hit hit;
+        if (!sweep(pair.other, pair.moving, displacement, hit)) {
+            ++misses;
+            if (!shrinks) return;
+            for (int i = 0; i < 32; ++i)
+                missed += overlap_at(random.index(8) == 0 ? i & 1 : random.uniform(0, 1), -band);
+            missed += passes_through(pair, displacement, band);
+            return;
+        }
+        if (hit.flags & GPHYS_HIT_INSIDE) {
+            ++at_start;
+            wrong_starts += hit.t != 0 || !overlap_at(0, band);
+        } else {
+            ++contacts;
+            too_early += !overlap_at(hit.t, band);
+            // Nowhere before, and above all not just before.
+            for (int i = 0; i < 16 && shrinks; ++i) {
+                const double t = hit.t * (i < 8 ? random.uniform(0, 1) : 1 - std::pow(10, random.uniform(-8, 0)));
+                too_late += overlap_at(t, -band);
+            }
+            wrong_normals += dot(hit.normal, displacement) > band;
+            const Shape there = moved(pair.moving, displacement * hit.t);
+            wrong_points += !overlaps(pair.other, Shape(Sphere{hit.point, 4 * band})) ||
+                            !overlaps(there, Shape(Sphere{hit.point, 0x1p-24 * pair.size}));
+            // On the other side of the plane of contact.
+            overlap_beside += overlaps(pair.other, moved(there, hit.normal * (4 * band)));
+        }
+        // A sphere that does not move has none from within a solid.
+        const bool has_normal = displacement != Vec3{} || !std::holds_alternative<Sphere>(pair.moving);
+        wrong_normals += has_normal && std::fabs(length(hit.normal) - 1) > 1e-12;
+        wrong_times += hit.t < 0 || hit.t > 1;
+    }
+
+    /// Whether the two overlap where a solid that is a little larger has its first contact, or some way on.
+    bool passes_through(const SolidPair& pair, Vec3 displacement, double band) const {
+        Hit hit;
+        for (const double more : {0x1p-4, 0x1p-8, 0x1p-12}) {
+            if (!sweep(pair.other, grown(pair.moving, more), displacement, hit)) continue;
+            for (int i = 0; i < 16; ++i) {
+                const Vec3 way = displacement * (hit.t + (1 - hit.t) * i * i / 256);
+                if (overlaps(pair.other, grown(moved(pair.moving, way), -band))) return true;
+            }
+        }
+        return false;
+    }
+};
+
+Proof prove(uint64_t seed, int count) {
+    const NoTraps watch;
+    SolidCases pairs(seed);
+    Proof proof;
+    for (int i = 0; i < count; ++i) {
+        proof.add(pairs.next(6), pairs.random);
+    }
+    return proof;
+}
+
+#define CHECK_PROOF(proof, count)                                                                                  \
+    do {                                                                                                           \
+        INFO(proof.contacts << " contacts, " << proof.at_start << " at the start, " << proof.misses << " misses"); \
+        CHECK(proof.contacts > count / 20);                                                                        \
+        CHECK(proof.at_start > count / 20);                                                                        \
+        CHECK(proof.misses > count / 20);                                                                          \
+        CHECK(proof.too_early == 0);                                                                               \
+        CHECK(proof.too_late == 0);                                                                                \
+        CHECK(proof.missed == 0);                                                                                  \
+        CHECK(proof.wrong_starts == 0);                                                                            \
+        CHECK(proof.wrong_normals == 0);                                                                           \
+        CHECK(proof.wrong_points == 0);                                                                            \
+        CHECK(proof.overlap_beside == 0);                                                                          \
+        CHECK(proof.wrong_times == 0);                                                                             \
+    } while (0)
+
+}  // namespace
+
+TEST_CASE("sweep of solids: first contact, by overlaps before and after", "[sweep]") {
+    const Proof proof = prove(41, cases);
+    CHECK_PROOF(proof, cases);
+}
+
+TEST_CASE("sweep of solids: first contact, a million times", "[sweep][.long]") {
+    const Proof proof = prove(42, many_cases);
+    CHECK_PROOF(proof, many_cases);
+}
+
+TEST_CASE("sweep of solids: touching counts at the start and at the end", "[sweep]") {
+    const NoTraps watch;
+    for (const Shape& moving : {Shape(Capsule{{-3, 0, -1}, {-3, 0, 1}, 1}), Shape(Capsule{{-3, 0, 0}, {-4, 0, 0}, 1}),
+                                Shape(Aabb{{-4, -1, -1}, {-2, 1, 1}}), Shape(Obb{{-3, 0, 0}, {1, 1, 1}, Mat3{}})}) {
+        for (const Shape& shape :
+             {Shape(Sphere{{1, 0, 0}, 1}), Shape(Capsule{{1, 0, 0}, {1, 2, 0}, 1}), Shape(Aabb{{0, -1, -1}, {1, 1, 1}}),
+              Shape(Obb{{1, 0, 0}, {1, 1, 1}, Mat3{}}), Shape(Plane{{2, 0, 0}, 0}),
+              Shape(Triangle{{0, -1, -1}, {0, 1, -1}, {0, 0, 1}}), Shape(Triangle{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}})}) {
+            Hit hit;
+            REQUIRE(sweep(shape, moving, {2, 0, 0}, hit));
+            CHECK(hit.t == 1);
+            CHECK(hit.point.x == Approx(0).margin(1e-15));
+            CHECK(length(hit.normal - Vec3{-1, 0, 0}) < 1e-15);
+            CHECK((hit.flags & GPHYS_HIT_INSIDE) == 0);
+            CHECK_FALSE(sweep(shape, moving, {1.9999999, 0, 0}, hit));
+            REQUIRE(sweep(shape, moved(moving, {2, 0, 0}), {-1, 0, 0}, hit));
+            CHECK(hit.t == 0);
+            CHECK((hit.flags & GPHYS_HIT_INSIDE) != 0);
+            CHECK(length(hit.normal - Vec3{-1, 0, 0}) < 1e-15);
+        }
+    }
+}
+
+TEST_CASE("sweep of solids: a triangle tells where and from which side", "[sweep]") {
+    const Triangle triangle{{0, 0, 0}, {4, 0, 0}, {0, 0, 4}};  // its normal is down
+    const Shape foot = Aabb{{1, 1, 1}, {1.5, 2, 1.5}};
+    Hit hit;
+    REQUIRE(sweep(triangle, foot, {0, -4, 0}, hit));
+    CHECK(hit.t == 0.25);
+    CHECK(hit.normal == Vec3{0, 1, 0});
+    CHECK(hit.flags == GPHYS_HIT_BACK);
+    CHECK(hit.u == Approx(hit.point.x / 4));
+    CHECK(hit.v == Approx(hit.point.z / 4));
+    REQUIRE(sweep(triangle, moved(foot, {0, -4, 0}), {0, 4, 0}, hit));
+    CHECK(hit.t == 0.5);
+    CHECK(hit.flags == 0);
+}
