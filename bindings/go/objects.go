@@ -903,6 +903,83 @@ func (o *Scene) SweepSphereBatch(spheres []Sphere, displacements []Vec3, layers 
 	return
 }
 
+// First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+// turning; t in 0..1. Fields as in Sweep.
+//   - displacement: metres; may be zero
+// Result: found is false if nothing is found.
+// The error is ErrUnsupported for other types.
+// Cost: O(log n + k) expected, k the models that the swept box touches.
+func (o *Scene) Sweep(shape Shape, displacement Vec3, layers uint32) (hit Hit, found bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapeGiven, err := shapesOf(shape)
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_sweep(self, shapeGiven.kind, shapeGiven.data, *(*C.gphys_vec3)(unsafe.Pointer(&displacement)), C.uint32_t(layers))
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shape)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	hit = *(*Hit)(unsafe.Pointer(&r.out_hit))
+	found = true
+	return
+}
+
+// First models that the shapes of one type touch while each moves by its displacement, as Scene.Sweep;
+// one that touches nothing gets model = 0 and t = INFINITY.
+//   - displacements: metres
+// The error is ErrUnsupported as Scene.Sweep.
+// Cost: that of as many single calls; shared among workers.
+func (o *Scene) SweepBatch(shapes Shapes, displacements []Vec3, layers uint32, hits []Hit) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapesGiven, err := shapesOf(shapes)
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, shapesGiven.count, len(displacements))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(hits), count); err != nil {
+		return
+	}
+	r := C.go_gphys_scene_sweep_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, (*C.gphys_vec3)(data(displacements)), step(displacements), C.uint32_t(count), C.uint32_t(layers), (*C.gphys_hit)(data(hits)), size(hits))
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shapes)
+	err = check(r.status, r.message)
+	return
+}
+
+// What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+// a mesh one for each triangle, as Penetration. Deepest first; those that are as deep by model, then
+// triangle. Each is the way out of that one alone. The models are those of Scene.Overlap.
+// The error is ErrUnsupported for other types.
+// Cost: O(log n + k log k) expected.
+func (o *Scene) Penetration(shape Shape, layers uint32) (result []Penetration, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapeGiven, err := shapesOf(shape)
+	if err != nil {
+		return
+	}
+	result, err = list[Penetration](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_scene_penetration(self, shapeGiven.kind, shapeGiven.data, C.uint32_t(layers), (*C.gphys_penetration)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shape)
+	return
+}
+
 // How the scene's octree is made up.
 // Cost: O(nodes).
 func (o *Scene) OctreeStats() (stats OctreeStats, err error) {
@@ -2734,6 +2811,72 @@ func SweepSphere(shape Shape, sphere Sphere, displacement Vec3) (hit Hit, found 
 		return
 	}
 	hit = *(*Hit)(unsafe.Pointer(&r.out_hit))
+	found = true
+	return
+}
+
+// First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
+// sphere, capsule, AABB, OBB, plane, triangle or mesh.
+// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+// ulp of t.
+//   - displacement: metres; may be zero
+// Result: t, point and normal as in SweepSphere, whose answers a sphere gets. The point is one of
+// those where the two touch, always the same. Already overlapping, but for a sphere: t = 0, HitInside,
+// and point and normal of Penetration; of a mesh, those of its first triangle. found is false if
+// nothing is found.
+// The error is ErrUnsupported for a ray or a segment as the shape, for a frustum unless a sphere
+// moves, and for other types that move.
+// Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+func Sweep(shape Shape, moving Shape, displacement Vec3) (hit Hit, found bool, err error) {
+	shapeGiven, err := shapesOf(shape)
+	if err != nil {
+		return
+	}
+	movingGiven, err := shapesOf(moving)
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_shape_sweep(shapeGiven.kind, shapeGiven.data, movingGiven.kind, movingGiven.data, *(*C.gphys_vec3)(unsafe.Pointer(&displacement)))
+	runtime.KeepAlive(shape)
+	runtime.KeepAlive(moving)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	hit = *(*Hit)(unsafe.Pointer(&r.out_hit))
+	found = true
+	return
+}
+
+// The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
+// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
+// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+// translations of their own.
+// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
+// other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
+// apart.
+// Result: depth and normal of the translation, which is their product; of several that are as short
+// one, always the same. The point of the solid that gets furthest in is point - depth * normal. found
+// is false if nothing is found.
+// The error is ErrUnsupported for rays, segments and frusta, and for other types that move.
+// Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
+// 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+func Penetration(shape Shape, moving Shape) (penetration Penetration, found bool, err error) {
+	shapeGiven, err := shapesOf(shape)
+	if err != nil {
+		return
+	}
+	movingGiven, err := shapesOf(moving)
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_shape_penetration(shapeGiven.kind, shapeGiven.data, movingGiven.kind, movingGiven.data)
+	runtime.KeepAlive(shape)
+	runtime.KeepAlive(moving)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	penetration = *(*Penetration)(unsafe.Pointer(&r.out_penetration))
 	found = true
 	return
 }

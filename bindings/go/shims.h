@@ -202,6 +202,30 @@ static inline go_gphys_shape_sweep_sphere_result go_gphys_shape_sweep_sphere(gph
     return r;
 }
 
+typedef struct go_gphys_shape_sweep_result {
+    gphys_status status;
+    char* message;
+    gphys_hit out_hit;
+} go_gphys_shape_sweep_result;
+static inline go_gphys_shape_sweep_result go_gphys_shape_sweep(gphys_shape_type type, const void * shape, gphys_shape_type moving_type, const void * moving, gphys_vec3 displacement) {
+    go_gphys_shape_sweep_result r = {0};
+    r.status = gphys_shape_sweep(type, shape, moving_type, moving, &displacement, &r.out_hit);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_shape_penetration_result {
+    gphys_status status;
+    char* message;
+    gphys_penetration out_penetration;
+} go_gphys_shape_penetration_result;
+static inline go_gphys_shape_penetration_result go_gphys_shape_penetration(gphys_shape_type type, const void * shape, gphys_shape_type moving_type, const void * moving) {
+    go_gphys_shape_penetration_result r = {0};
+    r.status = gphys_shape_penetration(type, shape, moving_type, moving, &r.out_penetration);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_frustum_corners_result {
     gphys_status status;
     char* message;
@@ -800,6 +824,41 @@ typedef struct go_gphys_scene_sweep_sphere_batch_result {
 static inline go_gphys_scene_sweep_sphere_batch_result go_gphys_scene_sweep_sphere_batch(void* scene, const gphys_sphere * spheres, uint32_t sphere_stride, const gphys_vec3 * displacements, uint32_t displacement_stride, uint32_t count, uint32_t layers, gphys_hit * out_hits, uint32_t out_stride) {
     go_gphys_scene_sweep_sphere_batch_result r = {0};
     r.status = gphys_scene_sweep_sphere_batch(scene, spheres, sphere_stride, displacements, displacement_stride, count, layers, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_sweep_result {
+    gphys_status status;
+    char* message;
+    gphys_hit out_hit;
+} go_gphys_scene_sweep_result;
+static inline go_gphys_scene_sweep_result go_gphys_scene_sweep(void* scene, gphys_shape_type type, const void * shape, gphys_vec3 displacement, uint32_t layers) {
+    go_gphys_scene_sweep_result r = {0};
+    r.status = gphys_scene_sweep(scene, type, shape, &displacement, layers, &r.out_hit);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_sweep_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_sweep_batch_result;
+static inline go_gphys_scene_sweep_batch_result go_gphys_scene_sweep_batch(void* scene, gphys_shape_type type, const void * shapes, uint32_t shape_stride, const gphys_vec3 * displacements, uint32_t displacement_stride, uint32_t count, uint32_t layers, gphys_hit * out_hits, uint32_t out_stride) {
+    go_gphys_scene_sweep_batch_result r = {0};
+    r.status = gphys_scene_sweep_batch(scene, type, shapes, shape_stride, displacements, displacement_stride, count, layers, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_penetration_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_scene_penetration_result;
+static inline go_gphys_scene_penetration_result go_gphys_scene_penetration(void* scene, gphys_shape_type type, const void * shape, uint32_t layers, gphys_penetration * out_penetrations, uint32_t capacity) {
+    go_gphys_scene_penetration_result r = {0};
+    r.status = gphys_scene_penetration(scene, type, shape, layers, out_penetrations, capacity, &r.out_total);
     r.message = go_message(r.status);
     return r;
 }

@@ -297,6 +297,21 @@ type Nearest struct {
 	Triangle uint32
 }
 
+// How a solid gets out of something that it overlaps.
+type Penetration struct {
+	// as in Hit
+	Model uint32
+	Tag uint32
+	// on what is overlapped: where the two touch when the solid has gone depth along normal
+	Point Vec3
+	// unit: the way out, from what is overlapped to the solid
+	Normal Vec3
+	// metres along normal; 0 for shapes that touch
+	Depth float32
+	// index within a mesh, else NoTriangle
+	Triangle uint32
+}
+
 // What is in a triangle array. Frozen.
 type MeshReport struct {
 	TriangleCount uint32
@@ -639,6 +654,13 @@ var (
 	_ [unsafe.Offsetof(C.gphys_nearest{}.point)]byte = [unsafe.Offsetof(Nearest{}.Point)]byte{}
 	_ [unsafe.Offsetof(C.gphys_nearest{}.distance)]byte = [unsafe.Offsetof(Nearest{}.Distance)]byte{}
 	_ [unsafe.Offsetof(C.gphys_nearest{}.triangle)]byte = [unsafe.Offsetof(Nearest{}.Triangle)]byte{}
+	_ [C.sizeof_gphys_penetration]byte = [unsafe.Sizeof(Penetration{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_penetration{}.model)]byte = [unsafe.Offsetof(Penetration{}.Model)]byte{}
+	_ [unsafe.Offsetof(C.gphys_penetration{}.tag)]byte = [unsafe.Offsetof(Penetration{}.Tag)]byte{}
+	_ [unsafe.Offsetof(C.gphys_penetration{}.point)]byte = [unsafe.Offsetof(Penetration{}.Point)]byte{}
+	_ [unsafe.Offsetof(C.gphys_penetration{}.normal)]byte = [unsafe.Offsetof(Penetration{}.Normal)]byte{}
+	_ [unsafe.Offsetof(C.gphys_penetration{}.depth)]byte = [unsafe.Offsetof(Penetration{}.Depth)]byte{}
+	_ [unsafe.Offsetof(C.gphys_penetration{}.triangle)]byte = [unsafe.Offsetof(Penetration{}.Triangle)]byte{}
 	_ [C.sizeof_gphys_mesh_report]byte = [unsafe.Sizeof(MeshReport{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_mesh_report{}.triangle_count)]byte = [unsafe.Offsetof(MeshReport{}.TriangleCount)]byte{}
 	_ [unsafe.Offsetof(C.gphys_mesh_report{}.degenerate_count)]byte = [unsafe.Offsetof(MeshReport{}.DegenerateCount)]byte{}

@@ -181,6 +181,20 @@ export interface Nearest {
     /** index within a mesh, else NO_TRIANGLE */
     triangle: number;
 }
+/** How a solid gets out of something that it overlaps. */
+export interface Penetration {
+    /** as in Hit */
+    model: number;
+    tag: number;
+    /** on what is overlapped: where the two touch when the solid has gone depth along normal */
+    point: number[];
+    /** unit: the way out, from what is overlapped to the solid */
+    normal: number[];
+    /** metres along normal; 0 for shapes that touch */
+    depth: number;
+    /** index within a mesh, else NO_TRIANGLE */
+    triangle: number;
+}
 /** What is in a triangle array. Frozen. */
 export interface MeshReport {
     triangle_count: number;
@@ -433,6 +447,7 @@ export interface Kinds {
     frustum: Frustum;
     hit: Hit;
     nearest: Nearest;
+    penetration: Penetration;
     mesh_report: MeshReport;
     octree_stats: OctreeStats;
     octree_box: OctreeBox;
@@ -672,6 +687,25 @@ export class Scene {
      * Cost: that of as many single calls; shared among workers.
      * @param displacements - metres */
     sweepSphereBatch(spheres: Elements, displacements: Elements, layers?: number, out?: Elements): Records<Hit>;
+    /** First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+     * turning; t in 0..1. Fields as in sweep.
+     * Cost: O(log n + k) expected, k the models that the swept box touches.
+     * @param displacement - metres; may be zero
+     * @returns null if nothing is found.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for other types */
+    sweep(shape: AnyShape, displacement: Given<number[]>, layers?: number): Hit | null;
+    /** First models that the shapes of one type touch while each moves by its displacement, as Scene.sweep;
+     * one that touches nothing gets model = 0 and t = INFINITY.
+     * Cost: that of as many single calls; shared among workers.
+     * @param displacements - metres
+     * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.sweep */
+    sweepBatch(shapes: Shapes | AnyShape, displacements: Elements, layers?: number, out?: Elements): Records<Hit>;
+    /** What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+     * a mesh one for each triangle, as penetration. Deepest first; those that are as deep by model, then
+     * triangle. Each is the way out of that one alone. The models are those of Scene.overlap.
+     * Cost: O(log n + k log k) expected.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for other types */
+    penetration(shape: AnyShape, layers?: number): Records<Penetration>;
     /** How the scene's octree is made up.
      * Cost: O(nodes). */
     getOctreeStats(): OctreeStats;
@@ -1240,6 +1274,35 @@ export function segmentTest(shape: AnyShape, segment: Given<Segment>): Hit | nul
  *     nothing is found.
  * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape */
 export function sweepSphere(shape: AnyShape, sphere: Given<Sphere>, displacement: Given<number[]>): Hit | null;
+/** First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
+ * sphere, capsule, AABB, OBB, plane, triangle or mesh.
+ * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+ * ulp of t.
+ * Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+ * @param displacement - metres; may be zero
+ * @returns t, point and normal as in sweepSphere, whose answers a sphere gets. The point is one of
+ *     those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
+ *     HIT_INSIDE, and point and normal of penetration; of a mesh, those of its first triangle. null if
+ *     nothing is found.
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless
+ *     a sphere moves, and for other types that move */
+export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<number[]>): Hit | null;
+/** The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
+ * OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
+ * nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+ * translations of their own.
+ * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+ * ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
+ * other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
+ * apart.
+ * Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
+ * 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+ * @returns depth and normal of the translation, which is their product; of several that are as short
+ *     one, always the same. The point of the solid that gets furthest in is point - depth * normal.
+ *     null if nothing is found.
+ * @throws {GamephysError} ERROR_UNSUPPORTED: for rays, segments and frusta, and for other types that
+ *     move */
+export function penetration(shape: AnyShape, moving: AnyShape): Penetration | null;
 /** The eight corners, each the intersection of three planes: near then far, each in the order
  * left-bottom, right-bottom, right-top, left-top.
  * Cost: O(1).

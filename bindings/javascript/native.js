@@ -32,6 +32,8 @@ export const {
     raycastBatch,
     segmentTest,
     sweepSphere,
+    sweep,
+    penetration,
     frustumCorners,
     frustumFromMatrix,
     meshCheck,

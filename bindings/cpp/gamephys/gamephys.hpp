@@ -23,6 +23,7 @@ using Triangle = gphys_triangle;
 using Frustum = gphys_frustum;
 using Hit = gphys_hit;
 using Nearest = gphys_nearest;
+using Penetration = gphys_penetration;
 using MeshReport = gphys_mesh_report;
 using MeshDesc = gphys_mesh_desc;
 using OctreeStats = gphys_octree_stats;
@@ -529,6 +530,38 @@ public:
         const uint32_t count = common_size({spheres.sizes(), displacements.sizes()});
         require_size(out_hits.size, count);
         check(gphys_scene_sweep_sphere_batch(handle(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, layers, out_hits.data, out_hits.stride));
+    }
+
+    // First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+    // turning; t in 0..1. Fields as in gamephys::sweep.
+    //   - displacement: metres; may be zero
+    // Result: std::nullopt if nothing is found.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for other types.
+    // Cost: O(log n + k) expected, k the models that the swept box touches.
+    std::optional<Hit> sweep(ShapeRef shape, const Vec3& displacement, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        Hit out_hit{};
+        if (!found(gphys_scene_sweep(handle(), shape.type, shape.pointer, &displacement, layers, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // First models that the shapes of one type touch while each moves by its displacement, as
+    // Scene::sweep; one that touches nothing gets model = 0 and t = INFINITY.
+    //   - displacements: metres
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED as Scene::sweep.
+    // Cost: that of as many single calls; shared among workers.
+    void sweep_batch(ShapeSpan shapes, Span<const Vec3> displacements, uint32_t layers, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({shapes.sizes(), displacements.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_sweep_batch(handle(), shapes.type, shapes.data, shapes.stride, displacements.data, displacements.stride, count, layers, out_hits.data, out_hits.stride));
+    }
+
+    // What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+    // a mesh one for each triangle, as gamephys::penetration. Deepest first; those that are as deep by
+    // model, then triangle. Each is the way out of that one alone. The models are those of Scene::overlap.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for other types.
+    // Cost: O(log n + k log k) expected.
+    std::vector<Penetration> penetration(ShapeRef shape, uint32_t layers = GPHYS_ALL_LAYERS) const {
+        return list<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* total) { return gphys_scene_penetration(handle(), shape.type, shape.pointer, layers, out_penetrations, capacity, total); });
     }
 
     // How the scene's octree is made up.
@@ -1487,6 +1520,45 @@ inline std::optional<Hit> sweep_sphere(ShapeRef shape, const Sphere& sphere, con
     Hit out_hit{};
     if (!found(gphys_shape_sweep_sphere(shape.type, shape.pointer, &sphere, &displacement, &out_hit))) return std::nullopt;
     return out_hit;
+}
+
+// First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
+// sphere, capsule, AABB, OBB, plane, triangle or mesh.
+// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+// ulp of t.
+//   - displacement: metres; may be zero
+// Result: t, point and normal as in gamephys::sweep_sphere, whose answers a sphere gets. The point is
+// one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
+// GPHYS_HIT_INSIDE, and point and normal of gamephys::penetration; of a mesh, those of its first
+// triangle. std::nullopt if nothing is found.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for a ray or a segment as the shape, for a frustum unless
+// a sphere moves, and for other types that move.
+// Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+inline std::optional<Hit> sweep(ShapeRef shape, ShapeRef moving, const Vec3& displacement) {
+    Hit out_hit{};
+    if (!found(gphys_shape_sweep(shape.type, shape.pointer, moving.type, moving.pointer, &displacement, &out_hit))) return std::nullopt;
+    return out_hit;
+}
+
+// The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
+// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
+// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+// translations of their own.
+// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
+// other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
+// apart.
+// Result: depth and normal of the translation, which is their product; of several that are as short
+// one, always the same. The point of the solid that gets furthest in is point - depth * normal.
+// std::nullopt if nothing is found.
+// Throws Error with GPHYS_ERROR_UNSUPPORTED for rays, segments and frusta, and for other types that
+// move.
+// Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
+// 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+inline std::optional<Penetration> penetration(ShapeRef shape, ShapeRef moving) {
+    Penetration out_penetration{};
+    if (!found(gphys_shape_penetration(shape.type, shape.pointer, moving.type, moving.pointer, &out_penetration))) return std::nullopt;
+    return out_penetration;
 }
 
 // The eight corners, each the intersection of three planes: near then far, each in the order

@@ -27,6 +27,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_shape_raycast_batch(ShapeType type, void* shape, Ray* rays, uint ray_stride, uint count, Hit* out_hits, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_shape_segment_test(ShapeType type, void* shape, Segment* segment, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_shape_sweep_sphere(ShapeType type, void* shape, Sphere* sphere, Vec3* displacement, Hit* out_hit);
+    [DllImport(Library)] internal static extern Status gphys_shape_sweep(ShapeType type, void* shape, ShapeType moving_type, void* moving, Vec3* displacement, Hit* out_hit);
+    [DllImport(Library)] internal static extern Status gphys_shape_penetration(ShapeType type, void* shape, ShapeType moving_type, void* moving, Penetration* out_penetration);
     [DllImport(Library)] internal static extern Status gphys_frustum_corners(Frustum* frustum, Vec3* out_corners);
     [DllImport(Library)] internal static extern Status gphys_frustum_from_matrix(Mat4* view_projection, DepthRange depth_range, int reverse_z, Frustum* out_frustum);
     [DllImport(Library)] internal static extern Status gphys_mesh_check(float* vertices, uint vertex_stride, uint vertex_count, uint* indices, uint index_count, MeshReport* out_report);
@@ -81,6 +83,9 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_nearest_batch(SceneHandle scene, Vec3* points, uint point_stride, uint count, float max_distance, uint layers, Nearest* out_nearest, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_sphere(SceneHandle scene, Sphere* sphere, Vec3* displacement, uint layers, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_sphere_batch(SceneHandle scene, Sphere* spheres, uint sphere_stride, Vec3* displacements, uint displacement_stride, uint count, uint layers, Hit* out_hits, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_scene_sweep(SceneHandle scene, ShapeType type, void* shape, Vec3* displacement, uint layers, Hit* out_hit);
+    [DllImport(Library)] internal static extern Status gphys_scene_sweep_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, Vec3* displacements, uint displacement_stride, uint count, uint layers, Hit* out_hits, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_scene_penetration(SceneHandle scene, ShapeType type, void* shape, uint layers, Penetration* out_penetrations, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_stats(SceneHandle scene, OctreeStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_boxes(SceneHandle scene, OctreeBox* out_boxes, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_validate(SceneHandle scene);

@@ -597,6 +597,61 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_sweep_sphere_batch(Handle, spheres_, StrideOf(spheres), displacements_, StrideOf(displacements), count, layers, hits_, (uint)sizeof(Hit)));
     }
 
+    /// <summary>First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+    /// turning; t in 0..1. Fields as in Geometry.Sweep.
+    /// Cost: O(log n + k) expected, k the models that the swept box touches.</summary>
+    /// <param name="displacement">metres; may be zero</param>
+    /// <returns>null if nothing is found.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types</exception>
+    public unsafe Hit? Sweep(Shape shape, Vec3 displacement, uint layers = Constants.AllLayers) {
+        void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
+        var hit = default(Hit);
+        var status = Low.gphys_scene_sweep(Handle, shape.Type, shape_, &displacement, layers, &hit);
+        GC.KeepAlive(shape.Mesh);
+        return Found(status) ? hit : (Hit?)null;
+    }
+
+    /// <summary>First models that the shapes of one type touch while each moves by its displacement, as Scene.Sweep;
+    /// one that touches nothing gets model = 0 and t = INFINITY.
+    /// Cost: that of as many single calls; shared among workers.</summary>
+    /// <param name="displacements">metres</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: as Scene.Sweep</exception>
+    public unsafe void SweepBatch(Shapes shapes, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, uint layers = Constants.AllLayers) {
+        var shapesOne = shapes.One;
+        var count = CommonLength(-1, shapes.Count, displacements.Length);
+        RequireLength(hits.Length, count);
+        Status status;
+        fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+        fixed (Vec3* displacements_ = &MemoryMarshal.GetReference(displacements))
+        fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
+        status = Low.gphys_scene_sweep_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, displacements_, StrideOf(displacements), count, layers, hits_, (uint)sizeof(Hit));
+        GC.KeepAlive(shapesOne.Mesh);
+        Check(status);
+    }
+
+    /// <summary>What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+    /// a mesh one for each triangle, as Geometry.Penetration. Deepest first; those that are as deep by
+    /// model, then triangle. Each is the way out of that one alone. The models are those of Scene.Overlap.
+    /// Cost: O(log n + k log k) expected.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types</exception>
+    public unsafe Penetration[] Penetration(Shape shape, uint layers = Constants.AllLayers) {
+        void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
+        var result = new Penetration[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (Penetration* out_ = result)
+            status = Low.gphys_scene_penetration(Handle, shape.Type, shape_, layers, out_, (uint)result.Length, &total);
+            GC.KeepAlive(shape.Mesh);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new Penetration[total];
+        }
+    }
+
     /// <summary>How the scene's octree is made up.
     /// Cost: O(nodes).</summary>
     public unsafe OctreeStats GetOctreeStats() {
@@ -1826,6 +1881,53 @@ public static partial class Geometry {
         var status = Low.gphys_shape_sweep_sphere(shape.Type, shape_, &sphere, &displacement, &hit);
         GC.KeepAlive(shape.Mesh);
         return Found(status) ? hit : (Hit?)null;
+    }
+
+    /// <summary>First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
+    /// sphere, capsule, AABB, OBB, plane, triangle or mesh.
+    /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+    /// ulp of t.
+    /// Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.</summary>
+    /// <param name="displacement">metres; may be zero</param>
+    /// <returns>t, point and normal as in Geometry.SweepSphere, whose answers a sphere gets. The point is
+    /// one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
+    /// HitInside, and point and normal of Geometry.Penetration; of a mesh, those of its first triangle.
+    /// null if nothing is found.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a ray or a segment as the shape,
+    /// for a frustum unless a sphere moves, and for other types that move</exception>
+    public static unsafe Hit? Sweep(Shape shape, Shape moving, Vec3 displacement) {
+        void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
+        void* moving_ = moving.Mesh == null ? (void*)&moving.Data : moving.Mesh.Pointer;
+        var hit = default(Hit);
+        var status = Low.gphys_shape_sweep(shape.Type, shape_, moving.Type, moving_, &displacement, &hit);
+        GC.KeepAlive(shape.Mesh);
+        GC.KeepAlive(moving.Mesh);
+        return Found(status) ? hit : (Hit?)null;
+    }
+
+    /// <summary>The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
+    /// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
+    /// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+    /// translations of their own.
+    /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+    /// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
+    /// other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
+    /// apart.
+    /// Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
+    /// 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).</summary>
+    /// <returns>depth and normal of the translation, which is their product; of several that are as short
+    /// one, always the same. The point of the solid that gets furthest in is point - depth * normal. null
+    /// if nothing is found.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for rays, segments and frusta, and for
+    /// other types that move</exception>
+    public static unsafe Penetration? Penetration(Shape shape, Shape moving) {
+        void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
+        void* moving_ = moving.Mesh == null ? (void*)&moving.Data : moving.Mesh.Pointer;
+        var penetration = default(Penetration);
+        var status = Low.gphys_shape_penetration(shape.Type, shape_, moving.Type, moving_, &penetration);
+        GC.KeepAlive(shape.Mesh);
+        GC.KeepAlive(moving.Mesh);
+        return Found(status) ? penetration : (Penetration?)null;
     }
 
     /// <summary>The eight corners, each the intersection of three planes: near then far, each in the order

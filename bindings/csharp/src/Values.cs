@@ -339,6 +339,22 @@ public partial struct Nearest {
     public uint Triangle;
 }
 
+/// <summary>How a solid gets out of something that it overlaps.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct Penetration {
+    /// <summary>as in Hit</summary>
+    public uint Model;
+    public uint Tag;
+    /// <summary>on what is overlapped: where the two touch when the solid has gone depth along normal</summary>
+    public Vec3 Point;
+    /// <summary>unit: the way out, from what is overlapped to the solid</summary>
+    public Vec3 Normal;
+    /// <summary>metres along normal; 0 for shapes that touch</summary>
+    public float Depth;
+    /// <summary>index within a mesh, else NoTriangle</summary>
+    public uint Triangle;
+}
+
 /// <summary>What is in a triangle array. Frozen.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct MeshReport {

@@ -1,6 +1,6 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 import { ALL_LAYERS, ERROR_INVALID_ID, OK } from './constants.js';
-import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writePlane, writeQuat, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
+import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readPenetration, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writePlane, writeQuat, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
 import { Shape, runtime } from './runtime.js';
 
 /** Everything of the library but constants, over one way to reach its memory and functions. */
@@ -255,6 +255,24 @@ export function objects(memory) {
             const out_hits_ = output(out, 'hit', count);
             check(native.gphys_scene_sweep_sphere_batch(this.pointer, pass(spheres_), 16, pass(displacements_), 12, count, layers, pass(out_hits_), 52));
             return finish(out_hits_);
+        }
+        sweep(shape, displacement, layers = ALL_LAYERS) {
+            writeVec3(v, 28, displacement);
+            if (check(native.gphys_scene_sweep(this.pointer, typeOf(shape), putShape(shape, 0), base + 112, layers, base + 124)) !== OK) return null;
+            return readHit(v, 31);
+        }
+        sweepBatch(shapes, displacements, layers = ALL_LAYERS, out) {
+            begin();
+            const shapes_ = inputShapes(shapes);
+            const displacements_ = input(displacements, 12, 'displacements');
+            const count = common(shapes_, displacements_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_scene_sweep_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(displacements_), 12, count, layers, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        penetration(shape, layers = ALL_LAYERS) {
+            begin();
+            return list('penetration', 27, (room, capacity) => native.gphys_scene_penetration(this.pointer, typeOf(shape), putShape(shape, 0), layers, room, capacity, base + 108));
         }
         getOctreeStats() {
             check(native.gphys_scene_get_octree_stats(this.pointer, base));
@@ -710,6 +728,15 @@ export function objects(memory) {
         if (check(native.gphys_shape_sweep_sphere(typeOf(shape), putShape(shape, 0), base + 112, base + 128, base + 140)) !== OK) return null;
         return readHit(v, 35);
     }
+    function sweep(shape, moving, displacement) {
+        writeVec3(v, 54, displacement);
+        if (check(native.gphys_shape_sweep(typeOf(shape), putShape(shape, 0), typeOf(moving), putShape(moving, 27), base + 216, base + 228)) !== OK) return null;
+        return readHit(v, 57);
+    }
+    function penetration(shape, moving) {
+        if (check(native.gphys_shape_penetration(typeOf(shape), putShape(shape, 0), typeOf(moving), putShape(moving, 27), base + 216)) !== OK) return null;
+        return readPenetration(v, 54);
+    }
     function frustumCorners(frustum) {
         writeFrustum(v, 0, frustum);
         if (check(native.gphys_frustum_corners(base, base + 108)) !== OK) return null;
@@ -728,7 +755,7 @@ export function objects(memory) {
         return readMeshReport(v, 0);
     }
     return {
-        Mesh, Scene, Camera, Solver, validate, bounds, contains, containsBatch, closestPoint, closestPointBatch, segmentClosestPoints, overlaps, overlapsBatch, classifyPlane, classifyFrustum, raycast, raycastBatch, segmentTest, sweepSphere, frustumCorners, frustumFromMatrix, meshCheck,
+        Mesh, Scene, Camera, Solver, validate, bounds, contains, containsBatch, closestPoint, closestPointBatch, segmentClosestPoints, overlaps, overlapsBatch, classifyPlane, classifyFrustum, raycast, raycastBatch, segmentTest, sweepSphere, sweep, penetration, frustumCorners, frustumFromMatrix, meshCheck,
         sphere: (...fields) => new Shape('sphere', fields),
         capsule: (...fields) => new Shape('capsule', fields),
         aabb: (...fields) => new Shape('aabb', fields),

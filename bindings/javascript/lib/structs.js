@@ -123,6 +123,16 @@ export function writeNearest(v, at, value) {
     v.f32[at + 5] = number(rows ? value[3] : value.distance, 'distance');
     v.u32[at + 6] = number(rows ? value[4] : value.triangle, 'triangle');
 }
+export const readPenetration = (v, at) => ({ model: v.u32[at], tag: v.u32[at + 1], point: readVec3(v, at + 2), normal: readVec3(v, at + 5), depth: v.f32[at + 8], triangle: v.u32[at + 9] });
+export function writePenetration(v, at, value) {
+    const rows = row(value, 6, 'penetration');
+    v.u32[at] = number(rows ? value[0] : value.model, 'model');
+    v.u32[at + 1] = number(rows ? value[1] : value.tag, 'tag');
+    writeVec3(v, at + 2, rows ? value[2] : value.point);
+    writeVec3(v, at + 5, rows ? value[3] : value.normal);
+    v.f32[at + 8] = number(rows ? value[4] : value.depth, 'depth');
+    v.u32[at + 9] = number(rows ? value[5] : value.triangle, 'triangle');
+}
 export const readMeshReport = (v, at) => ({ triangle_count: v.u32[at], degenerate_count: v.u32[at + 1], first_degenerate: v.u32[at + 2], out_of_range_count: v.u32[at + 3], first_out_of_range: v.u32[at + 4], bad_vertex_count: v.u32[at + 5], first_bad_vertex: v.u32[at + 6], open_edge_count: v.u32[at + 7] });
 export function writeMeshReport(v, at, value) {
     const rows = row(value, 8, 'mesh_report');
@@ -334,6 +344,7 @@ export const types = {
     frustum: { size: 108, read: readFrustum, write: writeFrustum },
     hit: { size: 52, read: readHit, write: writeHit },
     nearest: { size: 28, read: readNearest, write: writeNearest },
+    penetration: { size: 40, read: readPenetration, write: writePenetration },
     mesh_report: { size: 32, read: readMeshReport, write: writeMeshReport },
     octree_stats: { size: 32, read: readOctreeStats, write: writeOctreeStats },
     octree_box: { size: 32, read: readOctreeBox, write: writeOctreeBox },

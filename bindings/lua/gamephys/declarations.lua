@@ -35,6 +35,7 @@ typedef struct gphys_triangle { gphys_vec3 a; gphys_vec3 b; gphys_vec3 c; } gphy
 typedef struct gphys_frustum { gphys_vec3 origin; gphys_plane planes[6]; } gphys_frustum;
 typedef struct gphys_hit { uint32_t model; uint32_t tag; float t; gphys_vec3 point; gphys_vec3 normal; uint32_t triangle; float u; float v; uint32_t flags; } gphys_hit;
 typedef struct gphys_nearest { uint32_t model; uint32_t tag; gphys_vec3 point; float distance; uint32_t triangle; } gphys_nearest;
+typedef struct gphys_penetration { uint32_t model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; float depth; uint32_t triangle; } gphys_penetration;
 typedef struct gphys_mesh_report { uint32_t triangle_count; uint32_t degenerate_count; uint32_t first_degenerate; uint32_t out_of_range_count; uint32_t first_out_of_range; uint32_t bad_vertex_count; uint32_t first_bad_vertex; uint32_t open_edge_count; } gphys_mesh_report;
 typedef struct gphys_mesh_desc { uint32_t struct_size; const gphys_allocator *allocator; } gphys_mesh_desc;
 typedef struct gphys_octree_stats { uint32_t item_count; uint32_t unbounded_count; uint32_t node_count; uint32_t leaf_count; uint32_t depth; uint32_t rebuilds; float cost; uint32_t memory_bytes; } gphys_octree_stats;
@@ -71,6 +72,8 @@ gphys_status gphys_shape_raycast(gphys_shape_type type, const void *shape, const
 gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void *shape, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, gphys_hit *out_hits, uint32_t out_stride);
 gphys_status gphys_shape_segment_test(gphys_shape_type type, const void *shape, const gphys_segment *segment, gphys_hit *out_hit);
 gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void *shape, const gphys_sphere *sphere, const gphys_vec3 *displacement, gphys_hit *out_hit);
+gphys_status gphys_shape_sweep(gphys_shape_type type, const void *shape, gphys_shape_type moving_type, const void *moving, const gphys_vec3 *displacement, gphys_hit *out_hit);
+gphys_status gphys_shape_penetration(gphys_shape_type type, const void *shape, gphys_shape_type moving_type, const void *moving, gphys_penetration *out_penetration);
 gphys_status gphys_frustum_corners(const gphys_frustum *frustum, gphys_vec3 *out_corners);
 gphys_status gphys_frustum_from_matrix(const gphys_mat4 *view_projection, gphys_depth_range depth_range, int32_t reverse_z, gphys_frustum *out_frustum);
 gphys_status gphys_mesh_check(const float *vertices, uint32_t vertex_stride, uint32_t vertex_count, const uint32_t *indices, uint32_t index_count, gphys_mesh_report *out_report);
@@ -125,6 +128,9 @@ gphys_status gphys_scene_nearest(const gphys_scene *scene, const gphys_vec3 *poi
 gphys_status gphys_scene_nearest_batch(const gphys_scene *scene, const gphys_vec3 *points, uint32_t point_stride, uint32_t count, float max_distance, uint32_t layers, gphys_nearest *out_nearest, uint32_t out_stride);
 gphys_status gphys_scene_sweep_sphere(const gphys_scene *scene, const gphys_sphere *sphere, const gphys_vec3 *displacement, uint32_t layers, gphys_hit *out_hit);
 gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene *scene, const gphys_sphere *spheres, uint32_t sphere_stride, const gphys_vec3 *displacements, uint32_t displacement_stride, uint32_t count, uint32_t layers, gphys_hit *out_hits, uint32_t out_stride);
+gphys_status gphys_scene_sweep(const gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_vec3 *displacement, uint32_t layers, gphys_hit *out_hit);
+gphys_status gphys_scene_sweep_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, const gphys_vec3 *displacements, uint32_t displacement_stride, uint32_t count, uint32_t layers, gphys_hit *out_hits, uint32_t out_stride);
+gphys_status gphys_scene_penetration(const gphys_scene *scene, gphys_shape_type type, const void *shape, uint32_t layers, gphys_penetration *out_penetrations, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_get_octree_stats(const gphys_scene *scene, gphys_octree_stats *out_stats);
 gphys_status gphys_scene_get_octree_boxes(const gphys_scene *scene, gphys_octree_box *out_boxes, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_validate(const gphys_scene *scene);
@@ -288,6 +294,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "frustum", fields = { "origin", "planes" } },
         { name = "hit", fields = { "model", "tag", "t", "point", "normal", "triangle", "u", "v", "flags" } },
         { name = "nearest", fields = { "model", "tag", "point", "distance", "triangle" } },
+        { name = "penetration", fields = { "model", "tag", "point", "normal", "depth", "triangle" } },
         { name = "mesh_report", fields = { "triangle_count", "degenerate_count", "first_degenerate", "out_of_range_count", "first_out_of_range", "bad_vertex_count", "first_bad_vertex", "open_edge_count" } },
         { name = "mesh_desc", fields = { "struct_size", "allocator" } },
         { name = "octree_stats", fields = { "item_count", "unbounded_count", "node_count", "leaf_count", "depth", "rebuilds", "cost", "memory_bytes" } },

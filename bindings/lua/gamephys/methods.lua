@@ -24,6 +24,7 @@ local Triangle = runtime.element 'gphys_triangle'
 local Frustum = runtime.element 'gphys_frustum'
 local Hit = runtime.element 'gphys_hit'
 local Nearest = runtime.element 'gphys_nearest'
+local Penetration = runtime.element 'gphys_penetration'
 local MeshReport = runtime.element 'gphys_mesh_report'
 local MeshDesc = runtime.element 'gphys_mesh_desc'
 local OctreeStats = runtime.element 'gphys_octree_stats'
@@ -483,6 +484,42 @@ function Scene:sweep_sphere_batch(spheres, displacements, layers, out)
     out = results(Hit, out, count)
     check(C.gphys_scene_sweep_sphere_batch(opened(self), spheres, spheres_stride, displacements, displacements_stride, count, layers or ALL_LAYERS, out, Hit.size))
     return out
+end
+
+--- First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+--- turning; t in 0..1. Fields as in gp.sweep.
+--- Cost: O(log n + k) expected, k the models that the swept box touches.
+--- @param displacement metres; may be zero
+--- @return nil if nothing is found.
+--- @raise status ERROR_UNSUPPORTED: for other types
+function Scene:sweep(shape, displacement, layers, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_scene_sweep(opened(self), kind(shape), address(shape), to_value(Vec3, displacement), layers or ALL_LAYERS, out_hit)) then return out_hit end
+end
+
+--- First models that the shapes of one type touch while each moves by its displacement, as Scene:sweep;
+--- one that touches nothing gets model = 0 and t = INFINITY.
+--- Cost: that of as many single calls; shared among workers.
+--- @param displacements metres
+--- @raise status ERROR_UNSUPPORTED: as Scene:sweep
+function Scene:sweep_batch(shapes, displacements, layers, out)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
+    local count = common(shapes_count, displacements_count)
+    out = results(Hit, out, count)
+    check(C.gphys_scene_sweep_batch(opened(self), shapes_kind, shapes, shapes_stride, displacements, displacements_stride, count, layers or ALL_LAYERS, out, Hit.size))
+    return out
+end
+
+--- What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+--- a mesh one for each triangle, as gp.penetration. Deepest first; those that are as deep by model,
+--- then triangle. Each is the way out of that one alone. The models are those of Scene:overlap.
+--- Cost: O(log n + k log k) expected.
+--- @raise status ERROR_UNSUPPORTED: for other types
+function Scene:penetration(shape, layers)
+    return list(Penetration, function(out, capacity, total)
+        return C.gphys_scene_penetration(opened(self), kind(shape), address(shape), layers or ALL_LAYERS, out, capacity, total)
+    end)
 end
 
 --- How the scene's octree is made up.
@@ -1508,6 +1545,42 @@ end
 function gp.sweep_sphere(shape, sphere, displacement, out_hit)
     out_hit = out_hit or Hit.new()
     if found(C.gphys_shape_sweep_sphere(kind(shape), address(shape), to_value(Sphere, sphere), to_value(Vec3, displacement), out_hit)) then return out_hit end
+end
+
+--- First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
+--- sphere, capsule, AABB, OBB, plane, triangle or mesh.
+--- Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+--- ulp of t.
+--- Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+--- @param displacement metres; may be zero
+--- @return t, point and normal as in gp.sweep_sphere, whose answers a sphere gets. The point is one of
+---     those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
+---     HIT_INSIDE, and point and normal of gp.penetration; of a mesh, those of its first triangle. nil
+---     if nothing is found.
+--- @raise status ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless a sphere
+---     moves, and for other types that move
+function gp.sweep(shape, moving, displacement, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_shape_sweep(kind(shape), address(shape), kind(moving), address(moving), to_value(Vec3, displacement), out_hit)) then return out_hit end
+end
+
+--- The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
+--- OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
+--- nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+--- translations of their own.
+--- Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+--- ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
+--- other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
+--- apart.
+--- Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
+--- 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+--- @return depth and normal of the translation, which is their product; of several that are as short
+---     one, always the same. The point of the solid that gets furthest in is point - depth * normal.
+---     nil if nothing is found.
+--- @raise status ERROR_UNSUPPORTED: for rays, segments and frusta, and for other types that move
+function gp.penetration(shape, moving, out_penetration)
+    out_penetration = out_penetration or Penetration.new()
+    if found(C.gphys_shape_penetration(kind(shape), address(shape), kind(moving), address(moving), out_penetration)) then return out_penetration end
 end
 
 --- The eight corners, each the intersection of three planes: near then far, each in the order

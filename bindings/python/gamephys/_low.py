@@ -258,6 +258,21 @@ nearest_dtype = dtype([("model", "<u4"), ("tag", "<u4"), ("point", "<f4", (3,)),
 Nearest.dtype = nearest_dtype
 
 
+class Penetration(Value, Structure):
+    """How a solid gets out of something that it overlaps."""
+    model: int  # as in Hit
+    tag: int
+    point: Vec3  # on what is overlapped: where the two touch when the solid has gone depth along normal
+    normal: Vec3  # unit: the way out, from what is overlapped to the solid
+    depth: float  # metres along normal; 0 for shapes that touch
+    triangle: int  # index within a mesh, else NO_TRIANGLE
+    _fields_ = [("model", c_uint32), ("tag", c_uint32), ("point", Vec3), ("normal", Vec3), ("depth", c_float), ("triangle", c_uint32)]
+
+
+penetration_dtype = dtype([("model", "<u4"), ("tag", "<u4"), ("point", "<f4", (3,)), ("normal", "<f4", (3,)), ("depth", "<f4"), ("triangle", "<u4")])
+Penetration.dtype = penetration_dtype
+
+
 class MeshReport(Value, Structure):
     """What is in a triangle array. Frozen."""
     triangle_count: int
@@ -529,6 +544,8 @@ gphys_shape_raycast = function("gphys_shape_raycast", c_int32, [c_int32, c_void_
 gphys_shape_raycast_batch = function("gphys_shape_raycast_batch", c_int32, [c_int32, c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_shape_segment_test = function("gphys_shape_segment_test", c_int32, [c_int32, c_void_p, c_void_p, c_void_p])
 gphys_shape_sweep_sphere = function("gphys_shape_sweep_sphere", c_int32, [c_int32, c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_shape_sweep = function("gphys_shape_sweep", c_int32, [c_int32, c_void_p, c_int32, c_void_p, c_void_p, c_void_p])
+gphys_shape_penetration = function("gphys_shape_penetration", c_int32, [c_int32, c_void_p, c_int32, c_void_p, c_void_p])
 gphys_frustum_corners = function("gphys_frustum_corners", c_int32, [c_void_p, c_void_p])
 gphys_frustum_from_matrix = function("gphys_frustum_from_matrix", c_int32, [c_void_p, c_int32, c_int32, c_void_p])
 gphys_mesh_check = function("gphys_mesh_check", c_int32, [c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
@@ -583,6 +600,9 @@ gphys_scene_nearest = function("gphys_scene_nearest", c_int32, [c_void_p, c_void
 gphys_scene_nearest_batch = function("gphys_scene_nearest_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_float, c_uint32, c_void_p, c_uint32])
 gphys_scene_sweep_sphere = function("gphys_scene_sweep_sphere", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_sweep_sphere_batch = function("gphys_scene_sweep_sphere_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_scene_sweep = function("gphys_scene_sweep", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_sweep_batch = function("gphys_scene_sweep_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_scene_penetration = function("gphys_scene_penetration", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_scene_get_octree_stats = function("gphys_scene_get_octree_stats", c_int32, [c_void_p, c_void_p])
 gphys_scene_get_octree_boxes = function("gphys_scene_get_octree_boxes", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_validate = function("gphys_scene_validate", c_int32, [c_void_p])

@@ -474,6 +474,53 @@ class Scene(Models):
         check(low.gphys_scene_sweep_sphere_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride))
         return out_.array
 
+    def sweep(self, shape: Shape, displacement: low.Vec3 | Sequence, layers: int = low.ALL_LAYERS) -> low.Hit | None:
+        """First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+        turning; t in 0..1. Fields as in gamephys.sweep.
+        Cost: O(log n + k) expected, k the models that the swept box touches.
+
+        Args:
+            displacement: metres; may be zero
+
+        Returns:
+            None if nothing is found.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for other types"""
+        type_, shape_ = shape_of(shape)
+        displacement_ = value_of(displacement, low.Vec3)
+        out_hit = low.Hit()
+        return out_hit if found(low.gphys_scene_sweep(self._handle, type_, shape_.address, displacement_.address, layers, ctypes.byref(out_hit))) else None
+
+    def sweep_batch(self, shapes: ArrayLike, displacements: ArrayLike, layers: int = low.ALL_LAYERS, *, out: np.ndarray | None = None) -> np.ndarray:
+        """First models that the shapes of one type touch while each moves by its displacement, as
+        Scene.sweep; one that touches nothing gets model = 0 and t = INFINITY.
+        Cost: that of as many single calls; shared among workers.
+
+        Args:
+            displacements: metres
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: as Scene.sweep"""
+        type_, shapes_ = shapes_of(shapes)
+        displacements_ = array_of(displacements, low.vec3_dtype)
+        count = common_length(shapes_, displacements_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_scene_sweep_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, layers, out_.address, out_.stride))
+        return out_.array
+
+    def penetration(self, shape: Shape, layers: int = low.ALL_LAYERS) -> np.ndarray:
+        """What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model,
+        and of a mesh one for each triangle, as gamephys.penetration. Deepest first; those that are as
+        deep by model, then triangle. Each is the way out of that one alone. The models are those of
+        Scene.overlap.
+        Cost: O(log n + k log k) expected.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for other types"""
+        type_, shape_ = shape_of(shape)
+        return list_of(low.gphys_scene_penetration, (self._handle, type_, shape_.address, layers,), low.penetration_dtype)
+
     def get_octree_stats(self) -> low.OctreeStats:
         """How the scene's octree is made up.
         Cost: O(nodes)."""
@@ -1613,6 +1660,58 @@ def sweep_sphere(shape: Shape, sphere: low.Sphere | Sequence, displacement: low.
     displacement_ = value_of(displacement, low.Vec3)
     out_hit = low.Hit()
     return out_hit if found(low.gphys_shape_sweep_sphere(type_, shape_.address, sphere_.address, displacement_.address, ctypes.byref(out_hit))) else None
+
+
+def sweep(shape: Shape, moving: Shape, displacement: low.Vec3 | Sequence) -> low.Hit | None:
+    """First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning,
+    with a sphere, capsule, AABB, OBB, plane, triangle or mesh.
+    Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and
+    1 ulp of t.
+    Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+
+    Args:
+        displacement: metres; may be zero
+
+    Returns:
+        t, point and normal as in gamephys.sweep_sphere, whose answers a sphere gets. The point is
+            one of those where the two touch, always the same. Already overlapping, but for a
+            sphere: t = 0, HIT_INSIDE, and point and normal of gamephys.penetration; of a mesh,
+            those of its first triangle. None if nothing is found.
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for a ray or a segment as the shape, for a frustum unless a
+            sphere moves, and for other types that move"""
+    type_, shape_ = shape_of(shape)
+    moving_type_, moving_ = shape_of(moving)
+    displacement_ = value_of(displacement, low.Vec3)
+    out_hit = low.Hit()
+    return out_hit if found(low.gphys_shape_sweep(type_, shape_.address, moving_type_, moving_.address, displacement_.address, ctypes.byref(out_hit))) else None
+
+
+def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
+    """The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule,
+    AABB, OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle
+    that is nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and
+    have translations of their own.
+    Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and
+    1 ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from
+    the other shape. Rounded to floats, the translation may leave as much overlap as they tell
+    positions apart.
+    Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
+    1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+
+    Returns:
+        depth and normal of the translation, which is their product; of several that are as short
+            one, always the same. The point of the solid that gets furthest in is point - depth *
+            normal. None if nothing is found.
+
+    Raises:
+        Error, status ERROR_UNSUPPORTED: for rays, segments and frusta, and for other types that
+            move"""
+    type_, shape_ = shape_of(shape)
+    moving_type_, moving_ = shape_of(moving)
+    out_penetration = low.Penetration()
+    return out_penetration if found(low.gphys_shape_penetration(type_, shape_.address, moving_type_, moving_.address, ctypes.byref(out_penetration))) else None
 
 
 def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:

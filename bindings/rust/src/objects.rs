@@ -685,6 +685,53 @@ impl Scene {
         check(unsafe { sys::gphys_scene_sweep_sphere_batch(self.handle.as_ptr(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, layers, out_hits.data, out_hits.stride) })
     }
 
+    /// First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+    /// turning; t in 0..1. Fields as in `sweep`.
+    ///
+    /// Cost: O(log n + k) expected, k the models that the swept box touches.
+    ///
+    /// * `displacement`: metres; may be zero
+    ///
+    /// Returns `None` if nothing is found.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for other types
+    pub fn sweep(&self, shape: &dyn Shape, displacement: impl Into<Vec3>, layers: u32) -> Result<Option<Hit>> {
+        let displacement = &displacement.into();
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_scene_sweep(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), displacement, layers, &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// First models that the shapes of one type touch while each moves by its displacement, as
+    /// `Scene::sweep`; one that touches nothing gets model = 0 and t = INFINITY.
+    ///
+    /// Cost: that of as many single calls; shared among workers.
+    ///
+    /// * `displacements`: metres
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: as `Scene::sweep`
+    pub fn sweep_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, displacements: impl Into<Batch<'a, Vec3>>, layers: u32, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let shapes = shapes.into();
+        let displacements = displacements.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[shapes.length, displacements.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_sweep_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, displacements.data, displacements.stride, count, layers, out_hits.data, out_hits.stride) })
+    }
+
+    /// What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+    /// a mesh one for each triangle, as `penetration`. Deepest first; those that are as deep by model, then
+    /// triangle. Each is the way out of that one alone. The models are those of `Scene::overlap`.
+    ///
+    /// Cost: O(log n + k log k) expected.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for other types
+    pub fn penetration(&self, shape: &dyn Shape, layers: u32) -> Result<Vec<Penetration>> {
+        list(|out_penetrations, capacity, total| unsafe { sys::gphys_scene_penetration(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), layers, out_penetrations, capacity, total) })
+    }
+
     /// How the scene's octree is made up.
     ///
     /// Cost: O(nodes).
@@ -1925,6 +1972,54 @@ pub fn sweep_sphere(shape: &dyn Shape, sphere: &Sphere, displacement: impl Into<
     let displacement = &displacement.into();
     let mut out_hit = Hit::default();
     Ok(found(unsafe { sys::gphys_shape_sweep_sphere(shape.shape_type(), shape.pointer(), sphere, displacement, &mut out_hit) })?.then_some(out_hit))
+}
+
+/// First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
+/// sphere, capsule, AABB, OBB, plane, triangle or mesh.
+///
+/// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+/// ulp of t.
+///
+/// Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+///
+/// * `displacement`: metres; may be zero
+///
+/// Returns t, point and normal as in `sweep_sphere`, whose answers a sphere gets. The point is one of
+/// those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
+/// `HIT_INSIDE`, and point and normal of `penetration`; of a mesh, those of its first triangle. `None`
+/// if nothing is found.
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for a ray or a segment as the shape, for a frustum unless a sphere
+///   moves, and for other types that move
+pub fn sweep(shape: &dyn Shape, moving: &dyn Shape, displacement: impl Into<Vec3>) -> Result<Option<Hit>> {
+    let displacement = &displacement.into();
+    let mut out_hit = Hit::default();
+    Ok(found(unsafe { sys::gphys_shape_sweep(shape.shape_type(), shape.pointer(), moving.shape_type(), moving.pointer(), displacement, &mut out_hit) })?.then_some(out_hit))
+}
+
+/// The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
+/// OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
+/// nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+/// translations of their own.
+///
+/// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+/// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
+/// other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
+/// apart.
+///
+/// Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
+/// 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+///
+/// Returns depth and normal of the translation, which is their product; of several that are as short
+/// one, always the same. The point of the solid that gets furthest in is point - depth * normal. `None`
+/// if nothing is found.
+///
+/// # Errors
+/// * `Status::ERROR_UNSUPPORTED`: for rays, segments and frusta, and for other types that move
+pub fn penetration(shape: &dyn Shape, moving: &dyn Shape) -> Result<Option<Penetration>> {
+    let mut out_penetration = Penetration::default();
+    Ok(found(unsafe { sys::gphys_shape_penetration(shape.shape_type(), shape.pointer(), moving.shape_type(), moving.pointer(), &mut out_penetration) })?.then_some(out_penetration))
 }
 
 /// The eight corners, each the intersection of three planes: near then far, each in the order

@@ -43,6 +43,8 @@ extern "C" {
     pub fn gphys_shape_raycast_batch(type_: ShapeType, shape: *const c_void, rays: *const Ray, ray_stride: u32, count: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
     pub fn gphys_shape_segment_test(type_: ShapeType, shape: *const c_void, segment: *const Segment, out_hit: *mut Hit) -> Status;
     pub fn gphys_shape_sweep_sphere(type_: ShapeType, shape: *const c_void, sphere: *const Sphere, displacement: *const Vec3, out_hit: *mut Hit) -> Status;
+    pub fn gphys_shape_sweep(type_: ShapeType, shape: *const c_void, moving_type: ShapeType, moving: *const c_void, displacement: *const Vec3, out_hit: *mut Hit) -> Status;
+    pub fn gphys_shape_penetration(type_: ShapeType, shape: *const c_void, moving_type: ShapeType, moving: *const c_void, out_penetration: *mut Penetration) -> Status;
     pub fn gphys_frustum_corners(frustum: *const Frustum, out_corners: *mut Vec3) -> Status;
     pub fn gphys_frustum_from_matrix(view_projection: *const Mat4, depth_range: DepthRange, reverse_z: i32, out_frustum: *mut Frustum) -> Status;
     pub fn gphys_mesh_check(vertices: *const Vec3, vertex_stride: u32, vertex_count: u32, indices: *const u32, index_count: u32, out_report: *mut MeshReport) -> Status;
@@ -97,6 +99,9 @@ extern "C" {
     pub fn gphys_scene_nearest_batch(scene: *mut gphys_scene, points: *const Vec3, point_stride: u32, count: u32, max_distance: f32, layers: u32, out_nearest: *mut Nearest, out_stride: u32) -> Status;
     pub fn gphys_scene_sweep_sphere(scene: *mut gphys_scene, sphere: *const Sphere, displacement: *const Vec3, layers: u32, out_hit: *mut Hit) -> Status;
     pub fn gphys_scene_sweep_sphere_batch(scene: *mut gphys_scene, spheres: *const Sphere, sphere_stride: u32, displacements: *const Vec3, displacement_stride: u32, count: u32, layers: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
+    pub fn gphys_scene_sweep(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, displacement: *const Vec3, layers: u32, out_hit: *mut Hit) -> Status;
+    pub fn gphys_scene_sweep_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, displacements: *const Vec3, displacement_stride: u32, count: u32, layers: u32, out_hits: *mut Hit, out_stride: u32) -> Status;
+    pub fn gphys_scene_penetration(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, layers: u32, out_penetrations: *mut Penetration, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_get_octree_stats(scene: *mut gphys_scene, out_stats: *mut OctreeStats) -> Status;
     pub fn gphys_scene_get_octree_boxes(scene: *mut gphys_scene, out_boxes: *mut OctreeBox, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_validate(scene: *mut gphys_scene) -> Status;

@@ -355,6 +355,23 @@ pub struct Nearest {
     pub triangle: u32,
 }
 
+/// How a solid gets out of something that it overlaps.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Penetration {
+    /// as in `Hit`
+    pub model: u32,
+    pub tag: u32,
+    /// on what is overlapped: where the two touch when the solid has gone depth along normal
+    pub point: Vec3,
+    /// unit: the way out, from what is overlapped to the solid
+    pub normal: Vec3,
+    /// metres along normal; 0 for shapes that touch
+    pub depth: f32,
+    /// index within a mesh, else `NO_TRIANGLE`
+    pub triangle: u32,
+}
+
 /// What is in a triangle array. Frozen.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -681,6 +698,7 @@ const _: () = {
     assert!(std::mem::size_of::<Frustum>() == 108);
     assert!(std::mem::size_of::<Hit>() == 52);
     assert!(std::mem::size_of::<Nearest>() == 28);
+    assert!(std::mem::size_of::<Penetration>() == 40);
     assert!(std::mem::size_of::<MeshReport>() == 32);
     assert!(std::mem::size_of::<MeshDesc>() == 16);
     assert!(std::mem::size_of::<OctreeStats>() == 32);
@@ -718,6 +736,7 @@ const _: () = {
     assert!(std::mem::size_of::<Frustum>() == 108);
     assert!(std::mem::size_of::<Hit>() == 52);
     assert!(std::mem::size_of::<Nearest>() == 28);
+    assert!(std::mem::size_of::<Penetration>() == 40);
     assert!(std::mem::size_of::<MeshReport>() == 32);
     assert!(std::mem::size_of::<MeshDesc>() == 8);
     assert!(std::mem::size_of::<OctreeStats>() == 32);
@@ -825,6 +844,14 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).point) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).distance) } as usize - p as usize, 20);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle) } as usize - p as usize, 24);
+    let s = std::mem::MaybeUninit::<Penetration>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).model) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).point) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).normal) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).depth) } as usize - p as usize, 32);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle) } as usize - p as usize, 36);
     let s = std::mem::MaybeUninit::<MeshReport>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle_count) } as usize - p as usize, 0);

@@ -47,6 +47,8 @@ module Gamephys
     attach_function :gphys_shape_raycast_batch, [:int32, :pointer, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_shape_segment_test, [:int32, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_shape_sweep_sphere, [:int32, :pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_sweep, [:int32, :pointer, :int32, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_shape_penetration, [:int32, :pointer, :int32, :pointer, :pointer], :int32
     attach_function :gphys_frustum_corners, [:pointer, :pointer], :int32
     attach_function :gphys_frustum_from_matrix, [:pointer, :int32, :int32, :pointer], :int32
     attach_function :gphys_mesh_check, [:pointer, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
@@ -101,6 +103,9 @@ module Gamephys
     attach_function :gphys_scene_nearest_batch, [:pointer, :pointer, :uint32, :uint32, :float, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_sweep_sphere, [:pointer, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_sweep_sphere_batch, [:pointer, :pointer, :uint32, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_sweep, [:pointer, :int32, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_sweep_batch, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_penetration, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_octree_stats, [:pointer, :pointer], :int32
     attach_function :gphys_scene_get_octree_boxes, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_validate, [:pointer], :int32

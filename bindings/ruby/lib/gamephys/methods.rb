@@ -434,6 +434,40 @@ module Gamephys
       out
     end
 
+    # First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+    # turning; t in 0..1. Fields as in Gamephys.sweep.
+    # Cost: O(log n + k) expected, k the models that the swept box touches.
+    # @param displacement metres; may be zero
+    # @return nil if nothing is found.
+    # @raise [Error] for other types (ERROR_UNSUPPORTED)
+    def sweep(shape, displacement, layers: ALL_LAYERS)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_scene_sweep(opened, Low.kind(shape), Low.shape(shape), Vec3.pack(displacement), layers, out_hit))
+    end
+
+    # First models that the shapes of one type touch while each moves by its displacement, as Scene#sweep;
+    # one that touches nothing gets model = 0 and t = INFINITY.
+    # Cost: that of as many single calls; shared among workers.
+    # @param displacements metres
+    # @raise [Error] as Scene#sweep (ERROR_UNSUPPORTED)
+    def sweep_batch(shapes, displacements, layers: ALL_LAYERS, out: nil)
+      shapes = Low.shapes(shapes)
+      displacements = Low.array(Vec3, displacements)
+      count = Low.common(shapes, displacements)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_scene_sweep_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, displacements.pointer, displacements.stride, count, layers, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+    # a mesh one for each triangle, as Gamephys.penetration. Deepest first; those that are as deep by
+    # model, then triangle. Each is the way out of that one alone. The models are those of Scene#overlap.
+    # Cost: O(log n + k log k) expected.
+    # @raise [Error] for other types (ERROR_UNSUPPORTED)
+    def penetration(shape, layers: ALL_LAYERS)
+      Low.list(Penetration) { |out, capacity, total| Low.gphys_scene_penetration(opened, Low.kind(shape), Low.shape(shape), layers, out, capacity, total) }
+    end
+
     # How the scene's octree is made up.
     # Cost: O(nodes).
     def get_octree_stats
@@ -1445,6 +1479,42 @@ module Gamephys
   def self.sweep_sphere(shape, sphere, displacement)
     out_hit = Hit.room
     Hit.unpack(out_hit) if Low.found(Low.gphys_shape_sweep_sphere(Low.kind(shape), Low.shape(shape), Sphere.pack(sphere), Vec3.pack(displacement), out_hit))
+  end
+
+  # First contact of a sphere, capsule, AABB or OBB that moves by displacement, without turning, with a
+  # sphere, capsule, AABB, OBB, plane, triangle or mesh.
+  # Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+  # ulp of t.
+  # Cost: O(1), 0.1 to 2 us; O(log n + k) expected for a mesh.
+  # @param displacement metres; may be zero
+  # @return t, point and normal as in Gamephys.sweep_sphere, whose answers a sphere gets. The point is
+  #     one of those where the two touch, always the same. Already overlapping, but for a sphere: t = 0,
+  #     HIT_INSIDE, and point and normal of Gamephys.penetration; of a mesh, those of its first
+  #     triangle. nil if nothing is found.
+  # @raise [Error] for a ray or a segment as the shape, for a frustum unless a sphere moves, and for
+  #     other types that move (ERROR_UNSUPPORTED)
+  def self.sweep(shape, moving, displacement)
+    out_hit = Hit.room
+    Hit.unpack(out_hit) if Low.found(Low.gphys_shape_sweep(Low.kind(shape), Low.shape(shape), Low.kind(moving), Low.shape(moving), Vec3.pack(displacement), out_hit))
+  end
+
+  # The shortest translation that takes a sphere, capsule, AABB or OBB out of a sphere, capsule, AABB,
+  # OBB, plane or triangle: to where the two just touch, on the side of a plane or triangle that is
+  # nearer. Of a mesh: out of the triangle that it is deepest in; others may remain, and have
+  # translations of their own.
+  # Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
+  # ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
+  # other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
+  # apart.
+  # Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
+  # 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
+  # @return depth and normal of the translation, which is their product; of several that are as short
+  #     one, always the same. The point of the solid that gets furthest in is point - depth * normal.
+  #     nil if nothing is found.
+  # @raise [Error] for rays, segments and frusta, and for other types that move (ERROR_UNSUPPORTED)
+  def self.penetration(shape, moving)
+    out_penetration = Penetration.room
+    Penetration.unpack(out_penetration) if Low.found(Low.gphys_shape_penetration(Low.kind(shape), Low.shape(shape), Low.kind(moving), Low.shape(moving), out_penetration))
   end
 
   # The eight corners, each the intersection of three planes: near then far, each in the order

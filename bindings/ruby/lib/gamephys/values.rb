@@ -215,6 +215,15 @@ module Gamephys
   end
   Nearest::FORMAT, Nearest::COUNT, Nearest::BYTES = 'L2f4L', 7, 28
 
+  # How a solid gets out of something that it overlaps.
+  Penetration = ::Struct.new(:model, :tag, :point, :normal, :depth, :triangle) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2, 3], n[5, 3], n[8], n[9])
+    def numbers = [model, tag, *point, *normal, depth, triangle]
+  end
+  Penetration::FORMAT, Penetration::COUNT, Penetration::BYTES = 'L2f7L', 10, 40
+
   # What is in a triangle array. Frozen.
   MeshReport = ::Struct.new(:triangle_count, :degenerate_count, :first_degenerate, :out_of_range_count, :first_out_of_range, :bad_vertex_count, :first_bad_vertex, :open_edge_count) do
     extend Value

@@ -28,6 +28,8 @@ class LowFunctions {
     static native int gphys_shape_raycast_batch(int type, Pointer shape, Pointer rays, int rayStride, int count, Pointer outHits, int outStride);
     static native int gphys_shape_segment_test(int type, Pointer shape, Pointer segment, Pointer outHit);
     static native int gphys_shape_sweep_sphere(int type, Pointer shape, Pointer sphere, Pointer displacement, Pointer outHit);
+    static native int gphys_shape_sweep(int type, Pointer shape, int movingType, Pointer moving, Pointer displacement, Pointer outHit);
+    static native int gphys_shape_penetration(int type, Pointer shape, int movingType, Pointer moving, Pointer outPenetration);
     static native int gphys_frustum_corners(Pointer frustum, Pointer outCorners);
     static native int gphys_frustum_from_matrix(Pointer viewProjection, int depthRange, int reverseZ, Pointer outFrustum);
     static native int gphys_mesh_check(Pointer vertices, int vertexStride, int vertexCount, Pointer indices, int indexCount, Pointer outReport);
@@ -82,6 +84,9 @@ class LowFunctions {
     static native int gphys_scene_nearest_batch(Pointer scene, Pointer points, int pointStride, int count, float maxDistance, int layers, Pointer outNearest, int outStride);
     static native int gphys_scene_sweep_sphere(Pointer scene, Pointer sphere, Pointer displacement, int layers, Pointer outHit);
     static native int gphys_scene_sweep_sphere_batch(Pointer scene, Pointer spheres, int sphereStride, Pointer displacements, int displacementStride, int count, int layers, Pointer outHits, int outStride);
+    static native int gphys_scene_sweep(Pointer scene, int type, Pointer shape, Pointer displacement, int layers, Pointer outHit);
+    static native int gphys_scene_sweep_batch(Pointer scene, int type, Pointer shapes, int shapeStride, Pointer displacements, int displacementStride, int count, int layers, Pointer outHits, int outStride);
+    static native int gphys_scene_penetration(Pointer scene, int type, Pointer shape, int layers, Pointer outPenetrations, int capacity, Pointer outTotal);
     static native int gphys_scene_get_octree_stats(Pointer scene, Pointer outStats);
     static native int gphys_scene_get_octree_boxes(Pointer scene, Pointer outBoxes, int capacity, Pointer outTotal);
     static native int gphys_scene_validate(Pointer scene);

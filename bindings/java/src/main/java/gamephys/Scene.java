@@ -659,6 +659,73 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * First model that a sphere, capsule, AABB or OBB touches while it moves by displacement, without
+     * turning; t in 0..1. Fields as in Gamephys.sweep.
+     * Cost: O(log n + k) expected, k the models that the swept box touches.
+     * @param displacement metres; may be zero
+     * @return empty if nothing is found.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for other types
+     */
+    public Optional<Hit> sweep(Shape shape, Vec3 displacement, int layers) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_sweep(opened(), shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), layers, scratch.slot(5));
+        Low.keep(this, shape);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(5))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> sweep(Shape shape, Vec3 displacement) {
+        return sweep(shape, displacement, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * First models that the shapes of one type touch while each moves by its displacement, as Scene.sweep;
+     * one that touches nothing gets model = 0 and t = INFINITY.
+     * Cost: that of as many single calls; shared among workers.
+     * @param displacements metres
+     * @throws GamephysException with ERROR_UNSUPPORTED: as Scene.sweep
+     */
+    public Batch<Hit> sweepBatch(Shapes shapes, Batch<Vec3> displacements, int layers, Batch<Hit> out) {
+        int count = Low.common(shapes.common(), displacements.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_scene_sweep_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, layers, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, shapes, displacements, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> sweepBatch(Shapes shapes, Batch<Vec3> displacements, int layers) {
+        return sweepBatch(shapes, displacements, layers, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> sweepBatch(Shapes shapes, Batch<Vec3> displacements) {
+        return sweepBatch(shapes, displacements, Gamephys.ALL_LAYERS, (Batch<Hit>) null);
+    }
+
+    /**
+     * What a sphere, capsule, AABB or OBB overlaps, and how it gets out: an element for each model, and of
+     * a mesh one for each triangle, as Gamephys.penetration. Deepest first; those that are as deep by
+     * model, then triangle. Each is the way out of that one alone. The models are those of Scene.overlap.
+     * Cost: O(log n + k log k) expected.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for other types
+     */
+    public Batch<Penetration> penetration(Shape shape, int layers) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Penetration.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_penetration(opened(), shape.kind(), Low.shape(shape, scratch, 2), layers, room, capacity, total);
+                Low.keep(this, shape);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Penetration> penetration(Shape shape) {
+        return penetration(shape, Gamephys.ALL_LAYERS);
+    }
+
+    /**
      * How the scene's octree is made up.
      * Cost: O(nodes).
      */
