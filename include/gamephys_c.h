@@ -230,7 +230,7 @@ typedef struct gphys_triangle {
 } gphys_triangle;
 
 /** The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
- *  which look inward, in the order of gphys_frustum_plane. Distances count from origin, so that a
+ *  which look inward, in the order of GPHYS_FRUSTUM_NEAR, FAR and so on. Distances count from origin, so that a
  *  frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1. */
 typedef struct gphys_frustum {
     gphys_vec3 origin;
