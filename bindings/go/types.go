@@ -255,7 +255,7 @@ type Triangle struct {
 }
 
 // The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
-// which look inward, in the order of frustum_plane. Distances count from origin, so that a
+// which look inward, in the order of FrustumNear, FAR and so on. Distances count from origin, so that a
 // frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1.
 type Frustum struct {
 	Origin Vec3

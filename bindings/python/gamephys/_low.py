@@ -215,7 +215,7 @@ Triangle.dtype = triangle_dtype
 
 class Frustum(Value, Structure):
     """The points x with dot(planes[i].normal, x - origin) >= planes[i].distance for all six planes,
-    which look inward, in the order of frustum_plane. Distances count from origin, so that a
+    which look inward, in the order of FRUSTUM_NEAR, FAR and so on. Distances count from origin, so that a
     frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1."""
     origin: Vec3
     planes: object

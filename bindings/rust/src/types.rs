@@ -307,7 +307,7 @@ pub struct Triangle {
 }
 
 /// The points x with dot(`planes[i]`.normal, x - origin) >= `planes[i]`.distance for all six planes,
-/// which look inward, in the order of frustum_plane. Distances count from origin, so that a
+/// which look inward, in the order of `FRUSTUM_NEAR`, FAR and so on. Distances count from origin, so that a
 /// frustum far out loses nothing to rounding. An infinite far plane is normal 0, distance -1.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
