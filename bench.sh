@@ -1,15 +1,21 @@
 #!/usr/bin/env bash
-# Times the library: ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]
-# Installs what it needs, builds with the flags that users get, writes build/bench/<suite>.csv with
-# a plot beside each, the machine's description and ratios.md. --peers measures Embree, Bullet and
-# FCL in the same run; --quick is a few seconds of smaller work; --docs puts the results into
-# docs/benchmarks.md and the README, those of the accuracy suite into docs/accuracy.md, those of the solver into
-# docs/solver_figures.md. The batches suite fails if a batch of rays takes longer
-# than single calls.
+# Times the library and others beside it.
+#   ./bench.sh                     the quick report, about five minutes: build/bench/report.md
+#   ./bench.sh --report [--quick]  the report in full, some hours: docs/report.md and its figures. An interrupted run
+#                                  goes on where it was; --quick is a part of the work, in five minutes.
+#   ./bench.sh SUITE...            of scene mesh query update accuracy batches solver: build/bench/<suite>.csv with a
+#                                  plot beside each, the machine's description and ratios.md
+# and with suites: --peers measures Embree, Bullet, FCL and nanoflann in the same run (a report always does); --quick is
+# a few seconds of smaller work; --docs puts the results into docs/benchmarks.md and the README, those of the accuracy
+# suite into docs/accuracy.md, those of the solver into docs/solver_figures.md. The batches suite fails if a batch of
+# rays takes longer than single calls.
+# Installs what it needs and builds with the flags that users get.
 set -euo pipefail
 cd "$(dirname "$0")"
 
-usage="usage: ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]"
+usage="usage: ./bench.sh [--report] [--quick], or ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]"
+report=
+[ $# -gt 0 ] || report=build/bench/report.md
 peers=OFF
 docs=OFF
 arguments=()
@@ -20,6 +26,7 @@ for argument in "$@"; do
     case $argument in
         --peers) peers=ON ;;
         --docs) docs=ON ;;
+        --report) report=docs/report.md ;;
         --quick) arguments+=("$argument") ;;
         scene | mesh | query | update | accuracy) suites+=("$argument") ;;
         solver) solver=ON ;;
@@ -35,8 +42,18 @@ for argument in "$@"; do
     esac
 done
 
+if [ -n "$report" ]; then
+    if [ ${#suites[@]} -gt 0 ] || [ $peers$docs$solver$batches != OFFOFFOFFOFF ]; then
+        echo "$usage" >&2
+        exit 2
+    fi
+    peers=ON
+    [ $# -gt 0 ] || arguments=(--quick)
+fi
+
 source cmake/install_packages.sh
-packages=(g++ cmake ninja-build libbenchmark-dev gnuplot-nox python3)
+packages=(g++ cmake ninja-build libbenchmark-dev python3)
+if [ -n "$report" ]; then packages+=(python3-matplotlib); else packages+=(gnuplot-nox); fi
 peer_packages=(libembree-dev libbullet-dev libfcl-dev libnanoflann-dev)
 [ $peers = ON ] && packages+=(pkg-config "${peer_packages[@]}")
 install_packages "${packages[@]}"
@@ -45,14 +62,26 @@ cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_TESTS
     -DGAMEPHYS_BENCH=ON -DGAMEPHYS_BENCH_PEERS=$peers
 cmake --build build/release --target gamephys_bench gamephys_bench_batches gamephys_bench_solver
 mkdir -p build/bench
-rm -f build/bench/*.csv
-{
+describe_machine() {
     echo "Processor: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1 | grep . || uname -m), $(nproc) cores"
     echo "Compiler: $(c++ --version | head -n 1)"
     [ $peers = OFF ] || echo "Peers: $(dpkg-query -W -f '${source:Package} ${source:Upstream-Version}, ' "${peer_packages[@]}" | sed 's/, $//')"
     echo "Date: $(date -u +%F)"
     case " ${arguments[*]} " in *" --quick "*) echo "Work: a part, by --quick" ;; esac
-} | tee build/bench/machine.txt
+}
+
+if [ -n "$report" ]; then
+    work=build/bench/report${arguments[0]:-}
+    mkdir -p "$work"
+    describe_machine | tee "$work/machine.txt"
+    python3 bench/run_report.py build/release/bench "$work" "${arguments[@]}"
+    /usr/bin/python3 bench/make_report.py "$work" "$report" "$(dirname "$report")/images"
+    echo "the report: $report"
+    exit
+fi
+
+rm -f build/bench/*.csv
+describe_machine | tee build/bench/machine.txt
 if [ ${#suites[@]} -gt 0 ] || [ $solver$batches = OFFOFF ]; then
     build/release/bench/gamephys_bench --out=build/bench "${suites[@]}" "${arguments[@]}"
 fi

@@ -36,6 +36,7 @@ struct Row {
     std::string suite, name, implementation;
     uint32_t n;
     double value;
+    double median;  // of the repetitions, whose fastest is value; 0: measured once
     std::string unit;
     double error;
     std::string error_unit;
@@ -45,6 +46,14 @@ struct Row {
 class Fastest final : public benchmark::BenchmarkReporter {
 public:
     std::map<std::string, double> seconds;
+    std::map<std::string, std::vector<double>> all;
+
+    double median(const std::string& name) {
+        std::vector<double>& times = all[name];
+        if (times.empty()) return 0;
+        std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+        return times[times.size() / 2];
+    }
 
     bool ReportContext(const Context&) override { return true; }
     void ReportRuns(const std::vector<Run>& runs) override {
@@ -55,6 +64,7 @@ public:
                 (shared ? run.real_accumulated_time : run.cpu_accumulated_time) / static_cast<double>(run.iterations);
             const auto found = seconds.try_emplace(run.run_name.function_name, time).first;
             found->second = std::min(found->second, time);
+            all[run.run_name.function_name].push_back(time);
         }
     }
 };
@@ -143,8 +153,9 @@ public:
         benchmark::ClearRegisteredBenchmarks();
         for (const auto& [entry, operations] : taking_part) {
             const auto [error, error_unit] = check(*entry->implementation);
-            add({suite, name, entry->name, n, fastest.seconds.at(entry->name) / operations * 1e9, "ns", error,
-                 error_unit});
+            const double scale = 1e9 / operations;
+            add({suite, name, entry->name, n, fastest.seconds.at(entry->name) * scale,
+                 fastest.median(entry->name) * scale, "ns", error, error_unit});
         }
     }
 
@@ -162,11 +173,11 @@ public:
             if (!file) {
                 file = std::fopen((options_.directory + "/" + row.suite + ".csv").c_str(), "w");
                 if (!file) throw std::runtime_error("cannot write into " + options_.directory);
-                std::fputs("suite,case,implementation,n,value,unit,error,error_unit\n", file);
+                std::fputs("suite,case,implementation,n,value,unit,error,error_unit,median\n", file);
             }
-            std::fprintf(file, "%s,%s,%s,%u,%.4g,%s,%.3g,%s\n", row.suite.c_str(), row.name.c_str(),
+            std::fprintf(file, "%s,%s,%s,%u,%.4g,%s,%.3g,%s,%.4g\n", row.suite.c_str(), row.name.c_str(),
                          row.implementation.c_str(), row.n, row.value, row.unit.c_str(), row.error,
-                         row.error_unit.c_str());
+                         row.error_unit.c_str(), row.median);
         }
         for (const auto& file : files) std::fclose(file.second);
     }
@@ -343,7 +354,7 @@ void report_memory(Bench& bench, const std::string& suite, const std::string& na
     for (Entry& entry : entries) {
         if (!entry.implementation || entry.several_threads || entry.implementation->memory() == 0) continue;
         const auto add = [&](const std::string& what, uint64_t bytes) {
-            bench.add({suite, what + name, entry.name, n, static_cast<double>(bytes) / n, "B", 0, "exact"});
+            bench.add({suite, what + name, entry.name, n, static_cast<double>(bytes) / n, 0, "B", 0, "exact"});
         };
         add("memory_", entry.implementation->memory());
         add("memory_peak_", entry.implementation->peak_memory());

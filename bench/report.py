@@ -186,7 +186,9 @@ def main():
         print(PAGE.format(machine="  \n".join(machine)), end="")
     for suite, cases in suites.items():
         print(f"## {suite}\n\n{ratios(cases)}", end="")
-    print(f"## One thread and two, and other ratios of our own\n\n{within(suites)}", end="")
+    if within(suites):
+        print(f"## One thread and two, and other ratios of our own\n\n{within(suites)}", end="")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -7,7 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "viewer.h"
 
@@ -32,6 +34,7 @@ double seconds(void) {
 
 void progress(const char* what, uint32_t done, uint32_t total) {
     enum { WIDTH = 40 };
+    if (!isatty(STDERR_FILENO)) return;
     char bar[WIDTH + 1];
     const int filled = total ? (int)((uint64_t)done * WIDTH / total) : WIDTH;
     memset(bar, '.', WIDTH);
@@ -72,6 +75,11 @@ static options parse(int argc, char** argv) {
     good &= optind + 1 == argc && o.width >= 16 && o.width <= 8192 && o.height >= 16 && o.height <= 8192;
     if (!good) {
         fprintf(stderr, "usage: viewer MESH [--out DIR] [--size WxH] [--copies N] [--seconds S] [--pick X,Y]\n");
+        exit(2);
+    }
+    struct stat found;
+    if (stat(o.directory, &found) != 0 || !S_ISDIR(found.st_mode) || access(o.directory, W_OK) != 0) {
+        fprintf(stderr, "viewer: --out %s: no folder that can be written to\n", o.directory);
         exit(2);
     }
     o.mesh = argv[optind];
@@ -145,9 +153,14 @@ static highlight pick(const world* w, const gphys_camera* camera, const options*
     const gphys_status found = gphys_camera_pick(camera, w->scene, o->pick_x, o->pick_y, LAYER_SOLID, &hit);
     check(found, "pick");
     if (found == GPHYS_OK) {
-        printf("picked      model %u (kind %u, number %u) at pixel (%.0f, %.0f): t %.3f, triangle %u\n", hit.model,
-               TAG_KIND(hit.tag), TAG_NUMBER(hit.tag), o->pick_x, o->pick_y, hit.t,
-               hit.triangle == GPHYS_NO_TRIANGLE ? 0 : hit.triangle);
+        static const char* const kinds[] = {"",     "the ground", "the statue", "copy",  "the stone",
+                                            "post", "the cloth",  "rope",       "weight"};
+        const uint32_t kind = TAG_KIND(hit.tag);
+        printf("picked      %s", kinds[kind]);
+        if (kind == KIND_COPY || kind == KIND_POST) printf(" %u", TAG_NUMBER(hit.tag));
+        printf(" at pixel (%.0f, %.0f), %.3f m away", o->pick_x, o->pick_y, hit.t);
+        if (hit.triangle != GPHYS_NO_TRIANGLE) printf(", triangle %u", hit.triangle);
+        printf("\n");
         if (TAG_KIND(hit.tag) != KIND_GROUND) marks.picked = hit.model;
     } else {
         printf("picked      nothing at pixel (%.0f, %.0f)\n", o->pick_x, o->pick_y);

@@ -57,7 +57,8 @@ static colour hue(uint32_t number, float strength) {
 }
 
 static colour cloth_pattern(uint32_t triangle) {
-    const uint32_t cell = triangle / 2, column = cell % (CLOTH_SIDE - 1), row = cell / (CLOTH_SIDE - 1);
+    if (triangle >= 2 * CLOTH_FACE) return (colour){0.62f, 0.06f, 0.09f}; /* the hem */
+    const uint32_t cell = triangle % CLOTH_FACE / 2, column = cell % (CLOTH_SIDE - 1), row = cell / (CLOTH_SIDE - 1);
     const int warp = column / 6 % 2, weft = row / 6 % 2;
     if (warp && weft) return (colour){0.62f, 0.06f, 0.09f};
     if (warp || weft) return (colour){0.82f, 0.32f, 0.30f};

@@ -31,11 +31,11 @@ enum { KIND_GROUND = 1, KIND_STATUE, KIND_COPY, KIND_STONE, KIND_POST, KIND_CLOT
 #define TAG_KIND(tag) ((tag) >> 24)
 #define TAG_NUMBER(tag) ((tag)&0xffffffu)
 
-enum { ROPE_COUNT = 16, CLOTH_SIDE = 72 };
+enum { ROPE_COUNT = 16, CLOTH_SIDE = 72, CLOTH_FACE = 2 * (CLOTH_SIDE - 1) * (CLOTH_SIDE - 1) };
 
 typedef struct world {
     triangle_mesh source; /* the file's triangles, for smooth shading */
-    triangle_mesh cloth;  /* the cloth's triangles as drawn last */
+    triangle_mesh cloth;  /* the cloth as drawn last: both faces, CLOTH_FACE triangles each, then its hem */
     gphys_mesh* mesh;
     gphys_mesh* cloth_mesh;
     gphys_scene* scene;
@@ -69,6 +69,7 @@ uint64_t take_picture(const world* w, const gphys_camera* camera, uint32_t width
 
 /* End the program with the library's message if a call failed. */
 void check(gphys_status status, const char* what);
+/* A bar on a terminal; nothing in a log. */
 void progress(const char* what, uint32_t done, uint32_t total);
 double seconds(void);
 

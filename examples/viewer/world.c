@@ -2,12 +2,13 @@
  * ropes between them and weights on ropes, and a cloth that falls over the statue. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "viewer.h"
 
 enum { POST_COUNT = 8, ROPE_LINKS = 48 };
 
-static const float post_ring = 3.6f, post_height = 2.2f, rope_radius = 0.025f;
+static const float post_ring = 3.6f, post_height = 2.2f, rope_radius = 0.025f, cloth_radius = 0.02f;
 static const gphys_transform identity = {{0, 0, 0}, {0, 0, 0, 1}, 1};
 
 /* The same numbers in each run. */
@@ -90,11 +91,50 @@ static void add_ropes(world* w) {
     }
 }
 
+/* Particle number i of the sheet's border, of 4 * (CLOTH_SIDE - 1), in a circle. */
+static uint32_t on_border(uint32_t i) {
+    const uint32_t last = CLOTH_SIDE - 1, along = i % last;
+    switch (i / last % 4) {
+        case 0:
+            return along;
+        case 1:
+            return along * CLOTH_SIDE + last;
+        case 2:
+            return last * CLOTH_SIDE + last - along;
+        default:
+            return (last - along) * CLOTH_SIDE;
+    }
+}
+
+/* The triangles that show the cloth: its two faces, and a hem between them, so that it has a thickness. */
+static void add_faces(world* w) {
+    enum { POINTS = CLOTH_SIDE * CLOTH_SIDE, BORDER = 4 * (CLOTH_SIDE - 1), TURNED = POINTS };
+    triangle_mesh* cloth = &w->cloth;
+    cloth->vertex_count = 2 * POINTS;
+    cloth->index_count = 3 * (2 * CLOTH_FACE + 2 * BORDER);
+    cloth->vertices = calloc(cloth->vertex_count, sizeof *cloth->vertices);
+    cloth->normals = calloc(cloth->vertex_count, sizeof *cloth->normals);
+    cloth->indices = calloc(cloth->index_count, sizeof *cloth->indices);
+    uint32_t total, *out = cloth->indices + 3 * CLOTH_FACE;
+    check(gphys_solver_get_triangles(w->solver, w->cloth_body, cloth->indices, 3 * CLOTH_FACE, &total),
+          "cloth triangles");
+    for (uint32_t i = 0; i < 3 * CLOTH_FACE; i += 3) {
+        *out++ = cloth->indices[i] + TURNED;
+        *out++ = cloth->indices[i + 2] + TURNED;
+        *out++ = cloth->indices[i + 1] + TURNED;
+    }
+    for (uint32_t i = 0; i < BORDER; ++i) {
+        const uint32_t a = on_border(i), b = on_border(i + 1);
+        const uint32_t hem[6] = {a, a + TURNED, b, b, a + TURNED, b + TURNED};
+        for (int k = 0; k < 6; ++k) *out++ = hem[k];
+    }
+}
+
 static void add_cloth(world* w) {
     gphys_body_desc desc;
     check(gphys_body_desc_init(&desc, sizeof desc), "body desc");
     desc.mass = 2;
-    desc.radius = 0.02f;
+    desc.radius = cloth_radius;
     desc.damping = 0.4f;
     desc.friction = 0.6f;
     desc.layers = LAYER_SOLID;
@@ -102,14 +142,7 @@ static void add_cloth(world* w) {
     desc.cloth_flags = GPHYS_CLOTH_BEND; /* woven: it shears, and so lies on what is round both ways */
     check(gphys_solver_add_cloth(w->solver, &desc, &corner, &u, &v, CLOTH_SIDE, CLOTH_SIDE, &w->cloth_body), "cloth");
 
-    triangle_mesh* cloth = &w->cloth;
-    cloth->vertex_count = CLOTH_SIDE * CLOTH_SIDE;
-    check(gphys_solver_get_triangles(w->solver, w->cloth_body, NULL, 0, &cloth->index_count), "cloth triangles");
-    cloth->vertices = calloc(cloth->vertex_count, sizeof *cloth->vertices);
-    cloth->normals = calloc(cloth->vertex_count, sizeof *cloth->normals);
-    cloth->indices = calloc(cloth->index_count, sizeof *cloth->indices);
-    check(gphys_solver_get_triangles(w->solver, w->cloth_body, cloth->indices, cloth->index_count, &cloth->index_count),
-          "cloth triangles");
+    add_faces(w);
 }
 
 void world_create(world* w, const char* path, uint32_t copies) {
@@ -121,7 +154,7 @@ void world_create(world* w, const char* path, uint32_t copies) {
     check(gphys_scene_create(NULL, &w->scene), "create scene");
     gphys_solver_desc desc;
     check(gphys_solver_desc_init(&desc, sizeof desc), "solver desc");
-    desc.substeps = 24; /* cloth hanging on a few contacts stretches with the square of the substep */
+    desc.max_strain = 0.02f; /* as many substeps as that takes */
     check(gphys_solver_create(&desc, &w->solver), "create solver");
     add_models(w, copies);
     add_ropes(w);
@@ -153,11 +186,21 @@ static void forget_shown(world* w) {
 
 void world_show_bodies(world* w) {
     forget_shown(w);
+    enum { POINTS = CLOTH_SIDE * CLOTH_SIDE };
     triangle_mesh* cloth = &w->cloth;
-    check(gphys_solver_get_positions(w->solver, w->cloth_body, 0, cloth->vertex_count, cloth->vertices,
-                                     sizeof cloth->vertices[0]),
+    gphys_vec3* vertices = cloth->vertices;
+    check(gphys_solver_get_positions(w->solver, w->cloth_body, 0, POINTS, vertices, sizeof vertices[0]),
           "cloth positions");
-    compute_normals(cloth);
+    /* The faces lie to both sides of the particles, by half of their radius. */
+    memcpy(vertices + POINTS, vertices, POINTS * sizeof *vertices);
+    compute_normals(&(triangle_mesh){vertices, cloth->normals, cloth->indices, POINTS, 3 * CLOTH_FACE});
+    for (uint32_t i = 0; i < POINTS; ++i) {
+        const gphys_vec3 n = cloth->normals[i], p = vertices[i];
+        const float half = 0.5f * cloth_radius;
+        vertices[i] = (gphys_vec3){p.x + half * n.x, p.y + half * n.y, p.z + half * n.z};
+        vertices[i + POINTS] = (gphys_vec3){p.x - half * n.x, p.y - half * n.y, p.z - half * n.z};
+        cloth->normals[i + POINTS] = (gphys_vec3){-n.x, -n.y, -n.z};
+    }
     check(gphys_mesh_create(NULL, &cloth->vertices[0].x, sizeof cloth->vertices[0], cloth->vertex_count, cloth->indices,
                             cloth->index_count, &w->cloth_mesh),
           "cloth mesh");

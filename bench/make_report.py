@@ -1,0 +1,249 @@
+#!/usr/bin/env python3
+"""The report from its measurements: make_report.py DIRECTORY PAGE IMAGES
+
+Reads what run_report.py measured in DIRECTORY, and machine.txt there; writes the page (Markdown) and its figures (SVG
+and PNG) into IMAGES. Every number on the page comes from those files. Fails if a label of a figure has no room.
+"""
+import csv
+import json
+import math
+import os
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+sys.path.insert(0, str(Path(__file__).parent / "figures"))
+from cost_error import figure as cost_error_figure
+from marks import look, shown
+from report import SUMMARY, number, table
+
+WRONG = ("WRONG_FRACTION", "DIFFERS", "FALSE_FRACTION")
+# Panels of ordinary work: title, then (case, what its label says behind the name of the library).
+ORDINARY = [
+    ("A random ray at boxes", [("scene_ray_random", "batch"), ("scene_single_random", "")]),
+    ("A ray of a camera at boxes", [("scene_ray_rows", "batch"), ("scene_single_rows", "")]),
+    ("A ray at spheres", [("sphere_ray_random", "batch")]),
+    ("A ray at copies of a mesh", [("instance_ray_random", "batch")]),
+    ("A random ray at a mesh", [("mesh_ray_random", "batch"), ("mesh_single_random", "")]),
+    ("The nearest box to a point", [("nearest_box", "batch")]),
+    ("A segment at boxes", [("segment", "batch")]),
+    ("A sphere swept at boxes", [("sweep_sphere", "batch")]),
+]
+HARD = {
+    "boxes_random": "Random rays, many boxes", "leaks_near": "Rays out of a closed mesh",
+    "leaks_far": "The same, 370 km from the origin", "leaks_slivers": "The same, triangles of 1e6 : 1",
+    "ray_box_edges": "Rays at faces, edges and corners", "ray_sphere_tangent": "Tangents of a sphere from 1000 km",
+    "sphere_touches_box": "Spheres that touch a corner",
+}
+SOLVER = {"chain_30": "Swinging chain: error after a second", "rope_1e3": "Rope of 1000 links, weight of 1000 links",
+          "ropes_1000x30": "1000 ropes of 30 links", "cloth_100": "Cloth of 100 x 100 on two corners"}
+
+
+def load(directory):
+    """(rows of gamephys_bench by (case, n) and implementation, rows of the solver, seconds, largest load)"""
+    rows, solver, seconds, load_average = {}, [], 0.0, 0.0
+    for part in sorted(directory.glob("*/took.json")):
+        took = json.loads(part.read_text())
+        seconds += took["seconds"]
+        load_average = max(load_average, took["load"])
+        for path in part.parent.glob("*.csv"):
+            with path.open(newline="") as file:
+                for row in csv.DictReader(file):
+                    if path.name == "solver.csv":
+                        solver.append(row)
+                        continue
+                    for field in ("value", "error", "median"):
+                        row[field] = float(row[field] or 0)
+                    rows.setdefault((row["case"], int(row["n"])), {})[row["implementation"]] = row
+    return rows, solver, seconds, load_average
+
+
+def largest(rows, case):
+    return max((n for name, n in rows if name == case), default=None)
+
+
+def percent(share):
+    return "0" if share == 0 else f"{100 * share:.2g} %"
+
+
+def ordinary_panels(rows):
+    panels, wrong = [], []
+    for title, cases in ORDINARY:
+        points = []
+        for case, how in cases:
+            n = largest(rows, case)
+            for name, row in rows.get((case, n), {}).items():
+                if name.startswith("gamephys_2") or row["unit"] != "ns":
+                    continue
+                if row["error_unit"] in WRONG:
+                    if row["error"]:
+                        wrong.append([title + (", " + how if how else ""), shown(name), f"{number(row['value'])} ns", percent(row["error"])])
+                    continue
+                points.append((row["value"], row["median"], row["error"], name, shown(name) + (f", {how}" if how and len(cases) > 1 else "")))
+        if points:
+            panels.append((f"{title} ({n:,})", points))
+    return panels, wrong
+
+
+def hard_panels(rows):
+    panels = []
+    for case, title in HARD.items():
+        n = largest(rows, case)
+        points = [(row["value"], row["median"], row["error"], name, shown(name)) for name, row in rows.get((case, n), {}).items()]
+        if points:
+            panels.append((title, points))
+    return panels
+
+
+def solver_panels(rows):
+    panels = []
+    for case, title in SOLVER.items():
+        points = []
+        for row in rows:
+            if row["case"] != case or row["method"] == "2_apart":
+                continue
+            error = row["position_error"] if case == "chain_30" else row["strain_max"]
+            if error:
+                points.append((float(row["ms"]), 0, float(error), row["method"], f"{shown(row['method'])} {row['substeps']}"))
+        if points:
+            panels.append((title, points))
+    return panels
+
+
+def growth(rows, path):
+    """Time of a ray against the number of boxes: single and batch, random and of a camera."""
+    drawing, grid = plt.subplots(1, 2, figsize=(12, 4.3), layout="constrained", sharey=True)
+    for axes, title, batch, single in ((grid[0], "Random rays", "scene_ray_random", "scene_single_random"),
+                                       (grid[1], "Rays of a camera", "scene_ray_rows", "scene_single_rows")):
+        for name in ("gamephys", "embree", "bullet"):
+            for case, style, how in ((batch, "-", "batch"), (single, "--", "single calls")):
+                points = sorted((n, by[name]["value"]) for (this, n), by in rows.items() if this == case and name in by)
+                if points:
+                    colour, marker = look(name)
+                    axes.loglog(*zip(*points), style, marker=marker, color=colour, label=f"{shown(name)}, {how}",
+                                markeredgecolor="white")
+        axes.set_title(title, loc="left")
+        axes.set_xlabel("boxes")
+    grid[0].set_ylabel("ns per ray")
+    grid[1].legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    drawing.savefig(path.with_suffix(".svg"), metadata={"Date": None})
+    drawing.savefig(path.with_suffix(".png"))
+    plt.close(drawing)
+
+
+def summary(rows):
+    """Each kind of work beside the fastest of the others that gives no false answer: time and error."""
+    lines = []
+    for what, case in SUMMARY:
+        n = largest(rows, case)
+        by = rows.get((case, n), {})
+        others = {name: row for name, row in by.items() if not name.startswith("gamephys") and row["error_unit"] not in WRONG}
+        if "gamephys" not in by or not others:
+            continue
+        own = by["gamephys"]
+        name = min(others, key=lambda other: others[other]["value"])
+        other = others[name]
+        ratio = own["value"] / other["value"]
+        checked = own["error_unit"] != "unchecked"
+        exact = own["error"] <= other["error"]
+        verdict = ("🟢 faster" if ratio <= 0.98 else "⚪ as fast" if ratio < 1.02 else "🔴 slower")
+        verdict += (", " + ("no more error" if exact else "more error")) if checked else ""
+
+        def error(row):
+            return "" if not checked else "0" if row["error"] == 0 else f"{row['error']:.2g}"
+
+        lines.append([what, f"{n:,}", f"{number(own['value'])} ns", shown(name), f"{number(other['value'])} ns", number(ratio),
+                      error(own), error(other), verdict])
+    return table(["work", "objects", "gamephys", "fastest other", "its time", "ratio", "our error", "its error", ""], lines)
+
+
+def price(rows):
+    """What one pays and gets, case by case, in sentences of the figures."""
+    lines = []
+    for case, title in HARD.items():
+        by = rows.get((case, largest(rows, case)), {})
+        others = {name: row for name, row in by.items() if not name.startswith("gamephys")}
+        if "gamephys" not in by or not others:
+            continue
+        own = by["gamephys"]
+        name = min(others, key=lambda other: others[other]["value"])
+        ratio = own["value"] / others[name]["value"]
+        same = own["error"] == others[name]["error"]
+        get = "the same share" if same else f"{percent(own['error'])} instead of {percent(others[name]['error'])}"
+        lines.append([title, shown(name), number(ratio), get])
+    return table(["work", "fastest other", "our time / its time", "false answers"], lines)
+
+
+PAGE = """# Report: speed against error
+
+{machine}
+Measured in: {minutes:.0f} minutes; up to {load:.1f} other programs ran at the same time{busy}
+
+Written by `./bench.sh --report{quick}`: every number and figure on this page comes from one run, in which all libraries did the same work in turns. To measure on your machine, run it there; it replaces the page.
+
+## How to read the figures
+
+To the left is faster, further down is more accurate. The grey line joins what nobody beats in both. The band at the bottom, behind the break of the axis, is *no error at all*. A bar to the right of a point reaches from the fastest repetition to the median one, where it is longer than the mark. All times are of one thread.
+
+## Ordinary work
+
+The largest relative error of the distance, of a sample that a loop in double precision answers, too. "0" is an error that rounding to float32 hides: the answer is the float nearest to the truth, or next to it. Libraries that gave wrong answers are not drawn; the table below has them.
+
+![Cost against error, ordinary work](images/report_ordinary.png)
+
+{wrong}
+## Hard cases
+
+Here the share of false answers: a hit that is none, a miss that is a hit. The truth is known from whole numbers, or because no ray leaves a closed surface.
+
+![Cost against false answers, hard cases](images/report_hard.png)
+
+What one pays, and what one gets:
+
+{price}
+## The solver
+
+Largest strain of links that should not stretch, or distance from a reference, against the time of a frame of 1/60 s. The number behind a name is that of its substeps, or iterations (Bullet, Jakobsen).
+
+![Cost against error, solver](images/report_solver.png)
+
+## Growth
+
+![Time of a ray against the number of boxes](images/report_growth.png)
+
+## All kinds of work
+
+gamephys beside the fastest other library that gave no wrong answer. A ratio below 1: gamephys is faster.
+
+{summary}
+The figures exist as SVG, too, beside the pictures. [benchmarks.md](benchmarks.md) says what each case is, [accuracy.md](accuracy.md) what is promised, [solver.md](solver.md) what the solver's cases are.
+"""
+
+
+def main():
+    directory, page, images = Path(sys.argv[1]), Path(sys.argv[2]), Path(sys.argv[3])
+    images.mkdir(parents=True, exist_ok=True)
+    plt.style.use(str(Path(__file__).parent / "figures/style.mplstyle"))
+    rows, solver, seconds, load_average = load(directory)
+    ordinary, wrong = ordinary_panels(rows)
+    lost = cost_error_figure(images / "report_ordinary", ordinary, "ns per operation", "largest relative error")
+    lost += cost_error_figure(images / "report_hard", hard_panels(rows), "ns per operation", "false answers", percent=True)
+    solver_work = solver_panels(solver)
+    lost += cost_error_figure(images / "report_solver", solver_work, "ms per frame",
+                              ["distance, m" if "chain" in title else "largest strain" for title, _ in solver_work])
+    growth(rows, images / "report_growth")
+    if lost:
+        sys.exit("no room for these labels:\n" + "\n".join(lost))
+    machine = (directory / "machine.txt").read_text().splitlines()
+    quick = any(line.startswith("Work: a part") for line in machine)
+    busy = ", so times are too long and ratios less certain: repeat it on a quiet machine" if load_average > 0.7 * os.cpu_count() else ""
+    wrong_table = table(["work", "library", "time", "wrong answers"], wrong) if wrong else ""
+    page.write_text(PAGE.format(machine="  \n".join(machine) + "  ", minutes=math.ceil(seconds / 60), load=load_average, busy=busy,
+                                quick=" --quick" if quick else "", wrong=wrong_table, price=price(rows), summary=summary(rows)))
+
+
+main()
