@@ -191,7 +191,7 @@ To the left is faster, further down is more accurate. The grey line joins what n
 
 ## Ordinary work
 
-The largest relative error of the distance, of a sample that a loop in double precision answers, too. "0" is an error that rounding to float32 hides: the answer is the float nearest to the truth, or next to it. Libraries that gave wrong answers are not drawn; the table below has them.
+The largest relative error of the distance, of a sample that a loop in double precision answers, too. "0" says that each distance is the true one, rounded to float32. Libraries that gave wrong answers are not drawn; the table below has them.
 
 ![Cost against error, ordinary work](images/report_ordinary.png)
 

@@ -10,7 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from links import without_code, LINK, INNER
+from links import without_code, FENCE, LINK, INNER
 from reference import Reference
 
 GUIDE = ["first_scene", "queries", "camera", "batches", "large_worlds", "threads", "solver", "saving", "engine", "web",
@@ -28,8 +28,9 @@ CHAPTERS = [
 ]
 
 
-def place_page(source, tree, name):
-    """A page with its links made ready: to the header and to folders where they have a page; pictures beside it."""
+def place_page(source, tree, name, functions):
+    """A page with its links made ready: to the header and to folders where they have a page. Names of functions in
+    code spans lead to the reference."""
     page = source / f"{name}.md"
     text = page.read_text()
     here = page.parent
@@ -65,9 +66,24 @@ def place_page(source, tree, name):
                 text = text[:match.start()] + text[match.start() + 1:match.start(1) - 2] + text[match.end():]
             else:
                 text = text[:match.start(1)] + new + text[match.end(1):]
+    text = linked_functions(text, functions)
     target = tree / f"{name}.md"
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text(text)
+
+
+def linked_functions(text, functions):
+    def mark(match):
+        return f"{{c:func}}`{match.group(1)}`" if match.group(1) in functions else match.group()
+
+    parts, place = [], 0
+    for fence in [*FENCE.finditer(text), None]:
+        end = fence.start() if fence else len(text)
+        parts.append(re.sub(r"(?<![\[`{}])`(gphys_\w+)(?:\(\))?`(?!\])", mark, text[place:end]))
+        if fence:
+            parts.append(fence.group())
+            place = fence.end()
+    return "".join(parts)
 
 
 PAGES = {"README"} | {page for _, pages in CHAPTERS for page in pages}
@@ -94,12 +110,12 @@ def main():
         sys.exit(f"missing pages: {missing}; pages that are in no chapter: {unlisted}")
     tree = output / "source"
     shutil.rmtree(tree, ignore_errors=True)
+    reference = Reference(source)
     for page in PAGES - {"reference/index"}:
-        place_page(source, tree, page)
+        place_page(source, tree, page, reference.functions)
     shutil.copytree(source / "docs/images", tree / "docs/images", dirs_exist_ok=True)
     (tree / "_static").mkdir()
     shutil.copyfile(source / "docs/site/site.css", tree / "_static/site.css")
-    reference = Reference(source)
     (tree / "reference").mkdir()
     for name, text in reference.pages().items():
         (tree / "reference" / f"{name}.rst").write_text(text + "\n")
