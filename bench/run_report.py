@@ -22,11 +22,11 @@ def parts(quick):
     sizes = {1000: 15, 10000: 25} if quick else {1000: 200, 10000: 240, 100000: 400, 1000000: 1500}
     extra = ["--quick"] if quick else []
     found = [(f"scene_{n}", "gamephys_bench", ["scene", f"--objects={n}", *extra], seconds) for n, seconds in sizes.items()]
-    for suite, seconds in {"mesh": (15, 300), "query": (25, 600), "update": (15, 200), "accuracy": (25, 600)}.items():
-        found.append((suite, "gamephys_bench", [suite, *extra], seconds[not quick]))
-    for case in SOLVER:
-        found.append((f"solver_{case}", "gamephys_bench_solver", [case, *extra], 10 if quick else 120))
-    return found
+    suites = {"accuracy": (25, 600), "mesh": (15, 300), "query": (25, 600), "update": (15, 200)}
+    ordinary = [(suite, "gamephys_bench", [suite, *extra], seconds[not quick]) for suite, seconds in suites.items()]
+    solver = [(f"solver_{case}", "gamephys_bench_solver", [case, *extra], 10 if quick else 120) for case in SOLVER]
+    # What the first figures show comes first, for those who look before the end.
+    return found + ordinary[:1] + solver + ordinary[1:]
 
 
 def fingerprint(programs):
