@@ -38,10 +38,11 @@ void World::run() {
                             &World::set_scene_origin,
                             &World::misuse_scene,
                             &World::add};
-    constexpr Op queries[] = {&World::raycast,     &World::raycast,     &World::segment_test,  &World::overlap,
-                              &World::nearest,     &World::nearest,     &World::sweep,         &World::cull,
-                              &World::overlap,     &World::ray_batches, &World::other_batches, &World::query_misuse,
-                              &World::sweep_solid, &World::ways_out};
+    constexpr Op queries[] = {
+        &World::raycast,          &World::raycast,          &World::segment_test,  &World::overlap,
+        &World::nearest,          &World::nearest,          &World::sweep,         &World::cull,
+        &World::overlap,          &World::ray_batches,      &World::other_batches, &World::query_misuse,
+        &World::filtered_queries, &World::filtered_batches, &World::sweep_solid,   &World::ways_out};
     constexpr Op views[] = {&World::create_camera,  &World::place_camera, &World::project_camera, &World::orbit,
                             &World::inspect_camera, &World::project,      &World::pick,           &World::pick_lists,
                             &World::place_camera,   &World::pick};

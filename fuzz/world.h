@@ -76,6 +76,12 @@ private:
     void other_batches();
     void query_misuse();
 
+    // world_filter.cpp: those that leave out models
+    void make_filter(gphys_query_filter_desc& filter, std::vector<gphys_model_id>& list);
+    bool is_left_out(gphys_model_id id, const gphys_query_filter_desc& filter) const;
+    void filtered_queries();
+    void filtered_batches();
+
     // world_camera.cpp
     void create_camera();
     void place_camera();

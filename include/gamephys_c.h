@@ -972,6 +972,183 @@ GPHYS_API gphys_status gphys_scene_penetration(const gphys_scene* scene, gphys_s
                                                uint32_t layers, gphys_penetration* out_penetrations, uint32_t capacity,
                                                uint32_t* out_total);
 
+/* The same queries with a filter: a mask of layers and, besides, models to leave out, such as the one that
+ * asks, or what is selected. They answer as if the models that are left out were not there, with the same
+ * bits and ties as their plain forms would then; nothing in the scene is changed by asking, so that any
+ * number of threads may ask at once with filters of their own.
+ *
+ * The batch forms take one filter for all elements with a stride of 0, else one for each. Like other input
+ * strides, that is at least the element's size, here the struct_size of the filters, all of which need the
+ * same; NULL for filters stands for one that leaves out nothing. */
+
+/* Flags of gphys_query_filter_desc. */
+enum {
+    GPHYS_FILTER_SUBTREE = 1 /* ignored_model stands for its descendants, too */
+};
+
+/** Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
+ *  error: what asked may have been removed since. */
+typedef struct gphys_query_filter_desc {
+    uint32_t struct_size;
+    uint32_t layers;                      /* a model is seen if its own mask shares a bit; default GPHYS_ALL_LAYERS */
+    gphys_model_id ignored_model;         /* left out; 0: none; default 0 */
+    uint32_t flags;                       /* GPHYS_FILTER_...; default 0 */
+    const gphys_model_id* ignored_models; /* left out as well, in any order; read during the call; default NULL */
+    uint32_t ignored_count;               /* of ignored_models; default 0 */
+    uint32_t reserved;                    /* must be 0 */
+} gphys_query_filter_desc;
+
+/** Fill a desc with the defaults of the filtered queries, which stand beside its fields: all is seen.
+ *  @param size  sizeof(gphys_query_filter_desc) of the caller; no byte beyond is written
+ *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.1, or beyond 65536
+ *  Cost: O(1). */
+GPHYS_API gphys_status gphys_query_filter_desc_init(gphys_query_filter_desc* desc, uint32_t size);
+
+/** Closest model on a ray that the filter sees, as gphys_scene_raycast.
+ *  @param filter  NULL: the defaults
+ *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_INVALID_ARGUMENT for unknown flags, or ignored_models NULL
+ *          with an ignored_count above 0
+ *  Cost: that of gphys_scene_raycast for one ignored model. For each model that is met within the ray's
+ *  reach, besides: O(its depth below its root) with GPHYS_FILTER_SUBTREE if ignored_model has children; of
+ *  m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
+ *  they are takes O(m) a call. */
+GPHYS_API gphys_status gphys_scene_raycast_filtered(const gphys_scene* scene, const gphys_ray* ray,
+                                                    const gphys_query_filter_desc* filter, gphys_hit* out_hit);
+/** Closest models on count rays that the filters see, as gphys_scene_raycast_batch.
+ *  @param rays      a stride of 0 casts one ray count times
+ *  @param filters   a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_hits  count elements
+ *  Cost: at most that of count calls of gphys_scene_raycast_filtered; shared among workers. */
+GPHYS_API gphys_status gphys_scene_raycast_filtered_batch(const gphys_scene* scene, const gphys_ray* rays,
+                                                          uint32_t ray_stride, uint32_t count,
+                                                          const gphys_query_filter_desc* filters,
+                                                          uint32_t filter_stride, gphys_hit* out_hits,
+                                                          uint32_t out_stride);
+
+/** Whether a ray meets anything that the filter sees, as gphys_scene_raycast_any: line of sight between two
+ *  models that both are left out.
+ *  @param filter   NULL: the defaults
+ *  @param out_hit  0 or 1
+ *  Cost: as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_raycast_any_filtered(const gphys_scene* scene, const gphys_ray* ray,
+                                                        const gphys_query_filter_desc* filter, int32_t* out_hit);
+/** Whether each of count rays meets anything that its filter sees, as gphys_scene_raycast_any_batch.
+ *  @param rays      a stride of 0 casts one ray count times
+ *  @param filters   a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_hits  count elements, each 0 or 1
+ *  Cost: at most that of count single calls; shared among workers. */
+GPHYS_API gphys_status gphys_scene_raycast_any_filtered_batch(const gphys_scene* scene, const gphys_ray* rays,
+                                                              uint32_t ray_stride, uint32_t count,
+                                                              const gphys_query_filter_desc* filters,
+                                                              uint32_t filter_stride, int32_t* out_hits,
+                                                              uint32_t out_stride);
+
+/** Every model that a ray meets and the filter sees, as gphys_scene_raycast_all.
+ *  @param filter  NULL: the defaults
+ *  Cost: that of gphys_scene_raycast_all, and for each model as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_raycast_all_filtered(const gphys_scene* scene, const gphys_ray* ray,
+                                                        const gphys_query_filter_desc* filter, gphys_hit* out_hits,
+                                                        uint32_t capacity, uint32_t* out_total);
+/** Every model that each of count rays meets and its filter sees, as gphys_scene_raycast_all_batch.
+ *  @param rays         a stride of 0 casts one ray count times
+ *  @param filters      a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_offsets  count + 1 numbers, always complete
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
+ *  Cost: that of count single calls; shared among workers. */
+GPHYS_API gphys_status gphys_scene_raycast_all_filtered_batch(const gphys_scene* scene, const gphys_ray* rays,
+                                                              uint32_t ray_stride, uint32_t count,
+                                                              const gphys_query_filter_desc* filters,
+                                                              uint32_t filter_stride, gphys_hit* out_hits,
+                                                              uint32_t capacity, uint32_t* out_offsets);
+
+/** Closest model along a segment that the filter sees, as gphys_scene_segment_test.
+ *  @param filter  NULL: the defaults
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_segment_test_filtered(const gphys_scene* scene, const gphys_segment* segment,
+                                                         const gphys_query_filter_desc* filter, gphys_hit* out_hit);
+/** Closest models along count segments that the filters see, as gphys_scene_segment_test_batch.
+ *  @param segments  a stride of 0 tests one segment count times
+ *  @param filters   a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_hits  count elements
+ *  Cost: that of count single calls; shared among workers. */
+GPHYS_API gphys_status gphys_scene_segment_test_filtered_batch(const gphys_scene* scene, const gphys_segment* segments,
+                                                               uint32_t segment_stride, uint32_t count,
+                                                               const gphys_query_filter_desc* filters,
+                                                               uint32_t filter_stride, gphys_hit* out_hits,
+                                                               uint32_t out_stride);
+
+/** Ids of all models that overlap a shape and that the filter sees, as gphys_scene_overlap.
+ *  @param filter  NULL: the defaults
+ *  @return GPHYS_ERROR_UNSUPPORTED for types of shapes that gphys_scene_overlap does not take
+ *  Cost: that of gphys_scene_overlap, and for each model as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_overlap_filtered(const gphys_scene* scene, gphys_shape_type type, const void* shape,
+                                                    const gphys_query_filter_desc* filter, gphys_model_id* out_models,
+                                                    uint32_t capacity, uint32_t* out_total);
+/** Ids of all models that each of count shapes of one type overlaps and its filter sees, as
+ *  gphys_scene_overlap_batch.
+ *  @param shapes       a stride of 0 asks for one shape count times
+ *  @param filters      a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_offsets  count + 1 numbers, always complete
+ *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
+ *  Cost: at most that of count single calls; shared among workers. */
+GPHYS_API gphys_status gphys_scene_overlap_filtered_batch(const gphys_scene* scene, gphys_shape_type type,
+                                                          const void* shapes, uint32_t shape_stride, uint32_t count,
+                                                          const gphys_query_filter_desc* filters,
+                                                          uint32_t filter_stride, gphys_model_id* out_models,
+                                                          uint32_t capacity, uint32_t* out_offsets);
+
+/** Ids of all models in a frustum, by their world boxes, that the filter sees, as gphys_scene_cull: a
+ *  player's own head, say, is not drawn.
+ *  @param filter  NULL: the defaults
+ *  Cost: that of gphys_scene_cull, and for each model as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_cull_filtered(const gphys_scene* scene, const gphys_frustum* frustum,
+                                                 const gphys_query_filter_desc* filter, gphys_model_id* out_models,
+                                                 uint32_t capacity, uint32_t* out_total);
+
+/** The model nearest to a point that the filter sees, as gphys_scene_nearest: the nearest other model, if the
+ *  one at the point is left out.
+ *  @param max_distance  metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+ *  @param filter        NULL: the defaults
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_nearest_filtered(const gphys_scene* scene, const gphys_vec3* point,
+                                                    float max_distance, const gphys_query_filter_desc* filter,
+                                                    gphys_nearest* out_nearest);
+/** The models nearest to count points that the filters see, as gphys_scene_nearest_batch.
+ *  @param points        a stride of 0 asks for one point count times
+ *  @param max_distance  metres, >= 0, INFINITY allowed, for all points
+ *  @param filters       a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_nearest   count elements
+ *  Cost: that of count single calls; shared among workers. */
+GPHYS_API gphys_status gphys_scene_nearest_filtered_batch(const gphys_scene* scene, const gphys_vec3* points,
+                                                          uint32_t point_stride, uint32_t count, float max_distance,
+                                                          const gphys_query_filter_desc* filters,
+                                                          uint32_t filter_stride, gphys_nearest* out_nearest,
+                                                          uint32_t out_stride);
+
+/** First model that a moving sphere touches and the filter sees, as gphys_scene_sweep_sphere: the sphere may
+ *  be the bound of the ignored model itself.
+ *  @param displacement  metres; may be zero
+ *  @param filter        NULL: the defaults
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: that of gphys_scene_sweep_sphere, and for each model as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_sweep_sphere_filtered(const gphys_scene* scene, const gphys_sphere* sphere,
+                                                         const gphys_vec3* displacement,
+                                                         const gphys_query_filter_desc* filter, gphys_hit* out_hit);
+/** First models that count moving spheres touch and the filters see, as gphys_scene_sweep_sphere_batch.
+ *  @param spheres        a stride of 0 takes one sphere throughout
+ *  @param displacements  metres; a stride of 0 moves all alike
+ *  @param filters        a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_hits       count elements
+ *  Cost: that of count single calls; shared among workers. */
+GPHYS_API gphys_status gphys_scene_sweep_sphere_filtered_batch(const gphys_scene* scene, const gphys_sphere* spheres,
+                                                               uint32_t sphere_stride, const gphys_vec3* displacements,
+                                                               uint32_t displacement_stride, uint32_t count,
+                                                               const gphys_query_filter_desc* filters,
+                                                               uint32_t filter_stride, gphys_hit* out_hits,
+                                                               uint32_t out_stride);
+
 /** How the scene's octree is made up. Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);
 /** Boxes of the scene's octree, each parent before its children. Kept when too many: the first.
@@ -1228,6 +1405,39 @@ GPHYS_API gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, c
  *  Cost: O(log n + k) expected. */
 GPHYS_API gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* scene, uint32_t layers,
                                          gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
+
+/** The model under a pixel that the filter sees, as gphys_camera_pick: what lies behind a selection.
+ *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
+ *  @param filter            NULL: the defaults
+ *  @return GPHYS_OK or GPHYS_NO_HIT
+ *  Cost: as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_camera_pick_filtered(const gphys_camera* camera, const gphys_scene* scene, float pixel_x,
+                                                  float pixel_y, const gphys_query_filter_desc* filter,
+                                                  gphys_hit* out_hit);
+/** The models under count pixels that the filters see, as gphys_camera_pick_batch.
+ *  @param pixels    x, y pairs of floats; a stride of 0 takes one pixel count times
+ *  @param filters   a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_hits  count elements
+ *  Cost: at most that of count single calls; shared among the scene's workers. */
+GPHYS_API gphys_status gphys_camera_pick_filtered_batch(const gphys_camera* camera, const gphys_scene* scene,
+                                                        const float* pixels, uint32_t pixel_stride, uint32_t count,
+                                                        const gphys_query_filter_desc* filters, uint32_t filter_stride,
+                                                        gphys_hit* out_hits, uint32_t out_stride);
+/** Marquee: ids of all models in the pixel rectangle that the filter sees, as gphys_camera_pick_rectangle.
+ *  @param x0, y0, x1, y1  pixels; opposite corners, in any order
+ *  @param filter          NULL: the defaults
+ *  Cost: as gphys_scene_overlap_filtered. */
+GPHYS_API gphys_status gphys_camera_pick_rectangle_filtered(const gphys_camera* camera, const gphys_scene* scene,
+                                                            float x0, float y0, float x1, float y1,
+                                                            const gphys_query_filter_desc* filter,
+                                                            gphys_model_id* out_models, uint32_t capacity,
+                                                            uint32_t* out_total);
+/** Ids of the models to draw that the filter sees: gphys_scene_cull_filtered with the camera's frustum.
+ *  @param filter  NULL: the defaults
+ *  Cost: as gphys_scene_cull_filtered. */
+GPHYS_API gphys_status gphys_camera_cull_filtered(const gphys_camera* camera, const gphys_scene* scene,
+                                                  const gphys_query_filter_desc* filter, gphys_model_id* out_models,
+                                                  uint32_t capacity, uint32_t* out_total);
 
 /* ------------------------------------------------------------------------------------------
  * Solver: bodies made of particles and distance constraints (free particles, ropes, cloth) that

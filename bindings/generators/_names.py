@@ -93,7 +93,7 @@ def as_call(api, function):
             call.outputs.append(p)
         elif role == "handle" and i == 0 and owner:
             continue
-        elif role in ("stride", "capacity", "total", "offsets", "new", "shape_type"):
+        elif role in ("stride", "one", "capacity", "total", "offsets", "new", "shape_type"):
             continue
         elif role == "count" and has_array:
             continue

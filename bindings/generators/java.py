@@ -10,7 +10,7 @@ LAYOUTS = {"float": "Layout.FLOAT", "double": "Layout.DOUBLE", "int": "Layout.IN
 ACCESS = {"float": "Float", "double": "Double", "int": "Int"}
 SLOT = 128  # bytes that Scratch has for one argument
 DEFAULTS = {"layers": "Gamephys.ALL_LAYERS", "max_distance": "Float.POSITIVE_INFINITY", "tolerance": "0", "link_length": "0",
-            "compliance": "0", "desc": "null", "transform": "null", "transforms": "null", "local_point": "null"}
+            "compliance": "0", "desc": "null", "filter": "null", "filters": "null", "transform": "null", "transforms": "null", "local_point": "null"}
 FLAGS = ("pinned", "keep_world", "reverse_z")
 TEMPLATES = {
     "self": "opened()", "handle": "{n}.opened()", "handle?": "{n} == null ? null : {n}.opened()",

@@ -193,6 +193,8 @@ class Method:
                 kind = f"{name} == null ? nothing : {kind}"
             self.before.append(f"const {name}_ = {kind};")
             return f"pass({name}_)"
+        if role == "one":
+            return "0"
         if role == "stride":
             other = self.parameters[i - 1]
             if other["role"] == "out_array":

@@ -95,7 +95,7 @@ def default(p):
         return "low.ALL_LAYERS"
     if p["name"] == "max_distance":
         return 'float("inf")'
-    if p["name"] in ("desc", "transform", "transforms", "local_point"):
+    if p["name"] in ("desc", "filter", "filters", "transform", "transforms", "local_point"):
         return "None"
     return "0" if p["name"] in ("tolerance", "link_length", "compliance", "first") else None
 
@@ -171,6 +171,8 @@ def body(api, call, self_handle):
                 width = f", {p['width']}" if "width" in p else ""
                 lines.append(f"{name}_ = array_of({name}, {numpy_type(api, element(p))}{width})")
             arguments.append(f"{name}_.address")
+        elif role == "one":
+            arguments.append("0")
         elif role == "stride" and name == "out_stride":
             arguments.append("out_.stride")
         elif role == "stride":

@@ -118,6 +118,8 @@ def signature(call):
         n = p["name"]
         if p["role"] == "in" and n == "desc":
             keywords.append("**desc")
+        elif p["role"] == "in" and element(p).endswith("_desc"):
+            optional.append(f"{n} = nil")
         elif n in KEYWORDS and call.name != "set_layers":
             keywords.append(f"{n}: {KEYWORDS[n]}")
         elif n in POSITIONAL and p.get("nullable"):
@@ -138,6 +140,8 @@ def argument_list(api, call):
         n = p["name"]
         if p["role"] == "in" and n == "desc":
             words[i] = f"Low.desc(Low::{camel(element(p))}, :{element(p)}_init, desc)"
+        elif p["role"] == "in" and element(p).endswith("_desc"):
+            words[i] = f"{n} && Low.desc(Low::{camel(element(p))}, :{element(p)}_init, {n})"
         elif p["role"] == "shape_type" and parameters[i + 1]["role"] == "array":
             words[i] = f"{parameters[i + 1]['name']}.kind::KIND"
         elif p["role"] == "shape_type":

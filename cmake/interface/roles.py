@@ -10,6 +10,7 @@ out_array   pointer, [stride]: one result for each element
 list        out, capacity, out_total: as many results as there are
 ragged      out, capacity, out_offsets: such a list for each element
 stride, count, capacity, total, offsets    go with the above
+one         the stride of a desc, of which bindings pass one for all elements: always 0
 scalar      a plain number
 raw         none of these: only for callers of the C function itself
 """
@@ -28,7 +29,7 @@ def element(parameter):
 def nullable(function, p):
     """Pointers that may be NULL, apart from outputs."""
     name = p["name"]
-    if name in ("desc", "local_point"):
+    if name in ("desc", "filter", "filters", "local_point"):
         return p["role"] == "in"
     if name in ("transform", "transforms"):
         return "_add" in function["name"]
@@ -54,7 +55,7 @@ def assign(function, handles):
         elif name == "count" or name.endswith("_count"):
             p["role"] = "count"
         elif name == "stride" or name.endswith("_stride"):
-            p["role"] = "stride"
+            p["role"] = "one" if element(parameters[i - 1]).endswith("_desc") else "stride"
         elif name == "capacity":
             p["role"] = "capacity"
         elif name == "out_total":
@@ -69,10 +70,11 @@ def assign(function, handles):
             else:
                 p["role"] = "raw"
         elif pointer and is_const:
-            strided = following[:1] and following[0].endswith("stride")
+            strided = following[:1] and following[0].endswith("stride") and not element(p).endswith("_desc")
             p["role"] = "array" if strided or following[:1] and following[0].endswith("count") else "in"
             # `models, transforms, transform_stride, count`: an array without a stride of its own
-            if p["role"] == "in" and counted and name.endswith("s") and element(p) != "gphys_frustum":
+            whole = element(p) == "gphys_frustum" or element(p).endswith("_desc")
+            if p["role"] == "in" and counted and name.endswith("s") and not whole:
                 p["role"] = "array"
         elif output:
             strided = following[:1] == ["out_stride"] or following[:1] == ["stride"]

@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True  # the source tree stays as it is
 from compare import version  # noqa: E402
 
 NUMBERS = ("float", "int32_t", "uint32_t")
-POINTERS = ("const gphys_allocator *", "const gphys_task_runner *")
+POINTERS = ("const gphys_allocator *", "const gphys_task_runner *", "const gphys_model_id *")
 # Structs of function pointers, which a desc points to.
 HOOKS = ("gphys_allocator", "gphys_task_runner")
 RETURNS = ("gphys_status", "uint32_t", "const char *", "void")

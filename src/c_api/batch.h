@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "c_api/api.h"
+#include "c_api/query_filters.h"
 #include "c_api/shape_input.h"
 #include "foundation/compiler.h"
 #include "foundation/image_tiles.h"
@@ -59,10 +60,19 @@ void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, 
     });
 }
 
+/// What the rays of some items are cast by: the layers, or the filters of those items, for which there is `room`.
+inline uint32_t filters_of(uint32_t layers, const uint32_t*, uint32_t, QueryFilter*) { return layers; }
+inline RayFilters filters_of(const Filters& filters, const uint32_t* items, uint32_t count, QueryFilter* room) {
+    return filters.of(items, count, room);
+}
+/// Room for one filter an item, if there are any.
+template <class Who>
+using FilterRoom = std::conditional_t<std::is_same_v<Who, Filters>, QueryFilter[ImageTiles::most], QueryFilter[1]>;
+
 /// The first hits of many rays, those of elements that are near one another by their first `floats`; ray_of(element,
-/// ray) is false where there is no ray, and no hit.
-template <class T, class RayOf>
-void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uint32_t count, uint32_t layers,
+/// ray) is false where there is no ray, and no hit. Who is uint32_t, for layers, or Filters.
+template <class T, class Who, class RayOf>
+void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uint32_t count, const Who& who,
                   const StridedOut<gphys_hit>& out, RayOf&& ray_of) {
     const ImageTiles tiles(in.template beginnings<float>(), floats, count);
     const auto ray_or_no_hit = [&](uint32_t i, Ray& ray) {
@@ -77,7 +87,8 @@ void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uin
                           hits[k] = &out[items[k]];
                           *hits[k] = no_hit;
                       }
-                      scene.raycast_many(rays, size, layers, hits);
+                      FilterRoom<Who> room;
+                      scene.raycast_many(rays, size, filters_of(who, items, size, room), hits);
                   });
 }
 

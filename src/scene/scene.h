@@ -15,6 +15,7 @@
 // know how near the best answer is.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 
 #include "foundation/ids.h"
@@ -27,6 +28,7 @@
 #include "octree/octree.h"
 #include "scene/bounds_kernels.h"
 #include "scene/hit_kernels.h"
+#include "scene/query_filter.h"
 #include "scene/quick_shape.h"
 #include "scene/scene_kernels.h"
 #include "scene/slot_set.h"
@@ -98,33 +100,49 @@ public:
     /// What is wrong inside, or nullptr.
     const char* defect() const;
 
-    // Queries see the models of which layers & the model's layers is not 0. GPHYS_OK or GPHYS_NO_HIT.
+    /// `ignored_model` is left out, and with `subtree` all below it; 0 or a model that is gone is none. `ids` are
+    /// left out, too, and must live as long as the filter.
+    QueryFilter query_filter(uint32_t layers, gphys_model_id ignored_model, bool subtree,
+                             const IgnoredIds& ids = {}) const;
+
+    // Queries see the models of which layers & the model's layers is not 0 or, with a filter, those of them that it
+    // does not leave out. GPHYS_OK or GPHYS_NO_HIT.
 
     gphys_status raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const;
+    gphys_status raycast(const Ray& ray, const QueryFilter& filter, gphys_hit& out) const;
     /// Up to rays_at_once rays, faster than one by one; they are cut short where they hit. Where nothing
     /// is hit, *out[i] is left alone.
     static constexpr uint32_t rays_at_once = Octree::rays_at_once;
     void raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const;
+    void raycast_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_hit* const* out) const;
     bool raycast_any(const Ray& ray, uint32_t layers) const;
+    bool raycast_any(const Ray& ray, const QueryFilter& filter) const;
     /// The same for many rays: bit i of the result for ray i.
     uint64_t raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const;
+    uint64_t raycast_any_many(Ray* rays, uint32_t count, const RayFilters& filters) const;
     void raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const;
+    void raycast_all(const Ray& ray, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const;
     /// `met` is what meet has found of the shape.
     void overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out,
+                 const OverlapItems* met = nullptr) const;
+    void overlap(const Shape& shape, const QueryFilter& filter, Smallest<gphys_model_id>& out,
                  const OverlapItems* met = nullptr) const;
     /// The first step of overlap for 1 to OverlapItems::most_queries shapes of one type, which takes less time side by
     /// side.
     void meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapItems* met) const;
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
+    gphys_status nearest(Vec3 point, double max_distance, const QueryFilter& filter, gphys_nearest& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     /// For a moving sphere, capsule or box.
     gphys_status sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
     /// The way of a sphere, capsule or box out of each model, or each triangle of a mesh, that it overlaps.
     void penetration(const Shape& moving, uint32_t layers, Smallest<gphys_penetration, DeepestFirst>& out) const;
+    gphys_status sweep(const Sphere& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const;
     /// World boxes that lie outside none of the six planes and of the frustum's own box, in
     /// arithmetic rounded outward: a superset of what the frustum sees.
     /// The lowest `capacity` ids, ascending; returns how many there are. Beyond them `out` is scratch.
     uint32_t cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const;
+    uint32_t cull(const Frustum& frustum, const QueryFilter& filter, gphys_model_id* out, uint32_t capacity) const;
     /// Candidates: models whose world box touches the box, and planes that touch it. visit(id).
     template <class Visit>
     void for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const;
@@ -174,6 +192,50 @@ private:
     template <class Stored>
     static constexpr size_t head_size = std::min(sizeof(Stored), sizeof Model::shape);
 
+    // The two steps by which queries see a model (query_filter.h), and both for several that are known to be in the
+    // layers: visit(slot) for each that is seen, and how many these are. `layers` is of a query without a filter.
+    bool may_see(uint32_t layers, uint32_t slot) const { return (models_[slot].layers & layers) != 0; }
+    bool may_see(const QueryFilter& filter, uint32_t slot) const {
+        return (models_[slot].layers & filter.layers) != 0 && slot != filter.ignored_slot && !is_below(slot, filter);
+    }
+    static constexpr bool sees(uint32_t, uint32_t) { return true; }
+    bool sees(const QueryFilter& filter, uint32_t slot) const {
+        return filter.ignored.empty() || !filter.ignored.hold(ids_.id(slot));
+    }
+    template <class Visit>
+    static uint32_t for_each_seen_of_layers(uint32_t layers, const uint32_t* slots, uint32_t count, Visit&& visit);
+    template <class Visit>
+    uint32_t for_each_seen_of_layers(const QueryFilter& filter, const uint32_t* slots, uint32_t count,
+                                     Visit&& visit) const;
+    /// Most models have no family, which is told by what has been read already.
+    bool is_below(uint32_t slot, const QueryFilter& filter) const {
+        return filter.ignores_below && models_[slot].has_family() && is_below(slot, filter.ignored_slot);
+    }
+    bool is_below(uint32_t slot, uint32_t top) const;
+    static uint32_t layers_of(uint32_t layers) { return layers; }
+    static uint32_t layers_of(const QueryFilter& filter) { return filter.layers; }
+
+    // The queries; Filter is uint32_t, for layers, or QueryFilter, and Filters is uint32_t or RayFilters.
+    template <class Filter>
+    gphys_status raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const;
+    template <class Filters>
+    void raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, gphys_hit* const* out) const;
+    template <class Filter>
+    bool raycast_any_by(const Ray& ray, const Filter& filter) const;
+    template <class Filters>
+    uint64_t raycast_any_many_by(Ray* rays, uint32_t count, const Filters& filters) const;
+    template <class Filter>
+    void raycast_all_by(const Ray& ray, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const;
+    template <class Filter>
+    void overlap_by(const Shape& shape, const Filter& filter, Smallest<gphys_model_id>& out,
+                    const OverlapItems* met) const;
+    template <class Filter>
+    gphys_status nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const;
+    template <class Filter>
+    gphys_status sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const;
+    template <class Filter>
+    uint32_t cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const;
+
     class FirstOfRay;
     class LargeMeshes;
     class EightPairs;
@@ -199,11 +261,12 @@ private:
     auto with_shape(uint32_t slot, Visit&& visit) const;
     template <class Stored>
     Stored stored(uint32_t slot) const;
-    /// A question about a model: answered by the quick test of what is stored or, if that leaves it
-    /// open, by the exact one of the placed shape.
-    template <class Quick, class Exact>
-    bool decide(uint32_t slot, Quick&& quick, Exact&& exact) const;
-    bool meets_unbounded(const Ray& ray, uint32_t layers) const;
+    /// A question about a model that the filter may see: answered by the quick test of what is stored or, if that
+    /// leaves it open, by the exact one of the placed shape; no, if the filter does not see it.
+    template <class Filter, class Quick, class Exact>
+    bool decide(const Filter& filter, uint32_t slot, Quick&& quick, Exact&& exact) const;
+    template <class Filter>
+    bool meets_unbounded(const Ray& ray, const Filter& filter) const;
     template <class Met>
     uint32_t hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const;
     void store_shape(uint32_t slot, const void* shape);
@@ -227,9 +290,9 @@ private:
     uint32_t next_beside(uint32_t slot, uint32_t top) const;
     void remove_slot(uint32_t slot);
 
-    template <class AskEight, class Ask>
-    void overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, uint32_t layers, const Ask& ask,
-                      Smallest<gphys_model_id>& out) const;
+    template <class Filter, class AskEight, class Ask>
+    void overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, const Filter& filter,
+                      const Ask& ask, Smallest<gphys_model_id>& out) const;
 
     // Placement.
     const gphys_transform& local_of(uint32_t slot) const;
@@ -323,11 +386,12 @@ auto Scene::with_shape(uint32_t slot, Visit&& visit) const {
     return with_stored(slot, [&](const auto& shape) { return with_placed(shape, models_[slot].world, visit); });
 }
 
-template <class Quick, class Exact>
-bool Scene::decide(uint32_t slot, Quick&& quick, Exact&& exact) const {
+template <class Filter, class Quick, class Exact>
+bool Scene::decide(const Filter& filter, uint32_t slot, Quick&& quick, Exact&& exact) const {
     return with_stored(slot, [&](const auto& shape) {
         const gphys_transform& world = models_[slot].world;
         const Verdict verdict = quick_verdict(shape, world, quick);
+        if (verdict == Verdict::no || !sees(filter, slot)) return false;
         return verdict == Verdict::open ? with_placed(shape, world, exact) : verdict == Verdict::yes;
     });
 }
@@ -338,6 +402,29 @@ void Scene::put_below(uint32_t top, const Put& put) const {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) {
         if (models_[slot].type() != GPHYS_SHAPE_PLANE) put(slot, world_box(slot, models_[slot].world));
     }
+}
+
+template <class Visit>
+uint32_t Scene::for_each_seen_of_layers(uint32_t, const uint32_t* slots, uint32_t count, Visit&& visit) {
+    std::for_each(slots, slots + count, visit);
+    return count;
+}
+
+template <class Visit>
+uint32_t Scene::for_each_seen_of_layers(const QueryFilter& filter, const uint32_t* slots, uint32_t count,
+                                        Visit&& visit) const {
+    const auto visit_if = [&](const auto& is_seen) {
+        uint32_t seen = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            if (!is_seen(slots[i])) continue;
+            visit(slots[i]);
+            ++seen;
+        }
+        return seen;
+    };
+    const auto is_other = [&](uint32_t slot) { return slot != filter.ignored_slot; };
+    if (!filter.ignores_below && filter.ignored.empty()) return visit_if(is_other);
+    return visit_if([&](uint32_t slot) { return is_other(slot) && !is_below(slot, filter) && sees(filter, slot); });
 }
 
 template <class Visit>

@@ -319,6 +319,25 @@ uint32_t Scene::next_beside(uint32_t slot, uint32_t top) const {
     return none;
 }
 
+bool Scene::is_below(uint32_t slot, uint32_t top) const {
+    for (slot = parent_of(slot); slot != none; slot = parent_of(slot)) {
+        if (slot == top) return true;
+    }
+    return false;
+}
+
+QueryFilter Scene::query_filter(uint32_t layers, gphys_model_id ignored_model, bool subtree,
+                                const IgnoredIds& ids) const {
+    QueryFilter filter;
+    filter.layers = layers;
+    filter.ignored = ids;
+    if (has(ignored_model)) {
+        filter.ignored_slot = IdTable::slot_of(ignored_model);
+        filter.ignores_below = subtree && child_count(ignored_model) != 0;
+    }
+    return filter;
+}
+
 gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool keep_world) {
     gphys_status status = check(model);
     if (status != GPHYS_OK) return status;

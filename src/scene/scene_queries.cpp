@@ -56,8 +56,8 @@ bool Scene::touches_box(gphys_model_id model, const Box& box) const {
 }
 
 /// Those of a list that meet a query: Aabbs by ask_eight(quads, first_quad), others by ask(slot).
-template <class AskEight, class Ask>
-void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, uint32_t layers,
+template <class Filter, class AskEight, class Ask>
+void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint32_t count, const Filter& filter,
                          const Ask& ask, Smallest<gphys_model_id>& out) const {
     constexpr uint32_t quads = sizeof(Model) / (4 * sizeof(float));
     static_assert(quads == 4);
@@ -65,14 +65,16 @@ void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint3
     const auto decide_boxes = [&] {
         for (uint32_t k = waiting; k < 8; ++k) first_quad[k] = first_quad[0];
         const Verdicts8 verdicts = ask_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
-        for (uint32_t k = 0; k < waiting; ++k) out.add_if(verdicts.yes >> k & 1, ids_.id(boxes[k]));
+        for (uint32_t k = 0; k < waiting; ++k) {
+            out.add_if((verdicts.yes >> k & 1) && sees(filter, boxes[k]), ids_.id(boxes[k]));
+        }
         uint32_t open = ~(verdicts.no | verdicts.yes) & ((1u << waiting) - 1);
         for (; open != 0; open &= open - 1) ask(boxes[lowest_bit(open)]);
         waiting = 0;
     };
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t slot = slots[i];
-        if (!(models_[slot].layers & layers)) continue;
+        if (!may_see(filter, slot)) continue;
         if (models_[slot].type() != GPHYS_SHAPE_AABB) {
             ask(slot);
             continue;
@@ -104,14 +106,17 @@ void Scene::meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapIt
         shapes[0]);
 }
 
-void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id>& out, const OverlapItems* met) const {
+template <class Filter>
+void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_model_id>& out,
+                       const OverlapItems* met) const {
+    const uint32_t layers = layers_of(filter);
     const auto exact = [&](const auto& shape) { return overlaps_shape(shape, query); };
     std::visit(
         [&](const auto& shape) {
             using Query = std::decay_t<decltype(shape)>;
             const auto quick = quick_overlap(shape);
             const auto ask = [&](uint32_t slot) {
-                out.add_if((models_[slot].layers & layers) && decide(slot, quick, exact), ids_.id(slot));
+                out.add_if(may_see(filter, slot) && decide(filter, slot, quick, exact), ids_.id(slot));
                 return true;
             };
             for (const uint32_t slot : unbounded_) ask(slot);
@@ -119,7 +124,7 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
             const bool inside_is_found = inside_is_enough(layers);
             const auto find = [&](uint32_t slot, bool wholly_inside) {
                 if (!wholly_inside || !inside_is_found) return ask(slot);
-                out.add(ids_.id(slot));
+                for_each_seen_of_layers(filter, &slot, 1, [&](uint32_t seen) { out.add(ids_.id(seen)); });
                 return true;
             };
             const ItemMemory models = model_memory(), if_inside = memory_of_inside(layers);
@@ -127,9 +132,9 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
             const auto find_by = [&](const auto& ask_eight) {
                 return [&](const uint32_t* slots, uint32_t count, bool wholly_inside) {
                     if (wholly_inside && inside_is_found) {
-                        for (uint32_t i = 0; i < count; ++i) out.add(ids_.id(slots[i]));
+                        for_each_seen_of_layers(filter, slots, count, [&](uint32_t slot) { out.add(ids_.id(slot)); });
                     } else {
-                        overlap_each(ask_eight, slots, count, layers, ask, out);
+                        overlap_each(ask_eight, slots, count, filter, ask, out);
                     }
                     return true;
                 };
@@ -166,7 +171,8 @@ void Scene::overlap(const Shape& query, uint32_t layers, Smallest<gphys_model_id
         query);
 }
 
-gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const {
+template <class Filter>
+gphys_status Scene::nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const {
     const QuickPoint quick_point(point);
     Winner winner;
     double reach = max_distance;
@@ -175,7 +181,7 @@ gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gp
     const auto quick = [&](const auto& shape) { return unless_no(quick_point(shape, reach)); };
     const auto exact = [&](const auto& shape) { return closest_point_of(shape, point, reach, candidate, triangle); };
     const auto ask = [&](uint32_t slot) {
-        if (!(models_[slot].layers & layers) || !decide(slot, quick, exact)) return;
+        if (!may_see(filter, slot) || !decide(filter, slot, quick, exact)) return;
         const double square = length_squared(candidate - point);
         if (square > reach * reach) return;
         const float distance = reported(std::sqrt(square));
@@ -196,7 +202,8 @@ gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gp
     return GPHYS_OK;
 }
 
-gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
+template <class Filter>
+gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
     Hit first, hit;
     Winner winner;
     double end = 1;
@@ -205,7 +212,7 @@ gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t laye
         return gphys::sweep(shape, moving, displacement, hit);
     };
     const auto ask = [&](uint32_t slot) {
-        if (!(models_[slot].layers & layers) || !with_shape(slot, exact)) return;
+        if (!may_see(filter, slot) || !sees(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);
         if (!winner.is_beaten_by(t, slot, ids_)) return;
         winner = {t, slot};
@@ -223,26 +230,26 @@ gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t laye
     return GPHYS_OK;
 }
 
-uint32_t Scene::cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const {
-    const bool all_in_layers = (common_layers_ & layers) != 0;
+template <class Filter>
+uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const {
+    const bool all_in_layers = (common_layers_ & layers_of(filter)) != 0;
     // Calls add(slot), and returns how often.
     const auto walk = [&](const auto& add) {
         uint32_t total = 0;
-        const auto add_if_in_layers = [&](uint32_t slot) {
-            if (!(models_[slot].layers & layers)) return;
+        const auto add_if_seen = [&](uint32_t slot) {
+            if (!may_see(filter, slot) || !sees(filter, slot)) return;
             add(slot);
             ++total;
         };
         for (const uint32_t slot : unbounded_) {
-            const auto is_seen = [&](const auto& shape) { return overlaps_shape(shape, frustum); };
-            if (with_shape(slot, is_seen)) add_if_in_layers(slot);
+            const auto is_in_view = [&](const auto& shape) { return overlaps_shape(shape, frustum); };
+            if (with_shape(slot, is_in_view)) add_if_seen(slot);
         }
         octree_.frustum(frustum, box_around(frustum), [&](const uint32_t* slots, uint32_t count) {
             if (all_in_layers) {
-                std::for_each(slots, slots + count, add);
-                total += count;
+                total += for_each_seen_of_layers(filter, slots, count, add);
             } else {
-                std::for_each(slots, slots + count, add_if_in_layers);
+                std::for_each(slots, slots + count, add_if_seen);
             }
             return true;
         });
@@ -267,6 +274,35 @@ uint32_t Scene::cull(const Frustum& frustum, uint32_t layers, gphys_model_id* ou
     Smallest<gphys_model_id> lowest(out, capacity);
     walk([&](uint32_t slot) { lowest.add(ids_.id(slot)); });
     return lowest.finish();
+}
+
+void Scene::overlap(const Shape& shape, uint32_t layers, Smallest<gphys_model_id>& out, const OverlapItems* met) const {
+    overlap_by(shape, layers, out, met);
+}
+void Scene::overlap(const Shape& shape, const QueryFilter& filter, Smallest<gphys_model_id>& out,
+                    const OverlapItems* met) const {
+    overlap_by(shape, filter, out, met);
+}
+
+gphys_status Scene::nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const {
+    return nearest_by(point, max_distance, layers, out);
+}
+gphys_status Scene::nearest(Vec3 point, double max_distance, const QueryFilter& filter, gphys_nearest& out) const {
+    return nearest_by(point, max_distance, filter, out);
+}
+
+gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
+    return sweep_by(moving, displacement, layers, out);
+}
+gphys_status Scene::sweep(const Sphere& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const {
+    return sweep_by(moving, displacement, filter, out);
+}
+
+uint32_t Scene::cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const {
+    return cull_by(frustum, layers, out, capacity);
+}
+uint32_t Scene::cull(const Frustum& frustum, const QueryFilter& filter, gphys_model_id* out, uint32_t capacity) const {
+    return cull_by(frustum, filter, out, capacity);
 }
 
 }  // namespace gphys

@@ -45,14 +45,15 @@ class Scene::FirstOfRay {
 public:
     /// The ray, which must live as long, is cut short where it hits. `out` gets the first hit so far;
     /// without any it is left alone.
-    FirstOfRay(const Scene& scene, Ray& ray, uint32_t layers, gphys_hit& out)
+    template <class Filter>
+    FirstOfRay(const Scene& scene, Ray& ray, const Filter& filter, gphys_hit& out)
         : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
         for (const uint32_t slot : scene.unbounded_) {
-            if (scene.models_[slot].layers & layers) ask(slot);
+            if (scene.may_see(filter, slot) && scene.sees(filter, slot)) ask(slot);
         }
     }
 
-    // Models in the layers. Each tells whether the ray is shorter now.
+    // Models that are seen. Each tells whether the ray is shorter now.
 
     bool ask(uint32_t slot) {
         return scene_->with_shape(slot, [&](const auto& shape) { return ask(slot, shape); });
@@ -66,7 +67,11 @@ public:
     /// A hit that is reported at t, as hit_of(id, tag) makes it.
     template <class HitOf>
     bool take(uint32_t slot, float t, const HitOf& hit_of) {
-        if (!winner_.is_beaten_by(t, slot, scene_->ids_)) return false;
+        return take_if_seen(uint32_t{GPHYS_ALL_LAYERS}, slot, t, hit_of);
+    }
+    template <class Filter, class HitOf>
+    bool take_if_seen(const Filter& filter, uint32_t slot, float t, const HitOf& hit_of) {
+        if (!winner_.is_beaten_by(t, slot, scene_->ids_) || !scene_->sees(filter, slot)) return false;
         winner_ = {t, slot};
         *out_ = hit_of(scene_->ids_.id(slot), scene_->tags_[slot]);
         // Others may be reported at the same t, and have a lower id.
@@ -84,14 +89,15 @@ private:
     gphys_hit* out_;
 };
 
-gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
+template <class Filter>
+gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const {
     Ray rest = ray;
     const QuickRay quick_ray(ray);
-    FirstOfRay first(*this, rest, layers, out);
+    FirstOfRay first(*this, rest, filter, out);
     const auto quick = [&](const auto& shape) { return quick_ray.refuses(shape, rest.t_max); };
     const auto visit = [&](uint32_t slot, double& t_max) {
-        if (!(models_[slot].layers & layers)) return;
-        decide(slot, quick, [&](const auto& shape) {
+        if (!may_see(filter, slot)) return;
+        decide(filter, slot, quick, [&](const auto& shape) {
             first.ask(slot, shape);
             return true;
         });
@@ -107,12 +113,13 @@ class Scene::LargeMeshes {
 public:
     LargeMeshes() = default;
     /// `first` are those of the rays.
-    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, uint32_t layers, Later<FirstOfRay>* first) {
+    template <class Filters>
+    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, Later<FirstOfRay>* first) {
         if (count < fewest_rays || std::any_of(rays, rays + count, [](const Ray& ray) { return ray.is_segment; }))
             return;
         for (uint32_t i = 0; i < scene.large_mesh_count_; ++i) {
             const uint32_t slot = scene.large_meshes_[i];
-            if ((scene.models_[slot].layers & layers) == 0) continue;
+            if (!all_see(scene, slot, count, filters)) continue;
             with_placed(scene.stored<const Mesh*>(slot), scene.models_[slot].world, [&](const MeshInstance& mesh) {
                 if (!most_come_near(mesh, rays, count)) return;
                 cast(mesh, slot, rays, count, first);
@@ -126,6 +133,15 @@ public:
 private:
     static constexpr uint32_t fewest_rays = 16;
 
+    static bool all_see(const Scene& scene, uint32_t slot, uint32_t, uint32_t layers) {
+        return scene.may_see(layers, slot);
+    }
+    static bool all_see(const Scene& scene, uint32_t slot, uint32_t count, const RayFilters& filters) {
+        for (uint32_t i = 0; i < (filters.step == 0 ? 1 : count); ++i) {
+            if (!scene.may_see(filters.of(i), slot) || !scene.sees(filters.of(i), slot)) return false;
+        }
+        return true;
+    }
     /// Judged by eight of them.
     static bool most_come_near(const MeshInstance& mesh, const Ray* rays, uint32_t count) {
         uint32_t near = 0;
@@ -135,7 +151,7 @@ private:
 
     // Apart, so that its arrays are on the stack only while they are needed.
     GPHYS_NOINLINE static void cast(const MeshInstance& mesh, uint32_t slot, const Ray* rays, uint32_t count,
-                                       Later<FirstOfRay>* first) {
+                                    Later<FirstOfRay>* first) {
         Hit hits[rays_at_once];
         for (uint64_t met = gphys::raycast_many(mesh, rays, count, hits); met != 0; met &= met - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(met));
@@ -150,17 +166,19 @@ private:
 /// Up to eight rays, by their numbers, and the model that each asks about.
 class Scene::EightPairs {
 public:
-    EightPairs(const Scene& scene, const uint32_t* numbers, const uint32_t* slots, uint32_t count, uint32_t layers,
-               const LargeMeshes& asked = {})
+    template <class Filters>
+    EightPairs(const Scene& scene, const uint32_t* numbers, const uint32_t* slots, uint32_t count,
+               const Filters& filters, const LargeMeshes& asked = {})
         : scene_(scene), numbers_(numbers), slots_(slots) {
         static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
         for (uint32_t k = 0; k < count; ++k) {
             const Model& model = scene.models_[slots[k]];
-            of_type_[model.type()] |= uint32_t{(model.layers & layers) != 0 && !asked.hold(slots[k])} << k;
+            const bool may_be_seen = scene.may_see(filter_of_ray(filters, numbers[k]), slots[k]);
+            of_type_[model.type()] |= uint32_t{may_be_seen && !asked.hold(slots[k])} << k;
         }
     }
 
-    /// Those whose models are in the layers and have not been asked.
+    /// Those whose models may be seen and have not been asked.
     uint32_t seen() const { return std::accumulate(std::begin(of_type_), std::end(of_type_), 0u, std::bit_or<>()); }
     /// What kernel(pairs) says of those of a type.
     template <class RayForm, class Kernel>
@@ -279,14 +297,15 @@ uint32_t Scene::hit_at_once(const EightPairs& pairs, const Ray* rays, const Met&
     return answered;
 }
 
-void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
+template <class Filters>
+void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, gphys_hit* const* out) const {
     Later<FirstOfRay> first[rays_at_once];
-    for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], layers, *out[i]);
-    const LargeMeshes asked(*this, rays, count, layers, first);
+    for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
+    const LargeMeshes asked(*this, rays, count, filters, first);
     QuickRays quick(*this, rays, hit_kernels_ ? 0 : count);
     SharedModel shared(*this);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
-        const EightPairs pairs(*this, numbers, slots, size, layers, asked);
+        const EightPairs pairs(*this, numbers, slots, size, filters, asked);
         uint32_t open = pairs.seen(), shorter = 0;
         if (hit_kernels_) {
             open &= ~hit_at_once(pairs, rays, [&](uint32_t k, const Hits8& hits) {
@@ -294,7 +313,9 @@ void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* 
                     const Hits8::Rounded& hit = hits.rounded[k];
                     return gphys_hit{model, tag, hit.t, hit.point, hit.normal, GPHYS_NO_TRIANGLE, 0, 0, 0};
                 };
-                shorter |= uint32_t{first[numbers[k]]->take(slots[k], hits.rounded[k].t, hit_of)} << k;
+                shorter |= uint32_t{first[numbers[k]]->take_if_seen(filter_of_ray(filters, numbers[k]), slots[k],
+                                                                    hits.rounded[k].t, hit_of)}
+                           << k;
             });
         } else {
             open &= ~quick.ask(pairs).no;
@@ -303,6 +324,7 @@ void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* 
         for (; open != 0; open &= open - 1) {
             const auto k = static_cast<uint32_t>(lowest_bit(open));
             FirstOfRay& of = *first[numbers[k]];
+            if (!sees(filter_of_ray(filters, numbers[k]), slots[k])) continue;
             const Shape* placed = shared.place(slots[k]);
             if (!(placed ? of.ask(slots[k], *placed) : of.ask(slots[k]))) continue;
             shorter |= 1u << k;
@@ -314,40 +336,50 @@ void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* 
 }
 
 /// Whether a ray meets a plane, which no octree holds.
-bool Scene::meets_unbounded(const Ray& ray, uint32_t layers) const {
+template <class Filter>
+bool Scene::meets_unbounded(const Ray& ray, const Filter& filter) const {
     const auto meets = [&](const auto& shape) { return is_met(shape, ray); };
     for (const uint32_t slot : unbounded_) {
-        if ((models_[slot].layers & layers) && with_shape(slot, meets)) return true;
+        if (may_see(filter, slot) && with_shape(slot, meets) && sees(filter, slot)) return true;
     }
     return false;
 }
 
-bool Scene::raycast_any(const Ray& ray, uint32_t layers) const {
-    if (meets_unbounded(ray, layers)) return true;
+template <class Filter>
+bool Scene::raycast_any_by(const Ray& ray, const Filter& filter) const {
+    if (meets_unbounded(ray, filter)) return true;
     const QuickRay quick_ray(ray);
     const auto quick = [&](const auto& shape) { return quick_ray(shape, ray.t_max); };
     const auto exact = [&](const auto& shape) { return is_met(shape, ray); };
-    const auto ask = [&](uint32_t slot) { return (models_[slot].layers & layers) && decide(slot, quick, exact); };
+    const auto ask = [&](uint32_t slot) { return may_see(filter, slot) && decide(filter, slot, quick, exact); };
     return octree_.raycast_any(ray, ask, model_memory());
 }
 
-uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const {
+template <class Filters>
+uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& filters) const {
     uint64_t met = 0;
     for (uint32_t i = 0; i < count; ++i) {
-        if (!meets_unbounded(rays[i], layers)) continue;
+        if (!meets_unbounded(rays[i], filter_of_ray(filters, i))) continue;
         met |= uint64_t{1} << i;
         // Those that are done already have no way to go.
         rays[i].t_max = -1;
     }
     const QuickRays quick(*this, rays, count);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
-        const EightPairs pairs(*this, numbers, slots, size, layers);
+        const EightPairs pairs(*this, numbers, slots, size, filters);
         const Verdicts8 verdicts = quick.ask(pairs);
+        const auto is_seen = [&](uint32_t k) { return sees(filter_of_ray(filters, numbers[k]), slots[k]); };
         uint32_t done = verdicts.yes;
+        if constexpr (std::is_same_v<Filters, RayFilters>) {
+            for (uint32_t rest = done; rest != 0; rest &= rest - 1) {
+                const auto k = static_cast<uint32_t>(lowest_bit(rest));
+                if (!is_seen(k)) done &= ~(1u << k);
+            }
+        }
         for (uint32_t open = pairs.seen() & ~(verdicts.no | verdicts.yes); open != 0; open &= open - 1) {
             const auto k = static_cast<uint32_t>(lowest_bit(open));
             const auto exact = [&](const auto& shape) { return is_met(shape, rays[numbers[k]]); };
-            if ((met >> numbers[k] & 1) == 0 && with_shape(slots[k], exact)) done |= 1u << k;
+            if ((met >> numbers[k] & 1) == 0 && is_seen(k) && with_shape(slots[k], exact)) done |= 1u << k;
         }
         for (uint32_t rest = done; rest != 0; rest &= rest - 1) {
             const uint32_t ray = numbers[lowest_bit(rest)];
@@ -360,7 +392,8 @@ uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) con
     return met;
 }
 
-void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const {
+template <class Filter>
+void Scene::raycast_all_by(const Ray& ray, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const {
     const QuickRay quick_ray(ray);
     Hit hit;
     const auto quick = [&](const auto& shape) { return quick_ray.refuses(shape, ray.t_max); };
@@ -369,12 +402,43 @@ void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, Fir
         return gphys::raycast(shape, ray, hit);
     };
     const auto ask = [&](uint32_t slot) {
-        if (!(models_[slot].layers & layers) || !decide(slot, quick, exact)) return;
+        if (!may_see(filter, slot) || !decide(filter, slot, quick, exact)) return;
         out.add(to_hit(hit, ids_.id(slot), tags_[slot]));
     };
     for (const uint32_t slot : unbounded_) ask(slot);
     octree_.raycast(
         ray, [&](uint32_t slot, double&) { ask(slot); }, model_memory());
+}
+
+gphys_status Scene::raycast(const Ray& ray, uint32_t layers, gphys_hit& out) const {
+    return raycast_by(ray, layers, out);
+}
+gphys_status Scene::raycast(const Ray& ray, const QueryFilter& filter, gphys_hit& out) const {
+    return raycast_by(ray, filter, out);
+}
+
+void Scene::raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const {
+    raycast_many_by(rays, count, layers, out);
+}
+void Scene::raycast_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_hit* const* out) const {
+    raycast_many_by(rays, count, filters, out);
+}
+
+bool Scene::raycast_any(const Ray& ray, uint32_t layers) const { return raycast_any_by(ray, layers); }
+bool Scene::raycast_any(const Ray& ray, const QueryFilter& filter) const { return raycast_any_by(ray, filter); }
+
+uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, uint32_t layers) const {
+    return raycast_any_many_by(rays, count, layers);
+}
+uint64_t Scene::raycast_any_many(Ray* rays, uint32_t count, const RayFilters& filters) const {
+    return raycast_any_many_by(rays, count, filters);
+}
+
+void Scene::raycast_all(const Ray& ray, uint32_t layers, Smallest<gphys_hit, FirstHit>& out) const {
+    raycast_all_by(ray, layers, out);
+}
+void Scene::raycast_all(const Ray& ray, const QueryFilter& filter, Smallest<gphys_hit, FirstHit>& out) const {
+    raycast_all_by(ray, filter, out);
 }
 
 }  // namespace gphys

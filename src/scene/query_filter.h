@@ -1,0 +1,71 @@
+// Which models a query sees: a mask of layers or, besides, models that it leaves out.
+//
+// The queries of scene.h are templates of the one or the other. A model is asked about in two steps: whether it may be
+// seen, which costs next to nothing, and, when a quick test of its shape has not refused it, whether it is seen. So
+// what is looked up in a list or a tree of models is looked up for the few that are about to be an answer.
+#pragma once
+
+#include <cstdint>
+
+#include "gamephys_c.h"
+
+namespace gphys {
+
+/// Models to leave out, as the caller has them: in any order, some of them gone.
+class IgnoredIds {
+public:
+    IgnoredIds() = default;
+    /// One walk through them. They must live as long, unchanged.
+    IgnoredIds(const gphys_model_id* ids, uint32_t count) : ids_(ids), count_(count) {
+        // Counted to the end, several are compared at once.
+        uint32_t descents = 0;
+        for (uint32_t i = 1; i < count; ++i) descents += ids[i] < ids[i - 1];
+        ascending_ = descents == 0;
+    }
+
+    bool empty() const { return count_ == 0; }
+    bool hold(gphys_model_id id) const {
+        if (ascending_ && count_ > few) return found_by_halves(id);
+        uint32_t found = 0;
+        for (uint32_t i = 0; i < count_; ++i) found |= uint32_t{ids_[i] == id};
+        return found != 0;
+    }
+
+private:
+    static constexpr uint32_t few = 16;  // that are compared sooner than searched
+
+    bool found_by_halves(gphys_model_id id) const {
+        const gphys_model_id* first = ids_;
+        for (uint32_t rest = count_; rest > 1;) {
+            const uint32_t half = rest / 2;
+            first += first[half - 1] < id ? half : 0;
+            rest -= half;
+        }
+        return *first == id;
+    }
+
+    const gphys_model_id* ids_ = nullptr;
+    uint32_t count_ = 0;
+    bool ascending_ = true;
+};
+
+/// Made by Scene::query_filter.
+struct QueryFilter {
+    uint32_t layers = GPHYS_ALL_LAYERS;
+    uint32_t ignored_slot = ~0u;  // of a model, or of none
+    bool ignores_below = false;   // its descendants, too; it has some
+    IgnoredIds ignored;
+};
+
+/// Those of several rays: one for all with a step of 0, else one for each.
+struct RayFilters {
+    const QueryFilter* first;
+    uint32_t step;
+
+    const QueryFilter& of(uint32_t ray) const { return first[ray * step]; }
+};
+
+inline uint32_t filter_of_ray(uint32_t layers, uint32_t) { return layers; }
+inline const QueryFilter& filter_of_ray(const RayFilters& filters, uint32_t ray) { return filters.of(ray); }
+
+}  // namespace gphys

@@ -1,0 +1,364 @@
+/* Queries that leave out models, through the public header: each function, its filters and bad input. */
+#include "test.h"
+
+/* Balls of radius 1 along x: a body at 0, a head on it at 3, and a target at 10 that belongs to neither. */
+enum { BODY, HEAD, TARGET };
+
+static gphys_scene* three_balls(gphys_model_id models[3]) {
+    const gphys_sphere ball = {{0, 0, 0}, 1};
+    gphys_transform at = {{0, 0, 0}, {0, 0, 0, 1}, 1};
+    gphys_model_desc desc;
+    gphys_scene* scene = NULL;
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    gphys_model_desc_init(&desc, sizeof desc);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, &at, &desc, &models[BODY]), GPHYS_OK);
+    at.position.x = 3;
+    desc.parent = models[BODY];
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, &at, &desc, &models[HEAD]), GPHYS_OK);
+    at.position.x = 10;
+    desc.parent = 0;
+    desc.layers = 2;
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, &at, &desc, &models[TARGET]), GPHYS_OK);
+    return scene;
+}
+
+static gphys_query_filter_desc defaults(void) {
+    gphys_query_filter_desc filter;
+    assert_int_equal(gphys_query_filter_desc_init(&filter, sizeof filter), GPHYS_OK);
+    return filter;
+}
+
+static void the_defaults_see_everything(void** state) {
+    gphys_query_filter_desc filter;
+    char room[sizeof filter + 8];
+    (void)state;
+    memset(room, 0x5a, sizeof room);
+    memset(&filter, 0x5a, sizeof filter);
+    assert_int_equal(gphys_query_filter_desc_init(&filter, sizeof filter), GPHYS_OK);
+    assert_int_equal(filter.struct_size, sizeof filter);
+    assert_true(filter.layers == GPHYS_ALL_LAYERS && filter.ignored_model == 0 && filter.flags == 0);
+    assert_true(filter.ignored_models == NULL && filter.ignored_count == 0 && filter.reserved == 0);
+    assert_int_equal(gphys_query_filter_desc_init(NULL, sizeof filter), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_query_filter_desc_init(&filter, sizeof filter - 4), GPHYS_ERROR_STRUCT_SIZE);
+    assert_int_equal(gphys_query_filter_desc_init(&filter, 65537), GPHYS_ERROR_STRUCT_SIZE);
+    /* Of a later release, as large as its desc is. */
+    assert_int_equal(gphys_query_filter_desc_init((gphys_query_filter_desc*)(void*)room, sizeof filter + 4), GPHYS_OK);
+    assert_true(room[sizeof filter] == 0 && room[sizeof filter + 4] == 0x5a);
+}
+
+static void rays_pass_what_is_left_out(void** state) {
+    const gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, INFINITY};
+    const gphys_segment segment = {{0, 0, 0}, {20, 0, 0}};
+    gphys_model_id models[3], both[2];
+    gphys_scene* scene = three_balls(models);
+    gphys_query_filter_desc filter = defaults();
+    gphys_hit hit, hits[3];
+    uint32_t total = 0;
+    int32_t any = 7;
+    (void)state;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, NULL, &hit), GPHYS_OK);
+    assert_true(hit.model == models[BODY] && hit.t == 0 && hit.flags == GPHYS_HIT_INSIDE);
+    filter.ignored_model = models[BODY];
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == models[HEAD] && hit.t == 2);
+    filter.flags = GPHYS_FILTER_SUBTREE;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == models[TARGET] && hit.t == 9 && hit.point.x == 9 && hit.normal.x == -1);
+    assert_int_equal(gphys_scene_segment_test_filtered(scene, &segment, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == models[TARGET] && hit.t == 0.45f);
+    assert_int_equal(gphys_scene_raycast_any_filtered(scene, &ray, &filter, &any), GPHYS_OK);
+    assert_int_equal(any, 1);
+    filter.layers = 1;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &filter, &hit), GPHYS_NO_HIT);
+    assert_int_equal(gphys_scene_segment_test_filtered(scene, &segment, &filter, &hit), GPHYS_NO_HIT);
+    assert_int_equal(gphys_scene_raycast_any_filtered(scene, &ray, &filter, &any), GPHYS_OK);
+    assert_int_equal(any, 0);
+    filter = defaults();
+    both[0] = models[TARGET]; /* in any order */
+    both[1] = models[BODY];
+    filter.ignored_models = both;
+    filter.ignored_count = 2;
+    assert_int_equal(gphys_scene_raycast_all_filtered(scene, &ray, &filter, hits, 3, &total), GPHYS_OK);
+    assert_true(total == 1 && hits[0].model == models[HEAD]);
+    filter.ignored_model = models[HEAD];
+    assert_int_equal(gphys_scene_raycast_any_filtered(scene, &ray, &filter, &any), GPHYS_OK);
+    assert_int_equal(any, 0);
+    assert_int_equal(gphys_scene_raycast_all_filtered(scene, &ray, NULL, NULL, 0, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 3);
+    gphys_scene_destroy(scene);
+}
+
+static void what_is_gone_leaves_out_nothing(void** state) {
+    const gphys_ray ray = {{-5, 0, 0}, {1, 0, 0}, INFINITY};
+    gphys_model_id models[3], list[3];
+    gphys_scene* scene = three_balls(models);
+    gphys_query_filter_desc filter = defaults();
+    gphys_hit hit;
+    (void)state;
+    assert_int_equal(gphys_scene_remove(scene, models[BODY]), GPHYS_OK);
+    list[0] = models[BODY];
+    list[1] = 0;
+    list[2] = 0xffffffffu;
+    filter.ignored_model = models[BODY];
+    filter.flags = GPHYS_FILTER_SUBTREE;
+    filter.ignored_models = list;
+    filter.ignored_count = 3;
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, &filter, &hit), GPHYS_OK);
+    assert_int_equal(hit.model, models[HEAD]);
+    gphys_scene_destroy(scene);
+}
+
+static void other_queries_leave_out_the_same(void** state) {
+    const gphys_vec3 origin = {0, 0, 0}, step = {20, 0, 0};
+    const gphys_sphere small = {{0, 0, 0}, 0.5f}, large = {{0, 0, 0}, 50};
+    const gphys_frustum around = {
+        {0, 0, 0},
+        {{{1, 0, 0}, -9}, {{-1, 0, 0}, -20}, {{0, 0, 1}, -9}, {{0, 0, -1}, -9}, {{0, 1, 0}, -9}, {{0, -1, 0}, -9}}};
+    gphys_model_id models[3], found[3];
+    gphys_scene* scene = three_balls(models);
+    gphys_query_filter_desc filter = defaults();
+    gphys_hit hit;
+    gphys_nearest nearest;
+    uint32_t total = 0;
+    (void)state;
+    filter.ignored_model = models[BODY];
+    assert_int_equal(gphys_scene_nearest_filtered(scene, &origin, INFINITY, &filter, &nearest), GPHYS_OK);
+    assert_true(nearest.model == models[HEAD] && nearest.distance == 2);
+    assert_int_equal(gphys_scene_nearest_filtered(scene, &origin, 1.5f, &filter, &nearest), GPHYS_NO_HIT);
+    assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &small, &step, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == models[HEAD] && hit.t == 0.075f);
+    assert_int_equal(gphys_scene_overlap_filtered(scene, GPHYS_SHAPE_SPHERE, &large, &filter, found, 3, &total),
+                     GPHYS_OK);
+    assert_true(total == 2 && found[0] == models[HEAD] && found[1] == models[TARGET]);
+    assert_int_equal(gphys_scene_cull_filtered(scene, &around, &filter, found, 3, &total), GPHYS_OK);
+    assert_true(total == 2 && found[0] == models[HEAD] && found[1] == models[TARGET]);
+    filter.flags = GPHYS_FILTER_SUBTREE;
+    assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &small, &step, &filter, &hit), GPHYS_OK);
+    assert_int_equal(hit.model, models[TARGET]);
+    assert_int_equal(gphys_scene_cull_filtered(scene, &around, &filter, found, 3, &total), GPHYS_OK);
+    assert_true(total == 1 && found[0] == models[TARGET]);
+    filter.layers = 1;
+    assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &small, &step, &filter, &hit), GPHYS_NO_HIT);
+    assert_int_equal(gphys_scene_overlap_filtered(scene, GPHYS_SHAPE_RAY, &large, &filter, found, 3, &total),
+                     GPHYS_ERROR_UNSUPPORTED);
+    gphys_scene_destroy(scene);
+}
+
+static void batches_take_one_filter_or_one_each(void** state) {
+    const gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, INFINITY};
+    const gphys_segment segment = {{0, 0, 0}, {20, 0, 0}};
+    const gphys_vec3 origin = {0, 0, 0}, step = {20, 0, 0};
+    const gphys_sphere small = {{0, 0, 0}, 0.5f};
+    /* As of a later release, whose filters are larger, and at places that are multiples of 4 only. */
+    struct wide_filter {
+        gphys_query_filter_desc filter;
+        uint32_t unknown;
+    } wide[3];
+    unsigned char packed[3 * (sizeof(gphys_query_filter_desc) + 4)];
+    const uint32_t stride = sizeof(gphys_query_filter_desc) + 4;
+    gphys_model_id models[3], found[9];
+    gphys_query_filter_desc filters[3];
+    gphys_scene* scene = three_balls(models);
+    gphys_hit hits[3];
+    gphys_nearest nearest[3];
+    int32_t any[3];
+    uint32_t offsets[4], i;
+    (void)state;
+    for (i = 0; i < 3; ++i) filters[i] = defaults();
+    filters[1].ignored_model = models[BODY];
+    filters[2].ignored_model = models[BODY];
+    filters[2].flags = GPHYS_FILTER_SUBTREE;
+    assert_int_equal(
+        gphys_scene_raycast_filtered_batch(scene, &ray, 0, 3, filters, sizeof *filters, hits, sizeof *hits), GPHYS_OK);
+    for (i = 0; i < 3; ++i) assert_int_equal(hits[i].model, models[i]);
+    assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 3, &filters[1], 0, hits, sizeof *hits),
+                     GPHYS_OK);
+    for (i = 0; i < 3; ++i) assert_int_equal(hits[i].model, models[HEAD]);
+    assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 3, NULL, sizeof *filters, hits, sizeof *hits),
+                     GPHYS_OK);
+    for (i = 0; i < 3; ++i) assert_int_equal(hits[i].model, models[BODY]);
+    assert_int_equal(
+        gphys_scene_segment_test_filtered_batch(scene, &segment, 0, 3, filters, sizeof *filters, hits, sizeof *hits),
+        GPHYS_OK);
+    for (i = 0; i < 3; ++i) assert_int_equal(hits[i].model, models[i]);
+    assert_int_equal(gphys_scene_nearest_filtered_batch(scene, &origin, 0, 3, INFINITY, filters, sizeof *filters,
+                                                        nearest, sizeof *nearest),
+                     GPHYS_OK);
+    for (i = 0; i < 3; ++i) assert_int_equal(nearest[i].model, models[i]);
+    assert_int_equal(gphys_scene_sweep_sphere_filtered_batch(scene, &small, 0, &step, 0, 3, filters, sizeof *filters,
+                                                             hits, sizeof *hits),
+                     GPHYS_OK);
+    for (i = 0; i < 3; ++i) assert_int_equal(hits[i].model, models[i]);
+    assert_int_equal(gphys_scene_overlap_filtered_batch(scene, GPHYS_SHAPE_SPHERE, &small, 0, 3, filters,
+                                                        sizeof *filters, found, 9, offsets),
+                     GPHYS_OK);
+    assert_true(offsets[1] == 1 && offsets[2] == 1 && offsets[3] == 1 && found[0] == models[BODY]);
+    filters[2].layers = 1;
+    assert_int_equal(
+        gphys_scene_raycast_any_filtered_batch(scene, &ray, 0, 3, filters, sizeof *filters, any, sizeof *any),
+        GPHYS_OK);
+    assert_true(any[0] == 1 && any[1] == 1 && any[2] == 0);
+    assert_int_equal(
+        gphys_scene_raycast_all_filtered_batch(scene, &ray, 0, 3, filters, sizeof *filters, NULL, 0, offsets),
+        GPHYS_INCOMPLETE);
+    assert_true(offsets[1] == 3 && offsets[2] == 5 && offsets[3] == 5);
+    memset(wide, 0, sizeof wide);
+    for (i = 0; i < 3; ++i) {
+        wide[i].filter = filters[i];
+        wide[i].filter.struct_size = stride;
+        memcpy(packed + i * stride, &wide[i], stride);
+    }
+    assert_int_equal(
+        gphys_scene_raycast_filtered_batch(scene, &ray, 0, 3, (const gphys_query_filter_desc*)(const void*)packed,
+                                           stride, hits, sizeof *hits),
+        GPHYS_OK);
+    assert_true(hits[0].model == models[BODY] && hits[1].model == models[HEAD] && hits[2].model == 0);
+    packed[3 * stride - 1] = 1;
+    assert_int_equal(
+        gphys_scene_raycast_filtered_batch(scene, &ray, 0, 3, (const gphys_query_filter_desc*)(const void*)packed,
+                                           stride, hits, sizeof *hits),
+        GPHYS_ERROR_STRUCT_SIZE);
+    gphys_scene_destroy(scene);
+}
+
+static void a_camera_sees_behind_a_selection(void** state) {
+    const gphys_vec3 eye = {-10, 0, 0}, target = {0, 0, 0}, up = {0, 1, 0};
+    const float pixels[4] = {400, 300, 0, 0};
+    gphys_model_id models[3], found[3];
+    gphys_scene* scene = three_balls(models);
+    gphys_query_filter_desc filter = defaults(), filters[2];
+    gphys_camera* camera = NULL;
+    gphys_hit hit, hits[2];
+    uint32_t total = 0;
+    (void)state;
+    assert_int_equal(gphys_camera_create(NULL, &camera), GPHYS_OK);
+    assert_int_equal(gphys_camera_look_at(camera, &eye, &target, &up), GPHYS_OK);
+    filter.ignored_models = models;
+    filter.ignored_count = 2;
+    assert_int_equal(gphys_camera_pick_filtered(camera, scene, 400, 300, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == models[TARGET] && hit.t == 19);
+    assert_int_equal(gphys_camera_pick_filtered(camera, scene, 0, 0, &filter, &hit), GPHYS_NO_HIT);
+    assert_int_equal(gphys_camera_pick_filtered(camera, NULL, 400, 300, &filter, &hit), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_camera_pick_filtered_batch(camera, scene, pixels, 8, 2, &filter, 0, hits, sizeof *hits),
+                     GPHYS_OK);
+    assert_true(hits[0].model == models[TARGET] && hits[1].model == 0 && isinf(hits[1].t));
+    filters[0] = defaults();
+    filters[1] = filter;
+    assert_int_equal(
+        gphys_camera_pick_filtered_batch(camera, scene, pixels, 0, 2, filters, sizeof *filters, hits, sizeof *hits),
+        GPHYS_OK);
+    assert_true(hits[0].model == models[BODY] && hits[1].model == models[TARGET]);
+    assert_int_equal(gphys_camera_pick_rectangle_filtered(camera, scene, 390, 290, 410, 310, &filter, found, 3, &total),
+                     GPHYS_OK);
+    assert_true(total == 1 && found[0] == models[TARGET]);
+    assert_int_equal(gphys_camera_cull_filtered(camera, scene, &filter, found, 3, &total), GPHYS_OK);
+    assert_true(total == 1 && found[0] == models[TARGET]);
+    gphys_camera_destroy(camera);
+    gphys_scene_destroy(scene);
+}
+
+static void bad_filters_are_refused_and_outputs_stay(void** state) {
+    const gphys_ray ray = {{0, 0, 0}, {1, 0, 0}, INFINITY};
+    const gphys_segment segment = {{0, 0, 0}, {20, 0, 0}};
+    const gphys_vec3 point = {0, 0, 0};
+    const gphys_sphere ball = {{0, 0, 0}, 1};
+    const float pixel[2] = {400, 300};
+    gphys_model_id models[3], list[3] = {9, 9, 9};
+    gphys_scene* scene = three_balls(models);
+    gphys_camera* camera = NULL;
+    gphys_frustum frustum;
+    gphys_query_filter_desc bad[4];
+    gphys_status expected[4];
+    gphys_hit hits[2], untouched[2];
+    gphys_nearest nearest, nearest_before;
+    int32_t any = 7;
+    uint32_t total = 7, offsets[3] = {7, 7, 7}, i;
+    (void)state;
+    memset(hits, 9, sizeof hits);
+    memset(untouched, 9, sizeof untouched);
+    memset(&nearest, 9, sizeof nearest);
+    nearest_before = nearest;
+    assert_int_equal(gphys_camera_create(NULL, &camera), GPHYS_OK);
+    assert_int_equal(gphys_camera_get_frustum(camera, &frustum), GPHYS_OK);
+    for (i = 0; i < 4; ++i) bad[i] = defaults();
+    bad[0].struct_size = 0;
+    expected[0] = GPHYS_ERROR_STRUCT_SIZE;
+    bad[1].reserved = 1;
+    expected[1] = GPHYS_ERROR_STRUCT_SIZE;
+    bad[2].flags = 2;
+    expected[2] = GPHYS_ERROR_INVALID_ARGUMENT;
+    bad[3].ignored_count = 1;
+    expected[3] = GPHYS_ERROR_INVALID_ARGUMENT;
+    for (i = 0; i < 4; ++i) {
+        const gphys_query_filter_desc* f = &bad[i];
+        gphys_query_filter_desc mixed[2];
+        const uint32_t size = sizeof *f;
+        mixed[0] = defaults();
+        mixed[1] = bad[i];
+        assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, f, hits), expected[i]);
+        assert_int_equal(gphys_scene_raycast_any_filtered(scene, &ray, f, &any), expected[i]);
+        assert_int_equal(gphys_scene_raycast_all_filtered(scene, &ray, f, hits, 2, &total), expected[i]);
+        assert_int_equal(gphys_scene_segment_test_filtered(scene, &segment, f, hits), expected[i]);
+        assert_int_equal(gphys_scene_overlap_filtered(scene, GPHYS_SHAPE_SPHERE, &ball, f, list, 3, &total),
+                         expected[i]);
+        assert_int_equal(gphys_scene_cull_filtered(scene, &frustum, f, list, 3, &total), expected[i]);
+        assert_int_equal(gphys_scene_nearest_filtered(scene, &point, 1, f, &nearest), expected[i]);
+        assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &ball, &point, f, hits), expected[i]);
+        assert_int_equal(gphys_camera_pick_filtered(camera, scene, 1, 1, f, hits), expected[i]);
+        assert_int_equal(gphys_camera_pick_rectangle_filtered(camera, scene, 0, 0, 9, 9, f, list, 3, &total),
+                         expected[i]);
+        assert_int_equal(gphys_camera_cull_filtered(camera, scene, f, list, 3, &total), expected[i]);
+        assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 2, f, 0, hits, sizeof *hits), expected[i]);
+        assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 2, mixed, size, hits, sizeof *hits),
+                         expected[i]);
+        assert_int_equal(gphys_scene_raycast_any_filtered_batch(scene, &ray, 0, 2, mixed, size, &any, 4), expected[i]);
+        assert_int_equal(gphys_scene_raycast_all_filtered_batch(scene, &ray, 0, 2, mixed, size, hits, 2, offsets),
+                         expected[i]);
+        assert_int_equal(
+            gphys_scene_segment_test_filtered_batch(scene, &segment, 0, 2, mixed, size, hits, sizeof *hits),
+            expected[i]);
+        assert_int_equal(
+            gphys_scene_overlap_filtered_batch(scene, GPHYS_SHAPE_SPHERE, &ball, 0, 2, mixed, size, list, 3, offsets),
+            expected[i]);
+        assert_int_equal(
+            gphys_scene_nearest_filtered_batch(scene, &point, 0, 2, 1, mixed, size, &nearest, sizeof nearest),
+            expected[i]);
+        assert_int_equal(
+            gphys_scene_sweep_sphere_filtered_batch(scene, &ball, 0, &point, 0, 2, mixed, size, hits, sizeof *hits),
+            expected[i]);
+        assert_int_equal(gphys_camera_pick_filtered_batch(camera, scene, pixel, 0, 2, mixed, size, hits, sizeof *hits),
+                         expected[i]);
+    }
+    bad[0] = defaults();
+    bad[1] = defaults();
+    assert_int_equal(gphys_scene_raycast_filtered(NULL, &ray, bad, hits), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_raycast_filtered(scene, NULL, bad, hits), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_raycast_filtered(scene, &ray, bad, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_raycast_filtered_batch(NULL, &ray, 0, 1, bad, 0, hits, sizeof *hits),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 1, bad, 28, hits, sizeof *hits),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 1, bad, sizeof *bad + 2, hits, sizeof *hits),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    bad[0].struct_size = sizeof *bad + 4; /* more than there is of each */
+    assert_int_equal(gphys_scene_raycast_filtered_batch(scene, &ray, 0, 1, bad, sizeof *bad, hits, sizeof *hits),
+                     GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_memory_equal(hits, untouched, sizeof hits);
+    assert_memory_equal(&nearest, &nearest_before, sizeof nearest);
+    assert_true(any == 7 && total == 7 && offsets[0] == 7 && list[0] == 9);
+    gphys_camera_destroy(camera);
+    gphys_scene_destroy(scene);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_defaults_see_everything),
+        cmocka_unit_test(rays_pass_what_is_left_out),
+        cmocka_unit_test(what_is_gone_leaves_out_nothing),
+        cmocka_unit_test(other_queries_leave_out_the_same),
+        cmocka_unit_test(batches_take_one_filter_or_one_each),
+        cmocka_unit_test(a_camera_sees_behind_a_selection),
+        cmocka_unit_test(bad_filters_are_refused_and_outputs_stay),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
