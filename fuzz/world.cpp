@@ -37,7 +37,8 @@ void World::run() {
                             &World::set_transform,
                             &World::set_scene_origin,
                             &World::misuse_scene,
-                            &World::add};
+                            &World::add,
+                            &World::set_shape};
     constexpr Op queries[] = {
         &World::raycast,          &World::raycast,          &World::segment_test,  &World::overlap,
         &World::nearest,          &World::nearest,          &World::sweep,         &World::cull,

@@ -49,6 +49,7 @@ private:
     void set_transforms();
     void set_parent();
     void set_properties();
+    void set_shape();
     void set_scene_origin();
     void inspect_scene();
     void misuse_scene();

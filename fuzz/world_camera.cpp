@@ -115,8 +115,17 @@ void World::project_camera() {
     switch (p_.below(4)) {
         case 0: {
             const float angle = bad ? p_.hostile() : 0.1f + static_cast<float>(p_.byte()) / 100;
-            change(camera_,
-                   [&] { return call(gphys_camera_set_perspective, camera_, angle, near_distance, far_distance); });
+            gphys_status set = GPHYS_NO_HIT;
+            change(camera_, [&] {
+                set = call(gphys_camera_set_perspective, camera_, angle, near_distance, far_distance);
+                return set;
+            });
+            gphys_projection kind = -1;
+            float size = 0, from = 0, to = 0;
+            call(gphys_camera_get_projection, camera_, &kind, &size, &from, &to);
+            FUZZ_CHECK(set != GPHYS_OK || (kind == GPHYS_PROJECTION_PERSPECTIVE && size == angle &&
+                                           from == near_distance && to == far_distance),
+                       "a perspective is read as it was set");
             return;
         }
         case 1: {
@@ -128,7 +137,14 @@ void World::project_camera() {
         case 2: {
             const float width = bad ? p_.hostile() : 1.0f + static_cast<float>(p_.byte());
             const float height = 1.0f + static_cast<float>(p_.byte());
-            change(camera_, [&] { return call(gphys_camera_set_viewport, camera_, width, height); });
+            gphys_status set = GPHYS_NO_HIT;
+            change(camera_, [&] {
+                set = call(gphys_camera_set_viewport, camera_, width, height);
+                return set;
+            });
+            float x = 0, y = 0;
+            call(gphys_camera_get_viewport, camera_, &x, &y);
+            FUZZ_CHECK(set != GPHYS_OK || (x == width && y == height), "a viewport is read as it was set");
             return;
         }
         default: {

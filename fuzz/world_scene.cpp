@@ -278,6 +278,26 @@ void World::set_properties() {
     model(id)->tag = tag;
 }
 
+void World::set_shape() {
+    const gphys_model_id id = any_id();
+    AnyShape shape = p_.shape(p_.shape_type(p_.one_in(40)));
+    p_.spoil(shape, 40);
+    const bool is_mesh = p_.one_in(4);
+    const uint32_t which = p_.below(3);
+    if (is_mesh) shape.type = GPHYS_SHAPE_MESH;
+    const void* given = is_mesh ? static_cast<const void*>(meshes_[which].get()) : shape.bytes;
+    if (p_.one_in(10)) memory_.fail_after(p_.below(3));
+    const gphys_status status = call(gphys_scene_set_shape, scene_, id, shape.type, given);
+    const bool out_of_memory = memory_.has_failed();
+    memory_.never_fail();
+    FUZZ_CHECK(status != GPHYS_OK || model(id), "only models have shapes");
+    FUZZ_CHECK(status != GPHYS_OK || is_mesh || is_valid(shape), "only valid shapes are set");
+    FUZZ_CHECK(status != GPHYS_ERROR_OUT_OF_MEMORY || out_of_memory, "memory is short only where hooks fail");
+    if (status != GPHYS_OK) return;
+    model(id)->shape = shape;
+    model(id)->source = is_mesh ? &sources_[which] : nullptr;
+}
+
 void World::set_scene_origin() {
     double origin[3] = {p_.number(), p_.number(), p_.number()};
     if (p_.one_in(20)) origin[p_.below(3)] = p_.hostile();
@@ -304,6 +324,9 @@ void World::inspect_scene() {
     for (uint32_t i = 0; i < std::min(total, capacity); ++i) {
         FUZZ_CHECK(ids[i] == models_[i].id, "models are listed by id");
     }
+    call(gphys_scene_get_roots, scene_, nullptr, 0u, &total);
+    FUZZ_CHECK(total == std::count_if(models_.begin(), models_.end(), [](const Model& m) { return m.parent == 0; }),
+               "models without a parent are the roots");
     for (const Model& m : models_) {
         FUZZ_CHECK(call(gphys_scene_has, scene_, m.id) == GPHYS_OK, "a scene has the models that were added");
         gphys_model_info info;
@@ -314,6 +337,15 @@ void World::inspect_scene() {
                    "a model is what it was made");
         FUZZ_CHECK(info.child_count == std::count_if(models_.begin(), models_.end(), is_child),
                    "a model counts its children");
+        std::vector<gphys_model_id> children(models_.size() + 1);
+        uint32_t children_count = 0;
+        call(gphys_scene_get_children, scene_, m.id, children.data(), static_cast<uint32_t>(models_.size()),
+             &children_count);
+        children.resize(children_count);
+        FUZZ_CHECK(children.size() == info.child_count && std::is_sorted(children.begin(), children.end()) &&
+                       std::all_of(children.begin(), children.end(),
+                                   [&](gphys_model_id child) { return model(child) && model(child)->parent == m.id; }),
+                   "a model lists its children");
         gphys_transform local, world;
         call(gphys_scene_get_transforms, scene_, &m.id, 1u, &local, static_cast<uint32_t>(sizeof local));
         call(gphys_scene_get_world_transforms, scene_, &m.id, 1u, &world, static_cast<uint32_t>(sizeof world));

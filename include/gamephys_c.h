@@ -751,6 +751,13 @@ typedef struct gphys_model_info {
     uint32_t child_count; /* direct children */
 } gphys_model_info;
 
+/** Ids of all models without a parent, ascending. Kept when too many: the lowest. Cost: O(n). */
+GPHYS_API gphys_status gphys_scene_get_roots(const gphys_scene* scene, gphys_model_id* out_models, uint32_t capacity,
+                                             uint32_t* out_total);
+/** Ids of the models that hang directly below one, ascending. Kept when too many: the lowest.
+ *  Cost: O(k log k). */
+GPHYS_API gphys_status gphys_scene_get_children(const gphys_scene* scene, gphys_model_id model,
+                                                gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total);
 /** Kind, parent, layers, tag and number of children of a model. Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model, gphys_model_info* out_info);
 /** Copy a model's shape, in its own coordinates.
@@ -769,6 +776,17 @@ GPHYS_API gphys_status gphys_scene_get_bounds(const gphys_scene* scene, gphys_mo
  *  @return GPHYS_NO_HIT if there are none
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* out_bounds);
+
+/** Give a model another shape, or another mesh, of any type that gphys_scene_add takes: a character
+ *  crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms
+ *  stay. Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+ *  @param type, shape  as in gphys_scene_add: a struct, copied, or a mesh with GPHYS_SHAPE_MESH. The scene
+ *                      holds the new mesh and no longer the old one, which may be the same.
+ *  @return GPHYS_ERROR_UNSUPPORTED for a frustum, ray or segment; GPHYS_ERROR_INVALID_ARGUMENT also if the
+ *          model would leave the range of the world; GPHYS_ERROR_OUT_OF_MEMORY
+ *  Cost: as gphys_scene_set_transform of a model without children, whatever the size of a mesh. */
+GPHYS_API gphys_status gphys_scene_set_shape(gphys_scene* scene, gphys_model_id model, gphys_shape_type type,
+                                             const void* shape);
 
 /** Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
  *  affected.
@@ -1238,6 +1256,19 @@ GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const g
  *  @param width, height  pixels, 1e-3 .. 1e6
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height);
+
+/** How the camera projects, as it was set.
+ *  @param out_kind  what of the following was called last: gphys_camera_set_perspective, as at creation,
+ *                   gphys_camera_set_orthographic or gphys_camera_set_projection
+ *  @param out_size  the vertical field of view in radians of a perspective, the height in metres of an
+ *                   orthographic projection, 0 of a matrix
+ *  @param out_near, out_far  metres; INFINITY without a far plane; 0 of a matrix
+ *  Cost: O(1). */
+GPHYS_API gphys_status gphys_camera_get_projection(const gphys_camera* camera, gphys_projection* out_kind,
+                                                   float* out_size, float* out_near, float* out_far);
+/** The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the image.
+ *  Cost: O(1). */
+GPHYS_API gphys_status gphys_camera_get_viewport(const gphys_camera* camera, float* out_width, float* out_height);
 
 /** Place the camera.
  *  @param position  metres, of its centre

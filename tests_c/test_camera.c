@@ -629,6 +629,37 @@ static void transform_and_world_matrix_describe_the_same_place(void** state) {
     }
 }
 
+static void the_projection_can_be_read_back(void** state) {
+    gphys_projection kind = 7;
+    gphys_mat4 matrix;
+    float size = 7, near_distance = 7, far_distance = 7, width = 7, height = 7;
+    (void)state;
+    assert_int_equal(gphys_camera_get_projection(camera, &kind, &size, &near_distance, &far_distance), GPHYS_OK);
+    assert_true(kind == GPHYS_PROJECTION_PERSPECTIVE && near_distance == 0.1f && far_distance == 1000);
+    assert_true(size == 1.04719755f); /* 60 degrees */
+    assert_int_equal(gphys_camera_set_perspective(camera, 0.7f, 0.3f, INFINITY), GPHYS_OK);
+    assert_int_equal(gphys_camera_set_viewport(camera, 123.5f, 77), GPHYS_OK);
+    assert_int_equal(gphys_camera_get_projection(camera, &kind, &size, &near_distance, &far_distance), GPHYS_OK);
+    assert_true(kind == GPHYS_PROJECTION_PERSPECTIVE && size == 0.7f && near_distance == 0.3f && isinf(far_distance));
+    assert_int_equal(gphys_camera_get_viewport(camera, &width, &height), GPHYS_OK);
+    assert_true(width == 123.5f && height == 77);
+    assert_int_equal(gphys_camera_set_orthographic(camera, 0.1f, -2.5f, 8), GPHYS_OK);
+    assert_int_equal(gphys_camera_get_projection(camera, &kind, &size, &near_distance, &far_distance), GPHYS_OK);
+    assert_true(kind == GPHYS_PROJECTION_ORTHOGRAPHIC && size == 0.1f && near_distance == -2.5f && far_distance == 8);
+    assert_int_equal(gphys_camera_get_projection_matrix(camera, &matrix), GPHYS_OK);
+    assert_int_equal(gphys_camera_set_projection(camera, &matrix), GPHYS_OK);
+    assert_int_equal(gphys_camera_get_projection(camera, &kind, &size, &near_distance, &far_distance), GPHYS_OK);
+    assert_true(kind == GPHYS_PROJECTION_USER && size == 0 && near_distance == 0 && far_distance == 0);
+    REFUSED(gphys_camera_get_projection(NULL, &kind, &size, &near_distance, &far_distance));
+    REFUSED(gphys_camera_get_projection(camera, NULL, &size, &near_distance, &far_distance));
+    REFUSED(gphys_camera_get_projection(camera, &kind, NULL, &near_distance, &far_distance));
+    REFUSED(gphys_camera_get_projection(camera, &kind, &size, NULL, &far_distance));
+    REFUSED(gphys_camera_get_projection(camera, &kind, &size, &near_distance, NULL));
+    REFUSED(gphys_camera_get_viewport(NULL, &width, &height));
+    REFUSED(gphys_camera_get_viewport(camera, NULL, &height));
+    REFUSED(gphys_camera_get_viewport(camera, &width, NULL));
+}
+
 static void an_origin_is_checked_kept_and_returned(void** state) {
     const double origin[3] = {1e9, -2e9, 0.125}, bad[3] = {0, 0, 2e15};
     double now[3] = {7, 7, 7};
@@ -655,6 +686,7 @@ int main(void) {
         cmocka_unit_test(create_checks_its_desc),
         cmocka_unit_test(the_callers_allocator_is_used_and_may_fail),
         cmocka_unit_test_setup_teardown(projection_setters_check, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(the_projection_can_be_read_back, set_up, tear_down),
         cmocka_unit_test_setup_teardown(placement_checks, set_up, tear_down),
         cmocka_unit_test_setup_teardown(getters_check_and_leave_outputs_alone, set_up, tear_down),
         cmocka_unit_test_setup_teardown(the_frustum_is_a_valid_shape_and_has_the_cameras_corners, set_up, tear_down),

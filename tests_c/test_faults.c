@@ -285,6 +285,10 @@ static void shapes_and_scene(session* s) {
     DO(gphys_scene_set_transforms(s->scene, s->models, places + 8, sizeof *places, 50));
     DO(gphys_scene_set_layers(s->scene, s->models[3], 6));
     DO(gphys_scene_set_tag(s->scene, s->models[3], 7));
+    DO(gphys_scene_set_shape(s->scene, s->models[4], GPHYS_SHAPE_PLANE, &floor));
+    DO(gphys_scene_set_shape(s->scene, s->models[41], GPHYS_SHAPE_TRIANGLE, &triangle));
+    DO(gphys_scene_set_shape(s->scene, s->models[4], GPHYS_SHAPE_MESH, s->mesh));
+    DO(gphys_scene_set_shape(s->scene, s->models[40], GPHYS_SHAPE_SPHERE, &ball));
     DO(gphys_scene_remove(s->scene, s->models[10]));
     DO(gphys_scene_remove_subtree(s->scene, s->models[45]));
     DO(gphys_scene_set_parent(s->scene, s->models[46], 0, 1));

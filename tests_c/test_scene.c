@@ -213,6 +213,11 @@ static void null_and_bad_strides_are_refused_everywhere(void** state) {
     assert_invalid(gphys_scene_get_bounds(scene, models[0], NULL));
     assert_invalid(gphys_scene_get_scene_bounds(NULL, &box));
     assert_invalid(gphys_scene_get_scene_bounds(scene, NULL));
+    assert_invalid(gphys_scene_set_shape(NULL, models[0], GPHYS_SHAPE_AABB, &unit_box));
+    assert_invalid(gphys_scene_set_shape(scene, models[0], GPHYS_SHAPE_AABB, NULL));
+    assert_invalid(gphys_scene_set_shape(scene, models[0], GPHYS_SHAPE_MESH, NULL));
+    assert_invalid(gphys_scene_set_shape(scene, models[0], 99, &unit_box));
+    assert_int_equal(gphys_scene_set_shape(scene, models[0], GPHYS_SHAPE_SEGMENT, &unit_box), GPHYS_ERROR_UNSUPPORTED);
     assert_invalid(gphys_scene_set_layers(NULL, models[0], 1));
     assert_invalid(gphys_scene_set_tag(NULL, models[0], 1));
     assert_invalid(gphys_scene_set_parent(NULL, models[0], 0, 0));
@@ -286,6 +291,41 @@ static void what_was_set_is_what_one_gets(void** state) {
     gphys_scene_destroy(scene);
 }
 
+static void the_tree_of_models_can_be_read(void** state) {
+    gphys_model_id models[2], children[3], found[4] = {9, 9, 9, 9};
+    gphys_scene* scene = scene_of_two(models);
+    gphys_model_desc desc;
+    uint32_t total = 7, i;
+    (void)state;
+    gphys_model_desc_init(&desc, sizeof desc);
+    desc.parent = models[0];
+    for (i = 0; i < 3; ++i)
+        assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &unit_box, NULL, &desc, &children[i]), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_roots(scene, found, 4, &total), GPHYS_OK);
+    assert_true(total == 2 && found[0] == models[0] && found[1] == models[1] && found[2] == 9);
+    assert_int_equal(gphys_scene_get_children(scene, models[0], found, 4, &total), GPHYS_OK);
+    assert_true(total == 3 && found[0] == children[0] && found[1] == children[1] && found[2] == children[2]);
+    assert_int_equal(gphys_scene_set_parent(scene, children[1], children[2], 0), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_children(scene, models[0], found, 1, &total), GPHYS_INCOMPLETE);
+    assert_true(total == 2 && found[0] == children[0] && found[1] == children[1]);
+    assert_int_equal(gphys_scene_get_children(scene, children[2], found, 4, &total), GPHYS_OK);
+    assert_true(total == 1 && found[0] == children[1]);
+    assert_int_equal(gphys_scene_get_children(scene, models[1], NULL, 0, &total), GPHYS_OK);
+    assert_int_equal(total, 0);
+    assert_int_equal(gphys_scene_remove(scene, models[0]), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_roots(scene, NULL, 0, &total), GPHYS_INCOMPLETE);
+    assert_int_equal(total, 3);
+    assert_int_equal(gphys_scene_get_children(scene, models[0], found, 4, &total), GPHYS_ERROR_INVALID_ID);
+    assert_invalid(gphys_scene_get_children(NULL, models[1], found, 4, &total));
+    assert_invalid(gphys_scene_get_children(scene, models[1], NULL, 4, &total));
+    assert_invalid(gphys_scene_get_children(scene, models[1], found, 4, NULL));
+    assert_invalid(gphys_scene_get_roots(NULL, found, 4, &total));
+    assert_invalid(gphys_scene_get_roots(scene, NULL, 4, &total));
+    assert_invalid(gphys_scene_get_roots(scene, found, 4, NULL));
+    assert_int_equal(total, 3);
+    gphys_scene_destroy(scene);
+}
+
 static void an_origin_is_checked_kept_and_returned(void** state) {
     const double origin[3] = {1e9, -2e9, 0.125}, bad[3] = {0, 0, (double)INFINITY};
     double now[3] = {7, 7, 7};
@@ -321,6 +361,7 @@ int main(void) {
         cmocka_unit_test(stale_ids_are_refused_everywhere),
         cmocka_unit_test(null_and_bad_strides_are_refused_everywhere),
         cmocka_unit_test(what_was_set_is_what_one_gets),
+        cmocka_unit_test(the_tree_of_models_can_be_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

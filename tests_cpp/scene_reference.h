@@ -295,10 +295,25 @@ public:
         ids_.push_back(id);
     }
 
+    /// Another shape or mesh in the place of what the model is.
+    void reshape(gphys_model_id model) {
+        if (random.index(5) == 0) {
+            const uint32_t which = random.index(static_cast<uint32_t>(sources_.size()));
+            REQUIRE(gphys_scene_set_shape(scene, model, GPHYS_SHAPE_MESH, meshes_[which]) == GPHYS_OK);
+            mesh_of_[model] = &sources_[which];
+        } else {
+            const AnyShape shape = primitive(2);
+            REQUIRE(gphys_scene_set_shape(scene, model, shape.type, shape.bytes) == GPHYS_OK);
+        }
+    }
+
     void change() {
         if (ids_.size() < 20 || (ids_.size() < 150 && random.index(4) == 0)) return add();
         const gphys_model_id model = any_model();
-        switch (random.index(8)) {
+        switch (random.index(9)) {
+            case 8:
+                reshape(model);
+                break;
             case 0:
                 REQUIRE(gphys_scene_remove(scene, model) == GPHYS_OK);
                 break;

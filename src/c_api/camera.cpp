@@ -193,6 +193,30 @@ gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float 
     });
 }
 
+gphys_status gphys_camera_get_projection(const gphys_camera* camera, gphys_projection* out_kind, float* out_size,
+                                         float* out_near, float* out_far) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera, "camera is null");
+        GPHYS_REQUIRE(out_kind && out_size && out_near && out_far, "an output is null");
+        const Camera::ProjectionSettings settings = unwrap(camera)->projection_settings();
+        *out_kind = settings.kind;
+        // They came as floats.
+        *out_size = static_cast<float>(settings.size);
+        *out_near = static_cast<float>(settings.near_distance);
+        *out_far = static_cast<float>(settings.far_distance);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_get_viewport(const gphys_camera* camera, float* out_width, float* out_height) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && out_width && out_height, "camera, out_width or out_height is null");
+        *out_width = static_cast<float>(unwrap(camera)->viewport_width());
+        *out_height = static_cast<float>(unwrap(camera)->viewport_height());
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_camera_set_transform(gphys_camera* camera, const gphys_vec3* position, const gphys_quat* rotation) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(camera && position && rotation, "camera, position or rotation is null");

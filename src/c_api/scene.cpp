@@ -191,6 +191,31 @@ gphys_status gphys_scene_get_models(const gphys_scene* scene, gphys_model_id* ou
     });
 }
 
+gphys_status gphys_scene_get_roots(const gphys_scene* scene, gphys_model_id* out_models, uint32_t capacity,
+                                   uint32_t* out_total) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(check_list(out_models, capacity, out_total));
+        Smallest<gphys_model_id> models(out_models, capacity);
+        unwrap(scene)->for_each_model([&](gphys_model_id model) {
+            if (unwrap(scene)->parent(model) == 0) models.add(model);
+        });
+        return listed(models.finish(), capacity, out_total);
+    });
+}
+
+gphys_status gphys_scene_get_children(const gphys_scene* scene, gphys_model_id model, gphys_model_id* out_models,
+                                      uint32_t capacity, uint32_t* out_total) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(unwrap(scene)->check(model));
+        GPHYS_TRY(check_list(out_models, capacity, out_total));
+        Smallest<gphys_model_id> models(out_models, capacity);
+        unwrap(scene)->for_each_child(model, [&](gphys_model_id child) { models.add(child); });
+        return listed(models.finish(), capacity, out_total);
+    });
+}
+
 gphys_status gphys_scene_get_info(const gphys_scene* scene, gphys_model_id model, gphys_model_info* out_info) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
@@ -239,6 +264,14 @@ gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* 
         if (octree.size() == 0) return GPHYS_NO_HIT;
         *out_bounds = to_aabb(octree.bounds());
         return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_scene_set_shape(gphys_scene* scene, gphys_model_id model, gphys_shape_type type, const void* shape) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_TRY(check_shapes(unwrap(scene)->workers(), type, shape, 0, 1));
+        return unwrap(scene)->set_shape(model, type, shape);
     });
 }
 

@@ -41,6 +41,7 @@ Camera::Camera(const gphys_allocator* hooks, const gphys_camera_desc& desc)
 
 void Camera::set_perspective(double fov_y, double near_distance, double far_distance) {
     const double half_height = tan(0.5 * fov_y);
+    fov_y_ = fov_y;
     projection_ = Perspective{half_height * aspect(), half_height, near_distance, far_distance};
 }
 
@@ -69,6 +70,16 @@ gphys_status Camera::set_projection(const Mat4& projection) {
     }
     projection_ = user;
     return GPHYS_OK;
+}
+
+Camera::ProjectionSettings Camera::projection_settings() const {
+    if (const auto* seen = std::get_if<Perspective>(&projection_)) {
+        return {GPHYS_PROJECTION_PERSPECTIVE, fov_y_, seen->near_distance, seen->far_distance};
+    }
+    if (const auto* seen = std::get_if<Orthographic>(&projection_)) {
+        return {GPHYS_PROJECTION_ORTHOGRAPHIC, 2 * seen->half_height, seen->near_distance, seen->far_distance};
+    }
+    return {GPHYS_PROJECTION_USER, 0, 0, 0};
 }
 
 bool Camera::set_viewport(double width, double height) {

@@ -26,6 +26,15 @@ public:
     /// False as set_orthographic.
     bool set_viewport(double width, double height);
 
+    /// As they were set: radians or metres, 0 of a matrix, which has no distances either.
+    struct ProjectionSettings {
+        gphys_projection kind;
+        double size, near_distance, far_distance;
+    };
+    ProjectionSettings projection_settings() const;
+    double viewport_width() const { return width_; }
+    double viewport_height() const { return height_; }
+
     /// The rotation takes the camera's own axes to the world's.
     void set_transform(Vec3 position, const Mat3& rotation);
     gphys_status set_world_matrix(const Mat4& world);
@@ -74,6 +83,7 @@ private:
     gphys_handedness handedness_;
     DepthRange depth_range_;
     double width_, height_;  // pixels
+    double fov_y_;           // of a perspective, which keeps its tangent only
     std::variant<Perspective, Orthographic, UserProjection> projection_;
     Vec3 origin_;       // in the world, of the position
     WorldPlace world_;  // of the position

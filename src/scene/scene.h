@@ -63,6 +63,8 @@ public:
     gphys_status remove(const gphys_model_id* models, uint32_t count);
     gphys_status remove_subtree(gphys_model_id model);
     void clear();
+    /// A public struct of the type, or a Mesh.
+    gphys_status set_shape(gphys_model_id model, gphys_shape_type type, const void* shape);
     gphys_status set_parent(gphys_model_id model, gphys_model_id parent, bool keep_world);
     gphys_status set_transforms(const gphys_model_id* models, const gphys_transform* transforms,
                                 uint32_t transform_stride, uint32_t count);
@@ -86,6 +88,8 @@ public:
     uint32_t tag(gphys_model_id model) const { return tags_[IdTable::slot_of(model)]; }
     gphys_model_id parent(gphys_model_id model) const;
     uint32_t child_count(gphys_model_id model) const;
+    template <class Visit>
+    void for_each_child(gphys_model_id model, Visit&& visit) const;  // visit(id), in no order
     const gphys_transform& local(gphys_model_id model) const { return local_of(IdTable::slot_of(model)); }
     const gphys_transform& world(gphys_model_id model) const { return at(model).world; }
     Transform world_transform(gphys_model_id model) const { return widen(at(model).world); }
@@ -275,7 +279,7 @@ private:
     void unlist_large_mesh(uint32_t slot);
     double mesh_radius(uint32_t slot) const;
     void list_unbounded(uint32_t slot);
-    void unlist_unbounded(uint32_t slot);
+    void unlist_unbounded(uint32_t position);
 
     // Families, by slot.
     Family& family(uint32_t slot) { return families_[models_[slot].family]; }
@@ -431,6 +435,14 @@ template <class Visit>
 void Scene::for_each_model(Visit&& visit) const {
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
         if (ids_.live(slot)) visit(ids_.id(slot));
+    }
+}
+
+template <class Visit>
+void Scene::for_each_child(gphys_model_id model, Visit&& visit) const {
+    if (!at(model).has_family()) return;
+    for (uint32_t child = family(IdTable::slot_of(model)).first_child; child != none; child = family(child).next) {
+        visit(ids_.id(child));
     }
 }
 

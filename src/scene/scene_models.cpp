@@ -127,6 +127,58 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     return GPHYS_OK;
 }
 
+/// As add, of the one thing that changes. The new shape is stored in the place of the old one, where all that is asked
+/// of it finds it, and put back if it cannot stand there.
+gphys_status Scene::set_shape(gphys_model_id id, gphys_shape_type type, const void* shape) {
+    const gphys_status status = check(id);
+    if (status != GPHYS_OK) return status;
+    const uint32_t slot = IdTable::slot_of(id);
+    if (with_type(type, [](auto stored) { return sizeof stored > sizeof Model::shape; })) grow(shape_tails_, slot + 1);
+    const bool bounded = type != GPHYS_SHAPE_PLANE, was_bounded = models_[slot].type() != GPHYS_SHAPE_PLANE;
+    if (was_bounded && !bounded) reserve_more(unbounded_, 1);
+
+    Model& model = models_[slot];
+    const Model old = model;
+    const ShapeTail old_tail = slot < shape_tails_.size() ? shape_tails_[slot] : ShapeTail();
+    model.type_ = static_cast<uint32_t>(type);
+    store_shape(slot, shape);  // a mesh is held before the old one, which may be the same, is let go
+    const auto put_back = [&] {
+        discard_shape(slot);
+        model = old;
+        if (slot < shape_tails_.size()) shape_tails_[slot] = old_tail;
+    };
+    Box box;
+    if (const char* wrong = place(slot, model.world, box)) {
+        put_back();
+        return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
+    }
+    if (bounded && !was_bounded) {
+        try {
+            octree_.insert(slot, box);
+        } catch (...) {
+            put_back();
+            throw;
+        }
+    }
+
+    if (was_bounded && bounded) octree_.update(slot, box);
+    if (was_bounded && !bounded) octree_.remove(slot);
+    if (!was_bounded && bounded) unlist_unbounded(old.shape[position_in_list]);
+    if (was_bounded && !bounded) list_unbounded(slot);
+    unlist_large_mesh(slot);
+    if (type == GPHYS_SHAPE_MESH) {
+        list_large_mesh(slot);
+        if (static_cast<const Mesh*>(shape)->triangle_count() == 0) common_layers_ = 0;
+    }
+    farthest_point_ = std::max(farthest_point_, farthest_point(slot));
+    if (old.type() == GPHYS_SHAPE_MESH) {
+        const Mesh* mesh = nullptr;
+        std::memcpy(&mesh, old.shape, sizeof mesh);
+        Mesh::release(mesh);
+    }
+    return GPHYS_OK;
+}
+
 gphys_status Scene::remove(const gphys_model_id* models, uint32_t count) {
     gphys_status status = GPHYS_OK;
     uint32_t marked = 0;
@@ -154,7 +206,7 @@ void Scene::remove_slot(uint32_t slot) {
     }
     if (models_[slot].has_family()) unlink(slot);
     if (models_[slot].type() == GPHYS_SHAPE_PLANE) {
-        unlist_unbounded(slot);
+        unlist_unbounded(models_[slot].shape[position_in_list]);
     } else {
         octree_.remove(slot);
     }
@@ -188,12 +240,13 @@ void Scene::list_unbounded(uint32_t slot) {
     unbounded_.push_back(slot);
 }
 
-/// The last one takes its place.
-void Scene::unlist_unbounded(uint32_t slot) {
-    const uint32_t position = models_[slot].shape[position_in_list];
-    unbounded_[position] = unbounded_.back();
-    models_[unbounded_[position]].shape[position_in_list] = position;
+/// The last one takes its place, unless it is that.
+void Scene::unlist_unbounded(uint32_t position) {
+    const uint32_t last = unbounded_.back();
     unbounded_.pop_back();
+    if (position == unbounded_.size()) return;
+    unbounded_[position] = last;
+    models_[last].shape[position_in_list] = position;
 }
 
 gphys_status Scene::remove_subtree(gphys_model_id model) {
