@@ -43,6 +43,68 @@ func TestBatchesAnswerAsSingleCallsDo(t *testing.T) {
 	}
 }
 
+func TestFiltersLeaveOutModels(t *testing.T) {
+	scene, ball := must(NewScene(nil)), Sphere{Radius: 1}
+	body := must(scene.Add(ball, nil, nil))
+	onBody := DefaultModelDesc()
+	onBody.Parent = body
+	atHead, farOff := Place(Vec(0, 0, 3)), Place(Vec(0, 0, 10))
+	must(scene.Add(ball, &atHead, &onBody))
+	target := must(scene.Add(ball, &farOff, nil))
+	filter := DefaultQueryFilterDesc()
+	filter.IgnoredModel, filter.Flags = body, FilterSubtree
+	ray, segment, way := Ray{Vec3{}, Vec(0, 0, 1), infinity}, Segment{Vec3{}, Vec(0, 0, 20)}, Vec(0, 0, 20)
+	moving, large := Sphere{Radius: 0.5}, Sphere{Radius: 50}
+	same(t, found(scene.RaycastFiltered(ray, nil)).Model, body)
+	same(t, found(scene.RaycastFiltered(ray, &filter)).Model, target)
+	same(t, found(scene.SegmentTestFiltered(segment, &filter)).Model, target)
+	same(t, found(scene.NearestFiltered(Vec3{}, infinity, &filter)).Model, target)
+	same(t, found(scene.SweepSphereFiltered(moving, way, &filter)).Model, target)
+	same(t, must(scene.RaycastAnyFiltered(ray, &filter)), true)
+	same(t, len(must(scene.RaycastAllFiltered(ray, &filter))), 1)
+	same(t, must(scene.OverlapFiltered(large, &filter)), []ModelID{target})
+	hits, any, nearest := make([]Hit, 2), make([]int32, 2), make([]Nearest, 2)
+	try(t, scene.RaycastFilteredBatch([]Ray{ray, ray}, &filter, hits))
+	same(t, hits[1].Model, target)
+	try(t, scene.SegmentTestFilteredBatch([]Segment{segment, segment}, &filter, hits))
+	same(t, hits[1].Model, target)
+	try(t, scene.SweepSphereFilteredBatch([]Sphere{moving, moving}, []Vec3{way, way}, &filter, hits))
+	same(t, hits[1].Model, target)
+	try(t, scene.NearestFilteredBatch([]Vec3{way, way}, infinity, &filter, nearest))
+	same(t, nearest[1].Model, target)
+	try(t, scene.RaycastAnyFilteredBatch([]Ray{ray, ray}, &filter, any))
+	same(t, any, []int32{1, 1})
+	same(t, len(must(scene.RaycastAllFilteredBatch([]Ray{ray, ray}, &filter)).At(1)), 1)
+	same(t, must(scene.OverlapFilteredBatch(Spheres{large, large}, &filter)).At(1), []ModelID{target})
+	camera := must(NewCamera(nil))
+	try(t, camera.LookAt(Vec(0, 0, -10), Vec3{}, up))
+	same(t, found(camera.PickFiltered(scene, 400, 300, &filter)).Model, target)
+	try(t, camera.PickFilteredBatch(scene, [][2]float32{{400, 300}, {1, 1}}, &filter, hits))
+	same(t, []ModelID{hits[0].Model, hits[1].Model}, []ModelID{target, 0})
+	same(t, must(camera.PickRectangleFiltered(scene, 0, 0, 800, 600, &filter)), []ModelID{target})
+	same(t, must(camera.CullFiltered(scene, &filter)), []ModelID{target})
+	same(t, must(scene.CullFiltered(must(camera.Frustum()), &filter)), []ModelID{target})
+}
+
+func TestShapesChangeAndTreesAndCamerasAreRead(t *testing.T) {
+	scene := must(NewScene(nil))
+	body := must(scene.Add(Sphere{Radius: 1}, nil, nil))
+	onBody := DefaultModelDesc()
+	onBody.Parent = body
+	head := must(scene.Add(Sphere{Radius: 1}, nil, &onBody))
+	try(t, scene.SetShape(body, Sphere{Radius: 5}))
+	same(t, found(scene.Bounds(body)).Max.X, float32(5))
+	same(t, must(scene.Roots()), []ModelID{body})
+	same(t, must(scene.Children(body)), []ModelID{head})
+	camera := must(NewCamera(nil))
+	try(t, camera.SetOrthographic(10, 1, 100))
+	try(t, camera.SetViewport(200, 100))
+	kind, size, from, to, err := camera.Projection()
+	same(t, []any{kind, size, from, to, err}, []any{ProjectionOrthographic, float32(10), float32(1), float32(100), nil})
+	width, height, err := camera.Viewport()
+	same(t, []any{width, height, err}, []any{float32(200), float32(100), nil})
+}
+
 func TestLengthsMustAgree(t *testing.T) {
 	scene, models := sceneOfBalls()
 	refused(t, ErrInvalidArgument, scene.RaycastBatch(someRays(), AllLayers, make([]Hit, 3)))

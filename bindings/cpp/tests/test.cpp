@@ -207,6 +207,75 @@ TEST_CASE("batches answer as single calls do") {
     CHECK((same(wide.back().hit, hits.back()) && wide.back().mark == 5));
 }
 
+TEST_CASE("filters leave out models") {
+    Scene scene;
+    ModelDesc on_body = model_desc();
+    const gphys_model_id body = on_body.parent = scene.add(ball);
+    const Transform at_head{{0, 0, 3}, still, 1}, far_off{{0, 0, 10}, still, 1};
+    scene.add(ball, &at_head, &on_body);
+    const gphys_model_id target = scene.add(ball, &far_off);
+    QueryFilterDesc filter = query_filter_desc();
+    filter.ignored_model = body;
+    filter.flags = GPHYS_FILTER_SUBTREE;
+    const std::vector<Ray> rays(2, Ray{zero, {0, 0, 1}, INF});
+    const std::vector<Segment> segments(2, Segment{zero, {0, 0, 20}});
+    const std::vector<Sphere> moving(2, Sphere{zero, 0.5f}), large(2, Sphere{zero, 50});
+    const std::vector<Vec3> ways(2, Vec3{0, 0, 20});
+    const std::vector<gphys_model_id> one{target}, two{target, target};
+    CHECK(scene.raycast_filtered(rays[0], nullptr)->model == body);
+    CHECK(scene.raycast_filtered(rays[0], &filter)->model == target);
+    CHECK(scene.segment_test_filtered(segments[0], &filter)->model == target);
+    CHECK(scene.nearest_filtered(zero, INF, &filter)->model == target);
+    CHECK(scene.sweep_sphere_filtered(moving[0], ways[0], &filter)->model == target);
+    CHECK(scene.raycast_any_filtered(rays[0], &filter));
+    CHECK(scene.raycast_all_filtered(rays[0], &filter).size() == 1);
+    CHECK(scene.overlap_filtered(large[0], &filter) == one);
+    std::vector<Hit> hits(2);
+    std::vector<Nearest> nearest(2);
+    std::vector<int32_t> any(2);
+    scene.raycast_filtered_batch(rays, &filter, hits);
+    CHECK(hits[1].model == target);
+    scene.segment_test_filtered_batch(segments, &filter, hits);
+    CHECK(hits[1].model == target);
+    scene.sweep_sphere_filtered_batch(moving, ways, &filter, hits);
+    CHECK(hits[1].model == target);
+    scene.nearest_filtered_batch(ways, INF, &filter, nearest);
+    CHECK(nearest[1].model == target);
+    scene.raycast_any_filtered_batch(rays, &filter, any);
+    CHECK(any[1] == 1);
+    const auto [all, hit_ends] = scene.raycast_all_filtered_batch(rays, &filter);
+    CHECK((all.size() == 2 && hit_ends.back() == 2));
+    const auto [found, ends] = scene.overlap_filtered_batch(large, &filter);
+    CHECK((found == two && ends.back() == 2));
+    Camera camera;
+    camera.look_at({0, 0, -10}, zero, up);
+    CHECK(camera.pick_filtered(scene, 400, 300, &filter)->model == target);
+    const std::vector<float> mice{400, 300, 1, 1};
+    camera.pick_filtered_batch(scene, Span<const float>(mice.data(), 2, 8), &filter, hits);
+    CHECK((hits[0].model == target && hits[1].model == 0));
+    CHECK(camera.pick_rectangle_filtered(scene, 0, 0, 800, 600, &filter) == one);
+    CHECK(camera.cull_filtered(scene, &filter) == one);
+    CHECK(scene.cull_filtered(camera.get_frustum(), &filter) == one);
+}
+
+TEST_CASE("shapes change, trees and cameras are read") {
+    Scene scene;
+    ModelDesc on_body = model_desc();
+    const gphys_model_id body = on_body.parent = scene.add(ball);
+    const gphys_model_id head = scene.add(ball, nullptr, &on_body);
+    scene.set_shape(body, Sphere{zero, 5});
+    CHECK(scene.get_bounds(body)->max.x == 5);
+    CHECK(scene.get_roots() == std::vector<gphys_model_id>{body});
+    CHECK(scene.get_children(body) == std::vector<gphys_model_id>{head});
+    Camera camera;
+    camera.set_orthographic(10, 1, 100);
+    camera.set_viewport(200, 100);
+    const auto [kind, size, from, to] = camera.get_projection();
+    CHECK((kind == GPHYS_PROJECTION_ORTHOGRAPHIC && size == 10 && from == 1 && to == 100));
+    const auto [width, height] = camera.get_viewport();
+    CHECK((width == 200 && height == 100));
+}
+
 TEST_CASE("lists of any length") {
     Scene scene;
     std::vector<gphys_model_id> models(500);  // more than the first guess has room for

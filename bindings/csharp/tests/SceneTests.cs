@@ -45,6 +45,73 @@ public class SceneTests {
     }
 
     [Test]
+    public void FiltersLeaveOutModels() {
+        var scene = new Scene();
+        var ball = new Sphere((0, 0, 0), 1);
+        var body = scene.Add(ball);
+        var onBody = ModelDesc.Default;
+        onBody.Parent = body;
+        scene.Add(ball, Transform.At((0, 0, 3)), onBody);
+        var target = scene.Add(ball, Transform.At((0, 0, 10)));
+        var filter = QueryFilterDesc.Default;
+        filter.IgnoredModel = body;
+        filter.Flags = Constants.FilterSubtree;
+        Ray ray = new Ray((0, 0, 0), (0, 0, 1), Far);
+        Segment segment = new Segment((0, 0, 0), (0, 0, 20));
+        Sphere moving = new Sphere((0, 0, 0), 0.5f), large = new Sphere((0, 0, 0), 50);
+        Vec3 origin = (0, 0, 0), way = (0, 0, 20);
+        Assert.AreEqual(body, scene.RaycastFiltered(ray).Value.Model);
+        Assert.AreEqual(target, scene.RaycastFiltered(ray, filter).Value.Model);
+        Assert.AreEqual(target, scene.SegmentTestFiltered(segment, filter).Value.Model);
+        Assert.AreEqual(target, scene.NearestFiltered(origin, Far, filter).Value.Model);
+        Assert.AreEqual(target, scene.SweepSphereFiltered(moving, way, filter).Value.Model);
+        Assert.IsTrue(scene.RaycastAnyFiltered(ray, filter));
+        Assert.AreEqual(1, scene.RaycastAllFiltered(ray, filter).Length);
+        CollectionAssert.AreEqual(new[] { target }, scene.OverlapFiltered(large, filter));
+        var hits = new Hit[2];
+        var any = new int[2];
+        var nearest = new Nearest[2];
+        scene.RaycastFilteredBatch(new[] { ray, ray }, hits, filter);
+        Assert.AreEqual(target, hits[1].Model);
+        scene.SegmentTestFilteredBatch(new[] { segment, segment }, hits, filter);
+        Assert.AreEqual(target, hits[1].Model);
+        scene.SweepSphereFilteredBatch(new[] { moving, moving }, new[] { way }, hits, filter);
+        Assert.AreEqual(target, hits[1].Model);
+        scene.NearestFilteredBatch(new[] { way, way }, nearest, Far, filter);
+        Assert.AreEqual(target, nearest[1].Model);
+        scene.RaycastAnyFilteredBatch(new[] { ray, ray }, any, filter);
+        CollectionAssert.AreEqual(new[] { 1, 1 }, any);
+        CollectionAssert.AreEqual(new[] { 0, 1, 2 }, scene.RaycastAllFilteredBatch(new[] { ray, ray }, filter).Offsets);
+        CollectionAssert.AreEqual(new[] { target }, scene.OverlapFilteredBatch(new[] { large, large }, filter)[1]);
+        var camera = new Camera();
+        camera.LookAt((0, 0, -10), origin, Up);
+        Assert.AreEqual(target, camera.PickFiltered(scene, 400, 300, filter).Value.Model);
+        camera.PickFilteredBatch(scene, new[] { new Vec2(400, 300), new Vec2(1, 1) }, hits, filter);
+        Assert.AreEqual((target, 0u), (hits[0].Model, hits[1].Model));
+        CollectionAssert.AreEqual(new[] { target }, camera.PickRectangleFiltered(scene, 0, 0, 800, 600, filter));
+        CollectionAssert.AreEqual(new[] { target }, camera.CullFiltered(scene, filter));
+        CollectionAssert.AreEqual(new[] { target }, scene.CullFiltered(camera.GetFrustum(), filter));
+    }
+
+    [Test]
+    public void ShapesChangeAndTreesAndCamerasAreRead() {
+        var scene = new Scene();
+        var body = scene.Add(new Sphere((0, 0, 0), 1));
+        var onBody = ModelDesc.Default;
+        onBody.Parent = body;
+        var head = scene.Add(new Sphere((0, 0, 0), 1), null, onBody);
+        scene.SetShape(body, new Sphere((0, 0, 0), 5));
+        Assert.AreEqual(5, scene.GetBounds(body).Value.Max.X);
+        CollectionAssert.AreEqual(new[] { body }, scene.GetRoots());
+        CollectionAssert.AreEqual(new[] { head }, scene.GetChildren(body));
+        var camera = new Camera();
+        camera.SetOrthographic(10, 1, 100);
+        camera.SetViewport(200, 100);
+        Assert.AreEqual((Projection.Orthographic, 10f, 1f, 100f), camera.GetProjection());
+        Assert.AreEqual((200f, 100f), camera.GetViewport());
+    }
+
+    [Test]
     public void SpansArePartsOfArrays() {
         uint[] models;
         var scene = SceneOfBalls(out models);

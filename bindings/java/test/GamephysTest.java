@@ -204,6 +204,59 @@ public class GamephysTest {
     }
 
     @Test
+    public void filtersLeaveOutModels() {
+        Scene scene = new Scene();
+        int body = scene.add(BALL);
+        scene.add(BALL, new Transform(v(0, 0, 3), STILL, 1), new ModelDesc().parent(body));
+        int target = scene.add(BALL, new Transform(v(0, 0, 10), STILL, 1));
+        QueryFilterDesc filter = new QueryFilterDesc().ignoredModel(body).flags(Gamephys.FILTER_SUBTREE);
+        Ray ray = new Ray(ZERO, v(0, 0, 1), Float.POSITIVE_INFINITY);
+        Segment segment = new Segment(ZERO, v(0, 0, 20));
+        Sphere moving = new Sphere(ZERO, 0.5f), large = new Sphere(ZERO, 50);
+        Vec3 way = v(0, 0, 20);
+        assertEquals(body, scene.raycastFiltered(ray).orElseThrow().model());
+        assertEquals(target, scene.raycastFiltered(ray, filter).orElseThrow().model());
+        assertEquals(target, scene.segmentTestFiltered(segment, filter).orElseThrow().model());
+        assertEquals(target, scene.nearestFiltered(ZERO, Float.POSITIVE_INFINITY, filter).orElseThrow().model());
+        assertEquals(target, scene.sweepSphereFiltered(moving, way, filter).orElseThrow().model());
+        assertTrue(scene.raycastAnyFiltered(ray, filter));
+        assertEquals(1, scene.raycastAllFiltered(ray, filter).size());
+        assertEquals(List.of(target), scene.overlapFiltered(large, filter));
+        Batch<Ray> rays = Batch.copyOf(Ray.LAYOUT, List.of(ray, ray));
+        Batch<Segment> segments = Batch.copyOf(Segment.LAYOUT, List.of(segment, segment));
+        Batch<Sphere> spheres = Batch.copyOf(Sphere.LAYOUT, List.of(moving, moving));
+        assertEquals(target, scene.raycastFilteredBatch(rays, filter).get(1).model());
+        assertEquals(target, scene.segmentTestFilteredBatch(segments, filter).get(1).model());
+        assertEquals(target, scene.sweepSphereFilteredBatch(spheres, points(way, way), filter).get(1).model());
+        assertEquals(target, scene.nearestFilteredBatch(points(way, way), Float.POSITIVE_INFINITY, filter).get(1).model());
+        assertEquals(List.of(1, 1), scene.raycastAnyFilteredBatch(rays, filter));
+        assertEquals(List.of(0, 1, 2), scene.raycastAllFilteredBatch(rays, filter).offsets());
+        assertEquals(List.of(target), scene.overlapFilteredBatch(Shapes.of(List.of(large, large)), filter).get(1));
+        Camera camera = new Camera();
+        camera.lookAt(v(0, 0, -10), ZERO, UP);
+        assertEquals(target, camera.pickFiltered(scene, 400, 300, filter).orElseThrow().model());
+        assertEquals(target, camera.pickFilteredBatch(scene, Batch.floats(400, 300, 1, 1), filter).get(0).model());
+        assertEquals(List.of(target), camera.pickRectangleFiltered(scene, 0, 0, 800, 600, filter));
+        assertEquals(List.of(target), camera.cullFiltered(scene, filter));
+        assertEquals(List.of(target), scene.cullFiltered(camera.getFrustum(), filter));
+    }
+
+    @Test
+    public void shapesChangeAndTreesAndCamerasAreRead() {
+        Scene scene = new Scene();
+        int body = scene.add(BALL), head = scene.add(BALL, null, new ModelDesc().parent(body));
+        scene.setShape(body, new Sphere(ZERO, 5));
+        assertEquals(5, scene.getBounds(body).orElseThrow().max().x(), 0);
+        assertEquals(List.of(body), scene.getRoots());
+        assertEquals(List.of(head), scene.getChildren(body));
+        Camera camera = new Camera();
+        camera.setOrthographic(10, 1, 100);
+        camera.setViewport(200, 100);
+        assertEquals(new Camera.ProjectionResult(Gamephys.PROJECTION_ORTHOGRAPHIC, 10, 1, 100), camera.getProjection());
+        assertEquals(new Camera.ViewportResult(200, 100), camera.getViewport());
+    }
+
+    @Test
     public void listsOfAnyLength() {
         Scene scene = new Scene();
         Batch<Integer> models = scene.addBatch(Shapes.of(Batch.allocate(Sphere.LAYOUT, 500))); // more than the first guess has room for

@@ -120,6 +120,52 @@ test('questions to a scene', () => {
     assert.strictEqual([...scene.getOctreeBoxes()].reduce((sum, box) => sum + box.item_count, 0), 2);
 });
 
+test('filters leave out models', () => {
+    const scene = new gp.Scene();
+    const body = scene.add(ball);
+    scene.add(ball, at(0, 0, 3), { parent: body });
+    const target = scene.add(ball, at(0, 0, 10));
+    const ray = [[0, 0, 0], [0, 0, 1], Infinity], segment = [[0, 0, 0], [0, 0, 20]], large = gp.sphere([0, 0, 0], 50);
+    const filter = { ignored_model: body, flags: gp.FILTER_SUBTREE };
+    const rays = floats(0, 0, 0, 0, 0, 1, 100, 0, 0, 0, 0, 0, 1, 100), models = (hits) => [...hits].map((hit) => hit.model);
+    assert.strictEqual(scene.raycastFiltered(ray).model, body);
+    assert.strictEqual(scene.raycastFiltered(ray, filter).model, target);
+    assert.strictEqual(scene.segmentTestFiltered(segment, filter).model, target);
+    assert.strictEqual(scene.nearestFiltered([0, 0, 0], Infinity, filter).model, target);
+    assert.strictEqual(scene.sweepSphereFiltered([[0, 0, 0], 0.5], [0, 0, 20], filter).model, target);
+    same([scene.raycastAnyFiltered(ray, filter), scene.raycastAnyFiltered(ray, { layers: 0 })], [true, false]);
+    same(models(scene.raycastAllFiltered(ray, filter)), [target]);
+    same([...scene.overlapFiltered(large, filter)], [target]);
+    same(models(scene.raycastFilteredBatch(rays, filter)), [target, target]);
+    same([...scene.raycastAnyFilteredBatch(rays, filter)], [1, 1]);
+    same(models(scene.raycastAllFilteredBatch(rays, filter).values), [target, target]);
+    same(models(scene.segmentTestFilteredBatch(floats(0, 0, 0, 0, 0, 20), filter)), [target]);
+    same(models(scene.nearestFilteredBatch(floats(0, 0, 0), Infinity, filter)), [target]);
+    same(models(scene.sweepSphereFilteredBatch(floats(0, 0, 0, 0.5), floats(0, 0, 20), filter)), [target]);
+    same([...scene.overlapFilteredBatch(gp.shapes('sphere', floats(0, 0, 0, 50, 0, 0, 0, 50)), filter).values], [target, target]);
+    const camera = new gp.Camera();
+    camera.lookAt([0, 0, -10], [0, 0, 0], [0, 1, 0]);
+    assert.strictEqual(camera.pickFiltered(scene, 400, 300, filter).model, target);
+    same(models(camera.pickFilteredBatch(scene, floats(400, 300, 1, 1), filter)), [target, 0]);
+    same([...camera.pickRectangleFiltered(scene, 0, 0, 800, 600, filter)], [target]);
+    same([...camera.cullFiltered(scene, filter)], [target]);
+    same([...scene.cullFiltered(camera.getFrustum(), filter)], [target]);
+});
+
+test('shapes change, trees and cameras are read', () => {
+    const scene = new gp.Scene();
+    const body = scene.add(ball), head = scene.add(ball, null, { parent: body });
+    scene.setShape(body, gp.sphere([0, 0, 0], 5));
+    same(scene.getBounds(body).max, [5, 5, 5]);
+    same([...scene.getRoots()], [body]);
+    same([...scene.getChildren(body)], [head]);
+    const camera = new gp.Camera();
+    camera.setOrthographic(10, 1, 100);
+    camera.setViewport(200, 100);
+    same(camera.getProjection(), [gp.PROJECTION_ORTHOGRAPHIC, 10, 1, 100]);
+    same(camera.getViewport(), [200, 100]);
+});
+
 test('cameras', () => {
     const camera = new gp.Camera({ viewport_width: 200, viewport_height: 100 });
     camera.lookAt([0, 0, -10], [0, 0, 0], [0, 1, 0]);

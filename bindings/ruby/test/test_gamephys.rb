@@ -151,6 +151,50 @@ class TestGamephys < Minitest::Test
     assert_equal hits.to_s, scene.raycast_batch(Records.new(Ray, 200, memory)).to_s
   end
 
+  def test_filters_leave_out_models
+    scene = Scene.new
+    body = scene.add(BALL)
+    scene.add(BALL, [[0, 0, 3], STILL, 1], parent: body)
+    target = scene.add(BALL, [[0, 0, 10], STILL, 1])
+    filter = { ignored_model: body, flags: FILTER_SUBTREE }
+    ray, segment = Ray.new([0, 0, 0], [0, 0, 1], Float::INFINITY), Segment.new([0, 0, 0], [0, 0, 20])
+    moving, large, way = Sphere.new([0, 0, 0], 0.5), Sphere.new([0, 0, 0], 50), [0, 0, 20]
+    assert_equal body, scene.raycast_filtered(ray).model
+    singles = [scene.raycast_filtered(ray, filter), scene.segment_test_filtered(segment, filter),
+               scene.nearest_filtered([0, 0, 0], filter), scene.sweep_sphere_filtered(moving, way, filter)]
+    assert_equal [target] * 4, singles.map(&:model)
+    assert scene.raycast_any_filtered?(ray, filter)
+    assert_equal [target], scene.raycast_all_filtered(ray, filter).map(&:model)
+    assert_equal [target], scene.overlap_filtered(large, filter).to_a
+    batches = [scene.raycast_filtered_batch([ray, ray], filter), scene.segment_test_filtered_batch([segment, segment], filter),
+               scene.nearest_filtered_batch([way, way], filter), scene.sweep_sphere_filtered_batch([moving, moving], [way, way], filter)]
+    assert_equal [[target, target]] * 4, (batches.map { |batch| batch.map(&:model) })
+    assert_equal [1, 1], scene.raycast_any_filtered_batch([ray, ray], filter).to_a
+    assert_equal [0, 1, 2], scene.raycast_all_filtered_batch([ray, ray], filter)[1]
+    assert_equal [target, target], scene.overlap_filtered_batch([large, large], filter)[0].to_a
+    camera = Camera.new
+    camera.look_at([0, 0, -10], [0, 0, 0], UP)
+    assert_equal target, camera.pick_filtered(scene, 400, 300, filter).model
+    assert_equal [target, 0], camera.pick_filtered_batch(scene, [[400, 300], [1, 1]], filter).map(&:model)
+    lists = [camera.pick_rectangle_filtered(scene, 0, 0, 800, 600, filter), camera.cull_filtered(scene, filter),
+             scene.cull_filtered(camera.get_frustum, filter)]
+    assert_equal [[target]] * 3, lists.map(&:to_a)
+  end
+
+  def test_shapes_change_and_trees_and_cameras_are_read
+    scene = Scene.new
+    body = scene.add(BALL)
+    head = scene.add(BALL, parent: body)
+    scene.set_shape(body, Sphere.new([0, 0, 0], 5))
+    assert_equal 5, scene.get_bounds(body).max[0]
+    assert_equal [[body], [head]], [scene.get_roots.to_a, scene.get_children(body).to_a]
+    camera = Camera.new
+    camera.set_orthographic(10, 1, 100)
+    camera.set_viewport(200, 100)
+    assert_equal [PROJECTION_ORTHOGRAPHIC, 10, 1, 100], camera.get_projection
+    assert_equal [200, 100], camera.get_viewport
+  end
+
   def test_lists_of_any_length
     scene = Scene.new
     models = scene.add_batch(Records.new(Sphere, 500)) # more than the first guess has room for

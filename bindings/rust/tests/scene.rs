@@ -41,6 +41,68 @@ fn batches_answer_as_single_calls_do() {
 }
 
 #[test]
+fn filters_leave_out_models() {
+    let mut scene = Scene::new(None).unwrap();
+    let ball = Sphere::new([0.0; 3], 1.0);
+    let body = scene.add(&ball, None, None).unwrap();
+    let on_body = ModelDesc { parent: body, ..Default::default() };
+    let place = |z| Transform::new([0.0, 0.0, z], Quat::default(), 1.0);
+    scene.add(&ball, Some(&place(3.0)), Some(&on_body)).unwrap();
+    let target = scene.add(&ball, Some(&place(10.0)), None).unwrap();
+    let filter = QueryFilterDesc { ignored_model: body, flags: FILTER_SUBTREE, ..Default::default() };
+    let without = Some(&filter);
+    let ray = Ray::new([0.0; 3], [0.0, 0.0, 1.0], FAR);
+    let segment = Segment::new([0.0; 3], [0.0, 0.0, 20.0]);
+    let (moving, large, way) = (Sphere::new([0.0; 3], 0.5), Sphere::new([0.0; 3], 50.0), Vec3::new(0.0, 0.0, 20.0));
+    assert_eq!(scene.raycast_filtered(&ray, None).unwrap().unwrap().model, body);
+    assert_eq!(scene.raycast_filtered(&ray, without).unwrap().unwrap().model, target);
+    assert_eq!(scene.segment_test_filtered(&segment, without).unwrap().unwrap().model, target);
+    assert_eq!(scene.nearest_filtered([0.0; 3], FAR, without).unwrap().unwrap().model, target);
+    assert_eq!(scene.sweep_sphere_filtered(&moving, way, without).unwrap().unwrap().model, target);
+    assert!(scene.raycast_any_filtered(&ray, without).unwrap());
+    assert_eq!(scene.raycast_all_filtered(&ray, without).unwrap().len(), 1);
+    assert_eq!(scene.overlap_filtered(&large, without).unwrap(), [target]);
+    let (mut hits, mut any, mut nearest) = ([Hit::default(); 2], [0; 2], [Nearest::default(); 2]);
+    scene.raycast_filtered_batch(&[ray; 2], without, &mut hits).unwrap();
+    assert_eq!(hits[1].model, target);
+    scene.segment_test_filtered_batch(&[segment; 2], without, &mut hits).unwrap();
+    assert_eq!(hits[1].model, target);
+    scene.sweep_sphere_filtered_batch(&[moving; 2], &[way; 2], without, &mut hits).unwrap();
+    assert_eq!(hits[1].model, target);
+    scene.nearest_filtered_batch(&[way; 2], FAR, without, &mut nearest).unwrap();
+    assert_eq!(nearest[1].model, target);
+    scene.raycast_any_filtered_batch(&[ray; 2], without, &mut any).unwrap();
+    assert_eq!(any, [1, 1]);
+    assert_eq!(scene.raycast_all_filtered_batch(&[ray; 2], without).unwrap()[1].len(), 1);
+    assert_eq!(scene.overlap_filtered_batch(&[large; 2], without).unwrap()[1], [target]);
+    let mut camera = Camera::new(None).unwrap();
+    camera.look_at([0.0, 0.0, -10.0], [0.0; 3], [0.0, 1.0, 0.0]).unwrap();
+    assert_eq!(camera.pick_filtered(&scene, 400.0, 300.0, without).unwrap().unwrap().model, target);
+    camera.pick_filtered_batch(&scene, &[[400.0, 300.0], [1.0, 1.0]], without, &mut hits).unwrap();
+    assert_eq!((hits[0].model, hits[1].model), (target, 0));
+    assert_eq!(camera.pick_rectangle_filtered(&scene, 0.0, 0.0, 800.0, 600.0, without).unwrap(), [target]);
+    assert_eq!(camera.cull_filtered(&scene, without).unwrap(), [target]);
+    assert_eq!(scene.cull_filtered(&camera.get_frustum().unwrap(), without).unwrap(), [target]);
+}
+
+#[test]
+fn shapes_change_and_trees_and_cameras_are_read() {
+    let mut scene = Scene::new(None).unwrap();
+    let ball = Sphere::new([0.0; 3], 1.0);
+    let body = scene.add(&ball, None, None).unwrap();
+    let head = scene.add(&ball, None, Some(&ModelDesc { parent: body, ..Default::default() })).unwrap();
+    scene.set_shape(body, &Sphere::new([0.0; 3], 5.0)).unwrap();
+    assert_eq!(scene.get_bounds(body).unwrap().unwrap().max.x, 5.0);
+    assert_eq!(scene.get_roots().unwrap(), [body]);
+    assert_eq!(scene.get_children(body).unwrap(), [head]);
+    let mut camera = Camera::new(None).unwrap();
+    camera.set_orthographic(10.0, 1.0, 100.0).unwrap();
+    camera.set_viewport(200.0, 100.0).unwrap();
+    assert_eq!(camera.get_projection().unwrap(), (Projection::ORTHOGRAPHIC, 10.0, 1.0, 100.0));
+    assert_eq!(camera.get_viewport().unwrap(), (200.0, 100.0));
+}
+
+#[test]
 fn a_field_of_each_element_is_a_batch() {
     #[derive(Clone, Copy, Default)]
     struct Ship {
