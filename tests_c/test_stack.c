@@ -147,11 +147,18 @@ static void single_queries(world* w) {
 static void ray_batches(world* w) {
     static int32_t any[RAYS];
     static uint32_t offsets[RAYS + 1];
+    static gphys_query_filter_desc filters[RAYS];
+    uint32_t i;
     ok(gphys_scene_raycast_batch(w->scene, w->rays, sizeof w->rays[0], RAYS, ~0u, w->hits, sizeof w->hits[0]));
     ok(gphys_scene_raycast_any_batch(w->scene, w->rays, sizeof w->rays[0], RAYS, ~0u, any, sizeof any[0]));
     ok(gphys_scene_raycast_all_batch(w->scene, w->rays, sizeof w->rays[0], RAYS, ~0u, w->hits, RAYS, offsets));
     /* All the same way. */
     ok(gphys_scene_raycast_batch(w->scene, w->rays, 0, RAYS, ~0u, w->hits, sizeof w->hits[0]));
+    for (i = 0; i < RAYS; ++i) ok(gphys_query_filter_desc_init(&filters[i], sizeof filters[i]));
+    ok(gphys_scene_raycast_filtered_batch(w->scene, w->rays, sizeof w->rays[0], RAYS, filters, sizeof filters[0],
+                                          w->hits, sizeof w->hits[0]));
+    ok(gphys_scene_raycast_any_filtered_batch(w->scene, w->rays, sizeof w->rays[0], RAYS, filters, sizeof filters[0],
+                                              any, sizeof any[0]));
 }
 
 static void other_batches(world* w) {

@@ -116,6 +116,23 @@ TEST_CASE("a scene holds the mesh that a model has now, and no other", "[scene][
     CHECK(memory.live_bytes == 0);
 }
 
+TEST_CASE("what a scene knows of all its shapes follows a change of one", "[scene][shape]") {
+    SceneFixture fixture;
+    const gphys_model_id model = fixture.add_box(at(3, 0, 0)), other = fixture.add_box(at(-3, 0, 0));
+    // What is wholly inside a query is listed without being asked, but for models without any point.
+    gphys_mesh* empty = nullptr;
+    REQUIRE(gphys_mesh_create(nullptr, nullptr, sizeof(gphys_vec3), 0, nullptr, 0, &empty) == GPHYS_OK);
+    REQUIRE(gphys_scene_set_shape(fixture.scene, model, GPHYS_SHAPE_MESH, empty) == GPHYS_OK);
+    gphys_mesh_destroy(empty);
+    CHECK(fixture.in_sphere({0, 0, 0}, 100) == std::vector<gphys_model_id>{other});
+    // Moves are checked against the farthest point of all shapes first: 1e16 is beyond what a scene can hold.
+    const gphys_sphere far_reaching{{0, 0, 0}, 1e15f};
+    REQUIRE(gphys_scene_set_shape(fixture.scene, model, GPHYS_SHAPE_SPHERE, &far_reaching) == GPHYS_OK);
+    CHECK(fixture.move(model, at(3, 0, 0, 10)) == GPHYS_ERROR_INVALID_ARGUMENT);
+    CHECK(fixture.move(model, at(3, 0, 0, 2)) == GPHYS_OK);
+    CHECK(fixture.sound());
+}
+
 TEST_CASE("a change of shape that fails changes nothing", "[scene][shape]") {
     SceneFixture fixture;
     gphys_mesh* mesh = test::cube_mesh().create();

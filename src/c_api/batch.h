@@ -60,14 +60,20 @@ void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, 
     });
 }
 
-/// What the rays of some items are cast by: the layers, or the filters of those items, for which there is `room`.
-inline uint32_t filters_of(uint32_t layers, const uint32_t*, uint32_t, QueryFilter*) { return layers; }
-inline RayFilters filters_of(const Filters& filters, const uint32_t* items, uint32_t count, QueryFilter* room) {
-    return filters.of(items, count, room);
+/// cast(first, count, by) for the rays of a tile, which are of some items: `by` is the layers or their filters.
+template <class Cast>
+void cast_by(uint32_t layers, const uint32_t*, uint32_t count, const Cast& cast) {
+    cast(0, count, layers);
 }
-/// Room for one filter an item, if there are any.
-template <class Who>
-using FilterRoom = std::conditional_t<std::is_same_v<Who, Filters>, QueryFilter[ImageTiles::most], QueryFilter[1]>;
+template <class Cast>
+void cast_by(const Filters& filters, const uint32_t* items, uint32_t count, const Cast& cast) {
+    QueryFilter room[most_ray_filters];
+    const uint32_t at_once = filters.is_one() ? count : most_ray_filters;
+    for (uint32_t first = 0; first < count; first += at_once) {
+        const uint32_t some = std::min(at_once, count - first);
+        cast(first, some, filters.of(items + first, some, room));
+    }
+}
 
 /// The first hits of many rays, those of elements that are near one another by their first `floats`; ray_of(element,
 /// ray) is false where there is no ray, and no hit. Who is uint32_t, for layers, or Filters.
@@ -87,8 +93,9 @@ void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uin
                           hits[k] = &out[items[k]];
                           *hits[k] = no_hit;
                       }
-                      FilterRoom<Who> room;
-                      scene.raycast_many(rays, size, filters_of(who, items, size, room), hits);
+                      cast_by(who, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
+                          scene.raycast_many(rays + first, some, by, hits + first);
+                      });
                   });
 }
 

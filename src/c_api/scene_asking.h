@@ -143,10 +143,12 @@ gphys_status ask_raycast_any_batch(const gphys_scene* scene, const gphys_ray* ra
     const ImageTiles tiles(ray.beginnings<float>(), ray_coordinates, count);
     cast_by_tiles(*unwrap(scene), tiles, ray_of, prefetch_elements(ray, out),
                   [&](Ray* tile, const uint32_t* items, uint32_t size) {
-                      FilterRoom<Who> room;
-                      const uint64_t met =
-                          unwrap(scene)->raycast_any_many(tile, size, filters_of(who, items, size, room));
-                      for (uint32_t k = 0; k < size; ++k) out[items[k]] = static_cast<int32_t>(met >> k & 1);
+                      cast_by(who, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
+                          const uint64_t met = unwrap(scene)->raycast_any_many(tile + first, some, by);
+                          for (uint32_t k = 0; k < some; ++k) {
+                              out[items[first + k]] = static_cast<int32_t>(met >> k & 1);
+                          }
+                      });
                   });
     return GPHYS_OK;
 }

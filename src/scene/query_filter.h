@@ -65,6 +65,9 @@ struct RayFilters {
     const QueryFilter& of(uint32_t ray) const { return first[ray * step]; }
 };
 
+/// So many rays are cast at once if each has its own: room for more of them would take too much of the stack.
+constexpr uint32_t most_ray_filters = 16;
+
 inline uint32_t filter_of_ray(uint32_t layers, uint32_t) { return layers; }
 inline const QueryFilter& filter_of_ray(const RayFilters& filters, uint32_t ray) { return filters.of(ray); }
 
