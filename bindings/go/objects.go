@@ -28,6 +28,12 @@ func DefaultModelDesc() (desc ModelDesc) {
 	return
 }
 
+// DefaultQueryFilterDesc has the defaults of the loaded library.
+func DefaultQueryFilterDesc() (desc QueryFilterDesc) {
+	C.gphys_query_filter_desc_init((*C.gphys_query_filter_desc)(unsafe.Pointer(&desc)), C.uint32_t(unsafe.Sizeof(desc)))
+	return
+}
+
 // DefaultCameraDesc has the defaults of the loaded library.
 func DefaultCameraDesc() (desc CameraDesc) {
 	C.gphys_camera_desc_init((*C.gphys_camera_desc)(unsafe.Pointer(&desc)), C.uint32_t(unsafe.Sizeof(desc)))
@@ -428,6 +434,36 @@ func (o *Scene) Models() (result []ModelID, err error) {
 	return
 }
 
+// Ids of all models without a parent, ascending.
+// Cost: O(n).
+func (o *Scene) Roots() (result []ModelID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_scene_get_roots(self, (*C.gphys_model_id)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// Ids of the models that hang directly below one, ascending.
+// Cost: O(k log k).
+func (o *Scene) Children(model ModelID) (result []ModelID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_scene_get_children(self, C.gphys_model_id(model), (*C.gphys_model_id)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
 // Kind, parent, layers, tag and number of children of a model.
 // Cost: O(1).
 func (o *Scene) Info(model ModelID) (info ModelInfo, err error) {
@@ -478,6 +514,31 @@ func (o *Scene) SceneBounds() (bounds AABB, found bool, err error) {
 	}
 	bounds = *(*AABB)(unsafe.Pointer(&r.out_bounds))
 	found = true
+	return
+}
+
+// Give a model another shape, or another mesh, of any type that Scene.Add takes: a character crouches,
+// a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
+// Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+//   - shape, shape: as in Scene.Add: a struct, copied, or a mesh with ShapeMesh. The scene holds the
+//     new mesh and no longer the old one, which may be the same.
+// The error is ErrUnsupported for a frustum, ray or segment.
+// The error is ErrInvalidArgument also if the model would leave the range of the world.
+// The error is ErrOutOfMemory .
+// Cost: as Scene.SetTransform of a model without children, whatever the size of a mesh.
+func (o *Scene) SetShape(model ModelID, shape Shape) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapeGiven, err := shapesOf(shape)
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_set_shape(self, C.gphys_model_id(model), shapeGiven.kind, shapeGiven.data)
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shape)
+	err = check(r.status, r.message)
 	return
 }
 
@@ -980,6 +1041,318 @@ func (o *Scene) Penetration(shape Shape, layers uint32) (result []Penetration, e
 	return
 }
 
+// Closest model on a ray that the filter sees, as Scene.Raycast.
+//   - filter: nil: the defaults
+// Result: found is false if nothing is found.
+// The error is ErrInvalidArgument for unknown flags, or ignored_models nil with an ignored_count above
+// 0.
+// Cost: that of Scene.Raycast for one ignored model. For each model that is met within the ray's
+// reach, besides: O(its depth below its root) with FilterSubtree if ignored_model has children; of m
+// ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
+// they are takes O(m) a call.
+func (o *Scene) RaycastFiltered(ray Ray, filter *QueryFilterDesc) (hit Hit, found bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_raycast_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	hit = *(*Hit)(unsafe.Pointer(&r.out_hit))
+	found = true
+	return
+}
+
+// Closest models on the rays that the filters see, as Scene.RaycastBatch.
+//   - filters: nil: the defaults
+// Cost: at most that of as many calls of Scene.RaycastFiltered; shared among workers.
+func (o *Scene) RaycastFilteredBatch(rays []Ray, filters *QueryFilterDesc, hits []Hit) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(rays))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(hits), count); err != nil {
+		return
+	}
+	r := C.go_gphys_scene_raycast_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Whether a ray meets anything that the filter sees, as Scene.RaycastAny: line of sight between two
+// models that both are left out.
+//   - filter: nil: the defaults
+// Cost: as Scene.RaycastFiltered.
+func (o *Scene) RaycastAnyFiltered(ray Ray, filter *QueryFilterDesc) (hit bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_raycast_any_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	hit = r.out_hit != 0
+	return
+}
+
+// Whether each of the rays meets anything that its filter sees, as Scene.RaycastAnyBatch.
+//   - filters: nil: the defaults
+// Cost: at most that of as many single calls; shared among workers.
+func (o *Scene) RaycastAnyFilteredBatch(rays []Ray, filters *QueryFilterDesc, hits []int32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(rays))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(hits), count); err != nil {
+		return
+	}
+	r := C.go_gphys_scene_raycast_any_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.int32_t)(data(hits)), size(hits))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Every model that a ray meets and the filter sees, as Scene.RaycastAll.
+//   - filter: nil: the defaults
+// Cost: that of Scene.RaycastAll, and for each model as Scene.RaycastFiltered.
+func (o *Scene) RaycastAllFiltered(ray Ray, filter *QueryFilterDesc) (result []Hit, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[Hit](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_scene_raycast_all_filtered(self, *(*C.gphys_ray)(unsafe.Pointer(&ray)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_hit)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// Every model that each of the rays meets and its filter sees, as Scene.RaycastAllBatch.
+//   - filters: nil: the defaults
+// Cost: that of as many single calls; shared among workers.
+func (o *Scene) RaycastAllFilteredBatch(rays []Ray, filters *QueryFilterDesc) (result Ragged[Hit], err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(rays))
+	if err != nil {
+		return
+	}
+	result, err = ragged[Hit](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
+		r := C.go_gphys_scene_raycast_all_filtered_batch(self, (*C.gphys_ray)(data(rays)), step(rays), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(out), capacity, offsets)
+		return r.status, r.message
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// Closest model along a segment that the filter sees, as Scene.SegmentTest.
+//   - filter: nil: the defaults
+// Result: found is false if nothing is found.
+// Cost: as Scene.RaycastFiltered.
+func (o *Scene) SegmentTestFiltered(segment Segment, filter *QueryFilterDesc) (hit Hit, found bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_segment_test_filtered(self, *(*C.gphys_segment)(unsafe.Pointer(&segment)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	hit = *(*Hit)(unsafe.Pointer(&r.out_hit))
+	found = true
+	return
+}
+
+// Closest models along the segments that the filters see, as Scene.SegmentTestBatch.
+//   - filters: nil: the defaults
+// Cost: that of as many single calls; shared among workers.
+func (o *Scene) SegmentTestFilteredBatch(segments []Segment, filters *QueryFilterDesc, hits []Hit) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(segments))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(hits), count); err != nil {
+		return
+	}
+	r := C.go_gphys_scene_segment_test_filtered_batch(self, (*C.gphys_segment)(data(segments)), step(segments), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Ids of all models that overlap a shape and that the filter sees, as Scene.Overlap.
+//   - filter: nil: the defaults
+// The error is ErrUnsupported for types of shapes that Scene.Overlap does not take.
+// Cost: that of Scene.Overlap, and for each model as Scene.RaycastFiltered.
+func (o *Scene) OverlapFiltered(shape Shape, filter *QueryFilterDesc) (result []ModelID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapeGiven, err := shapesOf(shape)
+	if err != nil {
+		return
+	}
+	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_scene_overlap_filtered(self, shapeGiven.kind, shapeGiven.data, (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_model_id)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shape)
+	return
+}
+
+// Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+// Scene.OverlapBatch.
+//   - filters: nil: the defaults
+// The error is ErrUnsupported as there.
+// Cost: at most that of as many single calls; shared among workers.
+func (o *Scene) OverlapFilteredBatch(shapes Shapes, filters *QueryFilterDesc) (result Ragged[ModelID], err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapesGiven, err := shapesOf(shapes)
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, shapesGiven.count)
+	if err != nil {
+		return
+	}
+	result, err = ragged[ModelID](count, func(out unsafe.Pointer, capacity C.uint32_t, offsets *C.uint32_t) (C.gphys_status, *C.char) {
+		r := C.go_gphys_scene_overlap_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_model_id)(out), capacity, offsets)
+		return r.status, r.message
+	})
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shapes)
+	return
+}
+
+// Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene.Cull: a
+// player's own head, say, is not drawn.
+//   - filter: nil: the defaults
+// Cost: that of Scene.Cull, and for each model as Scene.RaycastFiltered.
+func (o *Scene) CullFiltered(frustum Frustum, filter *QueryFilterDesc) (result []ModelID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_scene_cull_filtered(self, *(*C.gphys_frustum)(unsafe.Pointer(&frustum)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_model_id)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	return
+}
+
+// The model nearest to a point that the filter sees, as Scene.Nearest: the nearest other model, if the
+// one at the point is left out.
+//   - maxDistance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+//   - filter: nil: the defaults
+// Result: found is false if nothing is found.
+// Cost: as Scene.RaycastFiltered.
+func (o *Scene) NearestFiltered(point Vec3, maxDistance float32, filter *QueryFilterDesc) (nearest Nearest, found bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_nearest_filtered(self, *(*C.gphys_vec3)(unsafe.Pointer(&point)), C.float(maxDistance), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	nearest = *(*Nearest)(unsafe.Pointer(&r.out_nearest))
+	found = true
+	return
+}
+
+// The models nearest to the points that the filters see, as Scene.NearestBatch.
+//   - maxDistance: metres, >= 0, INFINITY allowed, for all points
+//   - filters: nil: the defaults
+// Cost: that of as many single calls; shared among workers.
+func (o *Scene) NearestFilteredBatch(points []Vec3, maxDistance float32, filters *QueryFilterDesc, nearest []Nearest) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(points))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(nearest), count); err != nil {
+		return
+	}
+	r := C.go_gphys_scene_nearest_filtered_batch(self, (*C.gphys_vec3)(data(points)), step(points), C.uint32_t(count), C.float(maxDistance), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_nearest)(data(nearest)), size(nearest))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// First model that a moving sphere touches and the filter sees, as Scene.SweepSphere: the sphere may
+// be the bound of the ignored model itself.
+//   - displacement: metres; may be zero
+//   - filter: nil: the defaults
+// Result: found is false if nothing is found.
+// Cost: that of Scene.SweepSphere, and for each model as Scene.RaycastFiltered.
+func (o *Scene) SweepSphereFiltered(sphere Sphere, displacement Vec3, filter *QueryFilterDesc) (hit Hit, found bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_sweep_sphere_filtered(self, *(*C.gphys_sphere)(unsafe.Pointer(&sphere)), *(*C.gphys_vec3)(unsafe.Pointer(&displacement)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	hit = *(*Hit)(unsafe.Pointer(&r.out_hit))
+	found = true
+	return
+}
+
+// First models that count moving spheres touch and the filters see, as Scene.SweepSphereBatch.
+//   - displacements: metres
+//   - filters: nil: the defaults
+// Cost: that of as many single calls; shared among workers.
+func (o *Scene) SweepSphereFilteredBatch(spheres []Sphere, displacements []Vec3, filters *QueryFilterDesc, hits []Hit) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(spheres), len(displacements))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(hits), count); err != nil {
+		return
+	}
+	r := C.go_gphys_scene_sweep_sphere_filtered_batch(self, (*C.gphys_sphere)(data(spheres)), step(spheres), (*C.gphys_vec3)(data(displacements)), step(displacements), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // How the scene's octree is made up.
 // Cost: O(nodes).
 func (o *Scene) OctreeStats() (stats OctreeStats, err error) {
@@ -1154,6 +1527,47 @@ func (o *Camera) SetViewport(width float32, height float32) (err error) {
 	r := C.go_gphys_camera_set_viewport(self, C.float(width), C.float(height))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
+	return
+}
+
+// How the camera projects, as it was set.
+// Result: what of the following was called last: Camera.SetPerspective, as at creation,
+// Camera.SetOrthographic or Camera.SetProjection. the vertical field of view in radians of a
+// perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
+// without a far plane; 0 of a matrix.
+// Cost: O(1).
+func (o *Camera) Projection() (kind Projection, size float32, near float32, far float32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_projection(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	kind = *(*Projection)(unsafe.Pointer(&r.out_kind))
+	size = *(*float32)(unsafe.Pointer(&r.out_size))
+	near = *(*float32)(unsafe.Pointer(&r.out_near))
+	far = *(*float32)(unsafe.Pointer(&r.out_far))
+	return
+}
+
+// The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
+// image.
+// Cost: O(1).
+func (o *Camera) Viewport() (width float32, height float32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_viewport(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	width = *(*float32)(unsafe.Pointer(&r.out_width))
+	height = *(*float32)(unsafe.Pointer(&r.out_height))
 	return
 }
 
@@ -1623,6 +2037,101 @@ func (o *Camera) Cull(scene *Scene, layers uint32) (result []ModelID, err error)
 	}
 	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
 		r := C.go_gphys_camera_cull(self, sceneHandle, C.uint32_t(layers), (*C.gphys_model_id)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(scene)
+	return
+}
+
+// The model under a pixel that the filter sees, as Camera.Pick: what lies behind a selection.
+//   - pixelX, pixelY: pixels; may lie outside the viewport
+//   - filter: nil: the defaults
+// Result: found is false if nothing is found.
+// Cost: as Scene.RaycastFiltered.
+func (o *Camera) PickFiltered(scene *Scene, pixelX float32, pixelY float32, filter *QueryFilterDesc) (hit Hit, found bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	sceneHandle, err := scene.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_pick_filtered(self, sceneHandle, C.float(pixelX), C.float(pixelY), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(scene)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	hit = *(*Hit)(unsafe.Pointer(&r.out_hit))
+	found = true
+	return
+}
+
+// The models under the pixels that the filters see, as Camera.PickBatch.
+//   - pixels: x, y pairs of floats
+//   - filters: nil: the defaults
+// Cost: at most that of as many single calls; shared among the scene's workers.
+func (o *Camera) PickFilteredBatch(scene *Scene, pixels [][2]float32, filters *QueryFilterDesc, hits []Hit) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	sceneHandle, err := scene.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(pixels))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(hits), count); err != nil {
+		return
+	}
+	r := C.go_gphys_camera_pick_filtered_batch(self, sceneHandle, (*C.float)(data(pixels)), step(pixels), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(scene)
+	err = check(r.status, r.message)
+	return
+}
+
+// Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.PickRectangle.
+//   - x0, y0, x1, y1: pixels; opposite corners, in any order
+//   - filter: nil: the defaults
+// Cost: as Scene.OverlapFiltered.
+func (o *Camera) PickRectangleFiltered(scene *Scene, x0 float32, y0 float32, x1 float32, y1 float32, filter *QueryFilterDesc) (result []ModelID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	sceneHandle, err := scene.open()
+	if err != nil {
+		return
+	}
+	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_camera_pick_rectangle_filtered(self, sceneHandle, C.float(x0), C.float(y0), C.float(x1), C.float(y1), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_model_id)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(scene)
+	return
+}
+
+// Ids of the models to draw that the filter sees: Scene.CullFiltered with the camera's frustum.
+//   - filter: nil: the defaults
+// Cost: as Scene.CullFiltered.
+func (o *Camera) CullFiltered(scene *Scene, filter *QueryFilterDesc) (result []ModelID, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	sceneHandle, err := scene.open()
+	if err != nil {
+		return
+	}
+	result, err = list[ModelID](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_camera_cull_filtered(self, sceneHandle, (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_model_id)(out), capacity)
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)

@@ -531,6 +531,30 @@ static inline go_gphys_scene_get_models_result go_gphys_scene_get_models(void* s
     return r;
 }
 
+typedef struct go_gphys_scene_get_roots_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_scene_get_roots_result;
+static inline go_gphys_scene_get_roots_result go_gphys_scene_get_roots(void* scene, gphys_model_id * out_models, uint32_t capacity) {
+    go_gphys_scene_get_roots_result r = {0};
+    r.status = gphys_scene_get_roots(scene, out_models, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_get_children_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_scene_get_children_result;
+static inline go_gphys_scene_get_children_result go_gphys_scene_get_children(void* scene, gphys_model_id model, gphys_model_id * out_models, uint32_t capacity) {
+    go_gphys_scene_get_children_result r = {0};
+    r.status = gphys_scene_get_children(scene, model, out_models, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_get_info_result {
     gphys_status status;
     char* message;
@@ -574,6 +598,17 @@ typedef struct go_gphys_scene_get_scene_bounds_result {
 static inline go_gphys_scene_get_scene_bounds_result go_gphys_scene_get_scene_bounds(void* scene) {
     go_gphys_scene_get_scene_bounds_result r = {0};
     r.status = gphys_scene_get_scene_bounds(scene, &r.out_bounds);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_set_shape_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_set_shape_result;
+static inline go_gphys_scene_set_shape_result go_gphys_scene_set_shape(void* scene, gphys_model_id model, gphys_shape_type type, const void * shape) {
+    go_gphys_scene_set_shape_result r = {0};
+    r.status = gphys_scene_set_shape(scene, model, type, shape);
     r.message = go_message(r.status);
     return r;
 }
@@ -863,6 +898,191 @@ static inline go_gphys_scene_penetration_result go_gphys_scene_penetration(void*
     return r;
 }
 
+typedef struct go_gphys_query_filter_desc_init_result {
+    gphys_status status;
+    char* message;
+    gphys_query_filter_desc desc;
+} go_gphys_query_filter_desc_init_result;
+static inline go_gphys_query_filter_desc_init_result go_gphys_query_filter_desc_init(uint32_t size) {
+    go_gphys_query_filter_desc_init_result r = {0};
+    r.status = gphys_query_filter_desc_init(&r.desc, size);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_raycast_filtered_result {
+    gphys_status status;
+    char* message;
+    gphys_hit out_hit;
+} go_gphys_scene_raycast_filtered_result;
+static inline go_gphys_scene_raycast_filtered_result go_gphys_scene_raycast_filtered(void* scene, gphys_ray ray, const gphys_query_filter_desc * filter) {
+    go_gphys_scene_raycast_filtered_result r = {0};
+    r.status = gphys_scene_raycast_filtered(scene, &ray, filter, &r.out_hit);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_raycast_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_raycast_filtered_batch_result;
+static inline go_gphys_scene_raycast_filtered_batch_result go_gphys_scene_raycast_filtered_batch(void* scene, const gphys_ray * rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_hit * out_hits, uint32_t out_stride) {
+    go_gphys_scene_raycast_filtered_batch_result r = {0};
+    r.status = gphys_scene_raycast_filtered_batch(scene, rays, ray_stride, count, filters, filter_stride, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_raycast_any_filtered_result {
+    gphys_status status;
+    char* message;
+    int32_t out_hit;
+} go_gphys_scene_raycast_any_filtered_result;
+static inline go_gphys_scene_raycast_any_filtered_result go_gphys_scene_raycast_any_filtered(void* scene, gphys_ray ray, const gphys_query_filter_desc * filter) {
+    go_gphys_scene_raycast_any_filtered_result r = {0};
+    r.status = gphys_scene_raycast_any_filtered(scene, &ray, filter, &r.out_hit);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_raycast_any_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_raycast_any_filtered_batch_result;
+static inline go_gphys_scene_raycast_any_filtered_batch_result go_gphys_scene_raycast_any_filtered_batch(void* scene, const gphys_ray * rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, int32_t * out_hits, uint32_t out_stride) {
+    go_gphys_scene_raycast_any_filtered_batch_result r = {0};
+    r.status = gphys_scene_raycast_any_filtered_batch(scene, rays, ray_stride, count, filters, filter_stride, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_raycast_all_filtered_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_scene_raycast_all_filtered_result;
+static inline go_gphys_scene_raycast_all_filtered_result go_gphys_scene_raycast_all_filtered(void* scene, gphys_ray ray, const gphys_query_filter_desc * filter, gphys_hit * out_hits, uint32_t capacity) {
+    go_gphys_scene_raycast_all_filtered_result r = {0};
+    r.status = gphys_scene_raycast_all_filtered(scene, &ray, filter, out_hits, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_raycast_all_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_raycast_all_filtered_batch_result;
+static inline go_gphys_scene_raycast_all_filtered_batch_result go_gphys_scene_raycast_all_filtered_batch(void* scene, const gphys_ray * rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_hit * out_hits, uint32_t capacity, uint32_t * out_offsets) {
+    go_gphys_scene_raycast_all_filtered_batch_result r = {0};
+    r.status = gphys_scene_raycast_all_filtered_batch(scene, rays, ray_stride, count, filters, filter_stride, out_hits, capacity, out_offsets);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_segment_test_filtered_result {
+    gphys_status status;
+    char* message;
+    gphys_hit out_hit;
+} go_gphys_scene_segment_test_filtered_result;
+static inline go_gphys_scene_segment_test_filtered_result go_gphys_scene_segment_test_filtered(void* scene, gphys_segment segment, const gphys_query_filter_desc * filter) {
+    go_gphys_scene_segment_test_filtered_result r = {0};
+    r.status = gphys_scene_segment_test_filtered(scene, &segment, filter, &r.out_hit);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_segment_test_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_segment_test_filtered_batch_result;
+static inline go_gphys_scene_segment_test_filtered_batch_result go_gphys_scene_segment_test_filtered_batch(void* scene, const gphys_segment * segments, uint32_t segment_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_hit * out_hits, uint32_t out_stride) {
+    go_gphys_scene_segment_test_filtered_batch_result r = {0};
+    r.status = gphys_scene_segment_test_filtered_batch(scene, segments, segment_stride, count, filters, filter_stride, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_overlap_filtered_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_scene_overlap_filtered_result;
+static inline go_gphys_scene_overlap_filtered_result go_gphys_scene_overlap_filtered(void* scene, gphys_shape_type type, const void * shape, const gphys_query_filter_desc * filter, gphys_model_id * out_models, uint32_t capacity) {
+    go_gphys_scene_overlap_filtered_result r = {0};
+    r.status = gphys_scene_overlap_filtered(scene, type, shape, filter, out_models, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_overlap_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_overlap_filtered_batch_result;
+static inline go_gphys_scene_overlap_filtered_batch_result go_gphys_scene_overlap_filtered_batch(void* scene, gphys_shape_type type, const void * shapes, uint32_t shape_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_model_id * out_models, uint32_t capacity, uint32_t * out_offsets) {
+    go_gphys_scene_overlap_filtered_batch_result r = {0};
+    r.status = gphys_scene_overlap_filtered_batch(scene, type, shapes, shape_stride, count, filters, filter_stride, out_models, capacity, out_offsets);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_cull_filtered_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_scene_cull_filtered_result;
+static inline go_gphys_scene_cull_filtered_result go_gphys_scene_cull_filtered(void* scene, gphys_frustum frustum, const gphys_query_filter_desc * filter, gphys_model_id * out_models, uint32_t capacity) {
+    go_gphys_scene_cull_filtered_result r = {0};
+    r.status = gphys_scene_cull_filtered(scene, &frustum, filter, out_models, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_nearest_filtered_result {
+    gphys_status status;
+    char* message;
+    gphys_nearest out_nearest;
+} go_gphys_scene_nearest_filtered_result;
+static inline go_gphys_scene_nearest_filtered_result go_gphys_scene_nearest_filtered(void* scene, gphys_vec3 point, float max_distance, const gphys_query_filter_desc * filter) {
+    go_gphys_scene_nearest_filtered_result r = {0};
+    r.status = gphys_scene_nearest_filtered(scene, &point, max_distance, filter, &r.out_nearest);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_nearest_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_nearest_filtered_batch_result;
+static inline go_gphys_scene_nearest_filtered_batch_result go_gphys_scene_nearest_filtered_batch(void* scene, const gphys_vec3 * points, uint32_t point_stride, uint32_t count, float max_distance, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_nearest * out_nearest, uint32_t out_stride) {
+    go_gphys_scene_nearest_filtered_batch_result r = {0};
+    r.status = gphys_scene_nearest_filtered_batch(scene, points, point_stride, count, max_distance, filters, filter_stride, out_nearest, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_sweep_sphere_filtered_result {
+    gphys_status status;
+    char* message;
+    gphys_hit out_hit;
+} go_gphys_scene_sweep_sphere_filtered_result;
+static inline go_gphys_scene_sweep_sphere_filtered_result go_gphys_scene_sweep_sphere_filtered(void* scene, gphys_sphere sphere, gphys_vec3 displacement, const gphys_query_filter_desc * filter) {
+    go_gphys_scene_sweep_sphere_filtered_result r = {0};
+    r.status = gphys_scene_sweep_sphere_filtered(scene, &sphere, &displacement, filter, &r.out_hit);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_sweep_sphere_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_sweep_sphere_filtered_batch_result;
+static inline go_gphys_scene_sweep_sphere_filtered_batch_result go_gphys_scene_sweep_sphere_filtered_batch(void* scene, const gphys_sphere * spheres, uint32_t sphere_stride, const gphys_vec3 * displacements, uint32_t displacement_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_hit * out_hits, uint32_t out_stride) {
+    go_gphys_scene_sweep_sphere_filtered_batch_result r = {0};
+    r.status = gphys_scene_sweep_sphere_filtered_batch(scene, spheres, sphere_stride, displacements, displacement_stride, count, filters, filter_stride, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_get_octree_stats_result {
     gphys_status status;
     char* message;
@@ -985,6 +1205,34 @@ typedef struct go_gphys_camera_set_viewport_result {
 static inline go_gphys_camera_set_viewport_result go_gphys_camera_set_viewport(void* camera, float width, float height) {
     go_gphys_camera_set_viewport_result r = {0};
     r.status = gphys_camera_set_viewport(camera, width, height);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_projection_result {
+    gphys_status status;
+    char* message;
+    gphys_projection out_kind;
+    float out_size;
+    float out_near;
+    float out_far;
+} go_gphys_camera_get_projection_result;
+static inline go_gphys_camera_get_projection_result go_gphys_camera_get_projection(void* camera) {
+    go_gphys_camera_get_projection_result r = {0};
+    r.status = gphys_camera_get_projection(camera, &r.out_kind, &r.out_size, &r.out_near, &r.out_far);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_viewport_result {
+    gphys_status status;
+    char* message;
+    float out_width;
+    float out_height;
+} go_gphys_camera_get_viewport_result;
+static inline go_gphys_camera_get_viewport_result go_gphys_camera_get_viewport(void* camera) {
+    go_gphys_camera_get_viewport_result r = {0};
+    r.status = gphys_camera_get_viewport(camera, &r.out_width, &r.out_height);
     r.message = go_message(r.status);
     return r;
 }
@@ -1298,6 +1546,53 @@ typedef struct go_gphys_camera_cull_result {
 static inline go_gphys_camera_cull_result go_gphys_camera_cull(void* camera, void* scene, uint32_t layers, gphys_model_id * out_models, uint32_t capacity) {
     go_gphys_camera_cull_result r = {0};
     r.status = gphys_camera_cull(camera, scene, layers, out_models, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_pick_filtered_result {
+    gphys_status status;
+    char* message;
+    gphys_hit out_hit;
+} go_gphys_camera_pick_filtered_result;
+static inline go_gphys_camera_pick_filtered_result go_gphys_camera_pick_filtered(void* camera, void* scene, float pixel_x, float pixel_y, const gphys_query_filter_desc * filter) {
+    go_gphys_camera_pick_filtered_result r = {0};
+    r.status = gphys_camera_pick_filtered(camera, scene, pixel_x, pixel_y, filter, &r.out_hit);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_pick_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_camera_pick_filtered_batch_result;
+static inline go_gphys_camera_pick_filtered_batch_result go_gphys_camera_pick_filtered_batch(void* camera, void* scene, const float * pixels, uint32_t pixel_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_hit * out_hits, uint32_t out_stride) {
+    go_gphys_camera_pick_filtered_batch_result r = {0};
+    r.status = gphys_camera_pick_filtered_batch(camera, scene, pixels, pixel_stride, count, filters, filter_stride, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_pick_rectangle_filtered_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_camera_pick_rectangle_filtered_result;
+static inline go_gphys_camera_pick_rectangle_filtered_result go_gphys_camera_pick_rectangle_filtered(void* camera, void* scene, float x0, float y0, float x1, float y1, const gphys_query_filter_desc * filter, gphys_model_id * out_models, uint32_t capacity) {
+    go_gphys_camera_pick_rectangle_filtered_result r = {0};
+    r.status = gphys_camera_pick_rectangle_filtered(camera, scene, x0, y0, x1, y1, filter, out_models, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_cull_filtered_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_camera_cull_filtered_result;
+static inline go_gphys_camera_cull_filtered_result go_gphys_camera_cull_filtered(void* camera, void* scene, const gphys_query_filter_desc * filter, gphys_model_id * out_models, uint32_t capacity) {
+    go_gphys_camera_cull_filtered_result r = {0};
+    r.status = gphys_camera_cull_filtered(camera, scene, filter, out_models, capacity, &r.out_total);
     r.message = go_message(r.status);
     return r;
 }

@@ -263,6 +263,18 @@ export interface ModelInfo {
     /** direct children */
     child_count: number;
 }
+/** Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
+ * error: what asked may have been removed since. */
+export interface QueryFilterDesc {
+    /** a model is seen if its own mask shares a bit; default ALL_LAYERS */
+    layers: number;
+    /** left out; 0: none; default 0 */
+    ignored_model: number;
+    /** filter values; default 0 */
+    flags: number;
+    /** of ignored_models; default 0 */
+    ignored_count: number;
+}
 export interface CameraDesc {
     handedness: number;
     depth_range: number;
@@ -572,6 +584,12 @@ export class Scene {
     /** Ids of all models, ascending.
      * Cost: O(n). */
     getModels(): Records<number>;
+    /** Ids of all models without a parent, ascending.
+     * Cost: O(n). */
+    getRoots(): Records<number>;
+    /** Ids of the models that hang directly below one, ascending.
+     * Cost: O(k log k). */
+    getChildren(model: number): Records<number>;
     /** Kind, parent, layers, tag and number of children of a model.
      * Cost: O(1). */
     getInfo(model: number): ModelInfo;
@@ -584,6 +602,18 @@ export class Scene {
      * Cost: O(1).
      * @returns null if there are none. */
     getSceneBounds(): Aabb | null;
+    /** Give a model another shape, or another mesh, of any type that Scene.add takes: a character crouches,
+     * a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
+     * Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+     * Cost: as Scene.setTransform of a model without children, whatever the size of a mesh.
+     * @param shape - as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+     *     mesh and no longer the old one, which may be the same.
+     * @param shape - as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+     *     mesh and no longer the old one, which may be the same.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for a frustum, ray or segment
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if the model would leave the range of the world
+     * @throws {GamephysError} ERROR_OUT_OF_MEMORY: */
+    setShape(model: number, shape: AnyShape): void;
     /** Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
      * affected.
      * Cost: O(1).
@@ -706,6 +736,86 @@ export class Scene {
      * Cost: O(log n + k log k) expected.
      * @throws {GamephysError} ERROR_UNSUPPORTED: for other types */
     penetration(shape: AnyShape, layers?: number): Records<Penetration>;
+    /** Closest model on a ray that the filter sees, as Scene.raycast.
+     * Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
+     * reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
+     * ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
+     * they are takes O(m) a call.
+     * @param filter - null: the defaults
+     * @returns null if nothing is found.
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for unknown flags, or ignored_models null with an
+     *     ignored_count above 0 */
+    raycastFiltered(ray: Given<Ray>, filter?: Partial<QueryFilterDesc> | null): Hit | null;
+    /** Closest models on the rays that the filters see, as Scene.raycastBatch.
+     * Cost: at most that of as many calls of Scene.raycastFiltered; shared among workers.
+     * @param filters - null: the defaults */
+    raycastFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    /** Whether a ray meets anything that the filter sees, as Scene.raycastAny: line of sight between two
+     * models that both are left out.
+     * Cost: as Scene.raycastFiltered.
+     * @param filter - null: the defaults */
+    raycastAnyFiltered(ray: Given<Ray>, filter?: Partial<QueryFilterDesc> | null): boolean;
+    /** Whether each of the rays meets anything that its filter sees, as Scene.raycastAnyBatch.
+     * Cost: at most that of as many single calls; shared among workers.
+     * @param filters - null: the defaults */
+    raycastAnyFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<number>;
+    /** Every model that a ray meets and the filter sees, as Scene.raycastAll.
+     * Cost: that of Scene.raycastAll, and for each model as Scene.raycastFiltered.
+     * @param filter - null: the defaults */
+    raycastAllFiltered(ray: Given<Ray>, filter?: Partial<QueryFilterDesc> | null): Records<Hit>;
+    /** Every model that each of the rays meets and its filter sees, as Scene.raycastAllBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param filters - null: the defaults */
+    raycastAllFilteredBatch(rays: Elements, filters?: Partial<QueryFilterDesc> | null): { values: Records<Hit>; offsets: Uint32Array };
+    /** Closest model along a segment that the filter sees, as Scene.segmentTest.
+     * Cost: as Scene.raycastFiltered.
+     * @param filter - null: the defaults
+     * @returns null if nothing is found. */
+    segmentTestFiltered(segment: Given<Segment>, filter?: Partial<QueryFilterDesc> | null): Hit | null;
+    /** Closest models along the segments that the filters see, as Scene.segmentTestBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param filters - null: the defaults */
+    segmentTestFilteredBatch(segments: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    /** Ids of all models that overlap a shape and that the filter sees, as Scene.overlap.
+     * Cost: that of Scene.overlap, and for each model as Scene.raycastFiltered.
+     * @param filter - null: the defaults
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for types of shapes that Scene.overlap does not take */
+    overlapFiltered(shape: AnyShape, filter?: Partial<QueryFilterDesc> | null): Records<number>;
+    /** Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+     * Scene.overlapBatch.
+     * Cost: at most that of as many single calls; shared among workers.
+     * @param filters - null: the defaults
+     * @throws {GamephysError} ERROR_UNSUPPORTED: as there */
+    overlapFilteredBatch(shapes: Shapes | AnyShape, filters?: Partial<QueryFilterDesc> | null): { values: Records<number>; offsets: Uint32Array };
+    /** Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene.cull: a
+     * player's own head, say, is not drawn.
+     * Cost: that of Scene.cull, and for each model as Scene.raycastFiltered.
+     * @param filter - null: the defaults */
+    cullFiltered(frustum: Given<Frustum>, filter?: Partial<QueryFilterDesc> | null): Records<number>;
+    /** The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if the
+     * one at the point is left out.
+     * Cost: as Scene.raycastFiltered.
+     * @param max_distance - metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+     * @param filter - null: the defaults
+     * @returns null if nothing is found. */
+    nearestFiltered(point: Given<number[]>, max_distance: number, filter?: Partial<QueryFilterDesc> | null): Nearest | null;
+    /** The models nearest to the points that the filters see, as Scene.nearestBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param max_distance - metres, >= 0, INFINITY allowed, for all points
+     * @param filters - null: the defaults */
+    nearestFilteredBatch(points: Elements, max_distance: number, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Nearest>;
+    /** First model that a moving sphere touches and the filter sees, as Scene.sweepSphere: the sphere may
+     * be the bound of the ignored model itself.
+     * Cost: that of Scene.sweepSphere, and for each model as Scene.raycastFiltered.
+     * @param displacement - metres; may be zero
+     * @param filter - null: the defaults
+     * @returns null if nothing is found. */
+    sweepSphereFiltered(sphere: Given<Sphere>, displacement: Given<number[]>, filter?: Partial<QueryFilterDesc> | null): Hit | null;
+    /** First models that count moving spheres touch and the filters see, as Scene.sweepSphereBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param displacements - metres
+     * @param filters - null: the defaults */
+    sweepSphereFilteredBatch(spheres: Elements, displacements: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
     /** How the scene's octree is made up.
      * Cost: O(nodes). */
     getOctreeStats(): OctreeStats;
@@ -763,6 +873,17 @@ export class Camera {
      * @param width - pixels, 1e-3 .. 1e6
      * @param height - pixels, 1e-3 .. 1e6 */
     setViewport(width: number, height: number): void;
+    /** How the camera projects, as it was set.
+     * Cost: O(1).
+     * @returns what of the following was called last: Camera.setPerspective, as at creation,
+     *     Camera.setOrthographic or Camera.setProjection. the vertical field of view in radians of a
+     *     perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
+     *     without a far plane; 0 of a matrix. */
+    getProjection(): [number, number, number, number];
+    /** The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
+     * image.
+     * Cost: O(1). */
+    getViewport(): [number, number];
     /** Place the camera.
      * Cost: O(1).
      * @param position - metres, of its centre
@@ -896,6 +1017,30 @@ export class Camera {
     /** Ids of the models to draw: Scene.cull with the camera's frustum.
      * Cost: O(log n + k) expected. */
     cull(scene: Scene, layers?: number): Records<number>;
+    /** The model under a pixel that the filter sees, as Camera.pick: what lies behind a selection.
+     * Cost: as Scene.raycastFiltered.
+     * @param pixel_x - pixels; may lie outside the viewport
+     * @param pixel_y - pixels; may lie outside the viewport
+     * @param filter - null: the defaults
+     * @returns null if nothing is found. */
+    pickFiltered(scene: Scene, pixel_x: number, pixel_y: number, filter?: Partial<QueryFilterDesc> | null): Hit | null;
+    /** The models under the pixels that the filters see, as Camera.pickBatch.
+     * Cost: at most that of as many single calls; shared among the scene's workers.
+     * @param pixels - x, y pairs of floats
+     * @param filters - null: the defaults */
+    pickFilteredBatch(scene: Scene, pixels: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    /** Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.pickRectangle.
+     * Cost: as Scene.overlapFiltered.
+     * @param x0 - pixels; opposite corners, in any order
+     * @param y0 - pixels; opposite corners, in any order
+     * @param x1 - pixels; opposite corners, in any order
+     * @param y1 - pixels; opposite corners, in any order
+     * @param filter - null: the defaults */
+    pickRectangleFiltered(scene: Scene, x0: number, y0: number, x1: number, y1: number, filter?: Partial<QueryFilterDesc> | null): Records<number>;
+    /** Ids of the models to draw that the filter sees: Scene.cullFiltered with the camera's frustum.
+     * Cost: as Scene.cullFiltered.
+     * @param filter - null: the defaults */
+    cullFiltered(scene: Scene, filter?: Partial<QueryFilterDesc> | null): Records<number>;
 }
 /** Create a solver without bodies. With a worker_count of n, n threads share the bodies of a step; the
  * results have the same bits for every n. Threads are started, joined and lost as those of Scene.
@@ -1359,6 +1504,7 @@ export const SIDE_CROSSING: 0;
 export const SIDE_INSIDE: 1;
 export const DEPTH_ZERO_TO_ONE: 0;
 export const DEPTH_MINUS_ONE_TO_ONE: 1;
+export const FILTER_SUBTREE: 1;
 export const PROJECTION_PERSPECTIVE: 0;
 export const PROJECTION_ORTHOGRAPHIC: 1;
 export const PROJECTION_USER: 2;

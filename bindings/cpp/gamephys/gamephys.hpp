@@ -31,6 +31,7 @@ using OctreeBox = gphys_octree_box;
 using SceneDesc = gphys_scene_desc;
 using ModelDesc = gphys_model_desc;
 using ModelInfo = gphys_model_info;
+using QueryFilterDesc = gphys_query_filter_desc;
 using CameraDesc = gphys_camera_desc;
 using Orbit = gphys_orbit;
 using SolverDesc = gphys_solver_desc;
@@ -55,6 +56,11 @@ inline SceneDesc scene_desc() {
 inline ModelDesc model_desc() {
     ModelDesc desc;
     check(gphys_model_desc_init(&desc, sizeof desc));
+    return desc;
+}
+inline QueryFilterDesc query_filter_desc() {
+    QueryFilterDesc desc;
+    check(gphys_query_filter_desc_init(&desc, sizeof desc));
     return desc;
 }
 inline CameraDesc camera_desc() {
@@ -308,6 +314,18 @@ public:
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_get_models(handle(), out_models, capacity, total); });
     }
 
+    // Ids of all models without a parent, ascending.
+    // Cost: O(n).
+    std::vector<gphys_model_id> get_roots() const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_get_roots(handle(), out_models, capacity, total); });
+    }
+
+    // Ids of the models that hang directly below one, ascending.
+    // Cost: O(k log k).
+    std::vector<gphys_model_id> get_children(gphys_model_id model) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_get_children(handle(), model, out_models, capacity, total); });
+    }
+
     // Kind, parent, layers, tag and number of children of a model.
     // Cost: O(1).
     ModelInfo get_info(gphys_model_id model) const {
@@ -333,6 +351,20 @@ public:
         Aabb out_bounds{};
         if (!found(gphys_scene_get_scene_bounds(handle(), &out_bounds))) return std::nullopt;
         return out_bounds;
+    }
+
+    // Give a model another shape, or another mesh, of any type that Scene::add takes: a character
+    // crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and
+    // transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they
+    // do of any solid.
+    //   - shape, shape: as in Scene::add: a struct, copied, or a mesh with GPHYS_SHAPE_MESH. The scene
+    //     holds the new mesh and no longer the old one, which may be the same.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for a frustum, ray or segment.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT also if the model would leave the range of the world.
+    // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY .
+    // Cost: as Scene::set_transform of a model without children, whatever the size of a mesh.
+    void set_shape(gphys_model_id model, ShapeRef shape) {
+        check(gphys_scene_set_shape(handle(), model, shape.type, shape.pointer));
     }
 
     // Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
@@ -564,6 +596,153 @@ public:
         return list<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* total) { return gphys_scene_penetration(handle(), shape.type, shape.pointer, layers, out_penetrations, capacity, total); });
     }
 
+    // Closest model on a ray that the filter sees, as Scene::raycast.
+    //   - filter: nullptr: the defaults
+    // Result: std::nullopt if nothing is found.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for unknown flags, or ignored_models nullptr with an
+    // ignored_count above 0.
+    // Cost: that of Scene::raycast for one ignored model. For each model that is met within the ray's
+    // reach, besides: O(its depth below its root) with GPHYS_FILTER_SUBTREE if ignored_model has children;
+    // of m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m).
+    // Whether they are takes O(m) a call.
+    std::optional<Hit> raycast_filtered(const Ray& ray, const QueryFilterDesc* filter = nullptr) const {
+        Hit out_hit{};
+        if (!found(gphys_scene_raycast_filtered(handle(), &ray, filter, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // Closest models on the rays that the filters see, as Scene::raycast_batch.
+    //   - filters: nullptr: the defaults
+    // Cost: at most that of as many calls of Scene::raycast_filtered; shared among workers.
+    void raycast_filtered_batch(Span<const Ray> rays, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({rays.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_raycast_filtered_batch(handle(), rays.data, rays.stride, count, filters, 0, out_hits.data, out_hits.stride));
+    }
+
+    // Whether a ray meets anything that the filter sees, as Scene::raycast_any: line of sight between two
+    // models that both are left out.
+    //   - filter: nullptr: the defaults
+    // Cost: as Scene::raycast_filtered.
+    bool raycast_any_filtered(const Ray& ray, const QueryFilterDesc* filter = nullptr) const {
+        int32_t out_hit{};
+        check(gphys_scene_raycast_any_filtered(handle(), &ray, filter, &out_hit));
+        return out_hit != 0;
+    }
+
+    // Whether each of the rays meets anything that its filter sees, as Scene::raycast_any_batch.
+    //   - filters: nullptr: the defaults
+    // Cost: at most that of as many single calls; shared among workers.
+    void raycast_any_filtered_batch(Span<const Ray> rays, const QueryFilterDesc* filters, Span<int32_t> out_hits) const {
+        const uint32_t count = common_size({rays.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_raycast_any_filtered_batch(handle(), rays.data, rays.stride, count, filters, 0, out_hits.data, out_hits.stride));
+    }
+
+    // Every model that a ray meets and the filter sees, as Scene::raycast_all.
+    //   - filter: nullptr: the defaults
+    // Cost: that of Scene::raycast_all, and for each model as Scene::raycast_filtered.
+    std::vector<Hit> raycast_all_filtered(const Ray& ray, const QueryFilterDesc* filter = nullptr) const {
+        return list<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* total) { return gphys_scene_raycast_all_filtered(handle(), &ray, filter, out_hits, capacity, total); });
+    }
+
+    // Every model that each of the rays meets and its filter sees, as Scene::raycast_all_batch.
+    //   - filters: nullptr: the defaults
+    // Cost: that of as many single calls; shared among workers.
+    Ragged<Hit> raycast_all_filtered_batch(Span<const Ray> rays, const QueryFilterDesc* filters = nullptr) const {
+        const uint32_t count = common_size({rays.sizes()});
+        return ragged<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* offsets) { return gphys_scene_raycast_all_filtered_batch(handle(), rays.data, rays.stride, count, filters, 0, out_hits, capacity, offsets); }, count);
+    }
+
+    // Closest model along a segment that the filter sees, as Scene::segment_test.
+    //   - filter: nullptr: the defaults
+    // Result: std::nullopt if nothing is found.
+    // Cost: as Scene::raycast_filtered.
+    std::optional<Hit> segment_test_filtered(const Segment& segment, const QueryFilterDesc* filter = nullptr) const {
+        Hit out_hit{};
+        if (!found(gphys_scene_segment_test_filtered(handle(), &segment, filter, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // Closest models along the segments that the filters see, as Scene::segment_test_batch.
+    //   - filters: nullptr: the defaults
+    // Cost: that of as many single calls; shared among workers.
+    void segment_test_filtered_batch(Span<const Segment> segments, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({segments.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_segment_test_filtered_batch(handle(), segments.data, segments.stride, count, filters, 0, out_hits.data, out_hits.stride));
+    }
+
+    // Ids of all models that overlap a shape and that the filter sees, as Scene::overlap.
+    //   - filter: nullptr: the defaults
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for types of shapes that Scene::overlap does not take.
+    // Cost: that of Scene::overlap, and for each model as Scene::raycast_filtered.
+    std::vector<gphys_model_id> overlap_filtered(ShapeRef shape, const QueryFilterDesc* filter = nullptr) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_overlap_filtered(handle(), shape.type, shape.pointer, filter, out_models, capacity, total); });
+    }
+
+    // Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+    // Scene::overlap_batch.
+    //   - filters: nullptr: the defaults
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED as there.
+    // Cost: at most that of as many single calls; shared among workers.
+    Ragged<gphys_model_id> overlap_filtered_batch(ShapeSpan shapes, const QueryFilterDesc* filters = nullptr) const {
+        const uint32_t count = common_size({shapes.sizes()});
+        return ragged<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* offsets) { return gphys_scene_overlap_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, count, filters, 0, out_models, capacity, offsets); }, count);
+    }
+
+    // Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene::cull: a
+    // player's own head, say, is not drawn.
+    //   - filter: nullptr: the defaults
+    // Cost: that of Scene::cull, and for each model as Scene::raycast_filtered.
+    std::vector<gphys_model_id> cull_filtered(const Frustum& frustum, const QueryFilterDesc* filter = nullptr) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_scene_cull_filtered(handle(), &frustum, filter, out_models, capacity, total); });
+    }
+
+    // The model nearest to a point that the filter sees, as Scene::nearest: the nearest other model, if
+    // the one at the point is left out.
+    //   - max_distance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+    //   - filter: nullptr: the defaults
+    // Result: std::nullopt if nothing is found.
+    // Cost: as Scene::raycast_filtered.
+    std::optional<Nearest> nearest_filtered(const Vec3& point, float max_distance, const QueryFilterDesc* filter = nullptr) const {
+        Nearest out_nearest{};
+        if (!found(gphys_scene_nearest_filtered(handle(), &point, max_distance, filter, &out_nearest))) return std::nullopt;
+        return out_nearest;
+    }
+
+    // The models nearest to the points that the filters see, as Scene::nearest_batch.
+    //   - max_distance: metres, >= 0, INFINITY allowed, for all points
+    //   - filters: nullptr: the defaults
+    // Cost: that of as many single calls; shared among workers.
+    void nearest_filtered_batch(Span<const Vec3> points, float max_distance, const QueryFilterDesc* filters, Span<Nearest> out_nearest) const {
+        const uint32_t count = common_size({points.sizes()});
+        require_size(out_nearest.size, count);
+        check(gphys_scene_nearest_filtered_batch(handle(), points.data, points.stride, count, max_distance, filters, 0, out_nearest.data, out_nearest.stride));
+    }
+
+    // First model that a moving sphere touches and the filter sees, as Scene::sweep_sphere: the sphere may
+    // be the bound of the ignored model itself.
+    //   - displacement: metres; may be zero
+    //   - filter: nullptr: the defaults
+    // Result: std::nullopt if nothing is found.
+    // Cost: that of Scene::sweep_sphere, and for each model as Scene::raycast_filtered.
+    std::optional<Hit> sweep_sphere_filtered(const Sphere& sphere, const Vec3& displacement, const QueryFilterDesc* filter = nullptr) const {
+        Hit out_hit{};
+        if (!found(gphys_scene_sweep_sphere_filtered(handle(), &sphere, &displacement, filter, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // First models that count moving spheres touch and the filters see, as Scene::sweep_sphere_batch.
+    //   - displacements: metres
+    //   - filters: nullptr: the defaults
+    // Cost: that of as many single calls; shared among workers.
+    void sweep_sphere_filtered_batch(Span<const Sphere> spheres, Span<const Vec3> displacements, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({spheres.sizes(), displacements.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_sweep_sphere_filtered_batch(handle(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, filters, 0, out_hits.data, out_hits.stride));
+    }
+
     // How the scene's octree is made up.
     // Cost: O(nodes).
     OctreeStats get_octree_stats() const {
@@ -661,6 +840,31 @@ public:
     // Cost: O(1).
     void set_viewport(float width, float height) {
         check(gphys_camera_set_viewport(handle(), width, height));
+    }
+
+    // How the camera projects, as it was set.
+    // Result: what of the following was called last: Camera::set_perspective, as at creation,
+    // Camera::set_orthographic or Camera::set_projection. the vertical field of view in radians of a
+    // perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
+    // without a far plane; 0 of a matrix.
+    // Cost: O(1).
+    std::tuple<gphys_projection, float, float, float> get_projection() const {
+        gphys_projection out_kind{};
+        float out_size{};
+        float out_near{};
+        float out_far{};
+        check(gphys_camera_get_projection(handle(), &out_kind, &out_size, &out_near, &out_far));
+        return std::make_tuple(out_kind, out_size, out_near, out_far);
+    }
+
+    // The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
+    // image.
+    // Cost: O(1).
+    std::tuple<float, float> get_viewport() const {
+        float out_width{};
+        float out_height{};
+        check(gphys_camera_get_viewport(handle(), &out_width, &out_height));
+        return std::make_tuple(out_width, out_height);
     }
 
     // Place the camera.
@@ -895,6 +1099,42 @@ public:
     // Cost: O(log n + k) expected.
     std::vector<gphys_model_id> cull(const Scene& scene, uint32_t layers = GPHYS_ALL_LAYERS) const {
         return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_camera_cull(handle(), scene.handle(), layers, out_models, capacity, total); });
+    }
+
+    // The model under a pixel that the filter sees, as Camera::pick: what lies behind a selection.
+    //   - pixel_x, pixel_y: pixels; may lie outside the viewport
+    //   - filter: nullptr: the defaults
+    // Result: std::nullopt if nothing is found.
+    // Cost: as Scene::raycast_filtered.
+    std::optional<Hit> pick_filtered(const Scene& scene, float pixel_x, float pixel_y, const QueryFilterDesc* filter = nullptr) const {
+        Hit out_hit{};
+        if (!found(gphys_camera_pick_filtered(handle(), scene.handle(), pixel_x, pixel_y, filter, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // The models under the pixels that the filters see, as Camera::pick_batch.
+    //   - pixels: x, y pairs of floats
+    //   - filters: nullptr: the defaults
+    // Cost: at most that of as many single calls; shared among the scene's workers.
+    void pick_filtered_batch(const Scene& scene, Span<const float> pixels, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({pixels.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_camera_pick_filtered_batch(handle(), scene.handle(), pixels.data, pixels.stride, count, filters, 0, out_hits.data, out_hits.stride));
+    }
+
+    // Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera::pick_rectangle.
+    //   - x0, y0, x1, y1: pixels; opposite corners, in any order
+    //   - filter: nullptr: the defaults
+    // Cost: as Scene::overlap_filtered.
+    std::vector<gphys_model_id> pick_rectangle_filtered(const Scene& scene, float x0, float y0, float x1, float y1, const QueryFilterDesc* filter = nullptr) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_camera_pick_rectangle_filtered(handle(), scene.handle(), x0, y0, x1, y1, filter, out_models, capacity, total); });
+    }
+
+    // Ids of the models to draw that the filter sees: Scene::cull_filtered with the camera's frustum.
+    //   - filter: nullptr: the defaults
+    // Cost: as Scene::cull_filtered.
+    std::vector<gphys_model_id> cull_filtered(const Scene& scene, const QueryFilterDesc* filter = nullptr) const {
+        return list<gphys_model_id>([&](gphys_model_id* out_models, uint32_t capacity, uint32_t* total) { return gphys_camera_cull_filtered(handle(), scene.handle(), filter, out_models, capacity, total); });
     }
 
 };

@@ -284,6 +284,42 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
+    /// <summary>Ids of all models without a parent, ascending.
+    /// Cost: O(n).</summary>
+    public unsafe uint[] GetRoots() {
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_scene_get_roots(Handle, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
+    /// <summary>Ids of the models that hang directly below one, ascending.
+    /// Cost: O(k log k).</summary>
+    public unsafe uint[] GetChildren(uint model) {
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_scene_get_children(Handle, model, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
     /// <summary>Kind, parent, layers, tag and number of children of a model.
     /// Cost: O(1).</summary>
     public unsafe ModelInfo GetInfo(uint model) {
@@ -309,6 +345,26 @@ public sealed partial class Scene : IDisposable {
         var bounds = default(Aabb);
         var status = Low.gphys_scene_get_scene_bounds(Handle, &bounds);
         return Found(status) ? bounds : (Aabb?)null;
+    }
+
+    /// <summary>Give a model another shape, or another mesh, of any type that Scene.Add takes: a character crouches,
+    /// a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
+    /// Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+    /// Cost: as Scene.SetTransform of a model without children, whatever the size of a mesh.</summary>
+    /// <param name="shape">as in Scene.Add: a struct, copied, or a mesh with ShapeType.Mesh. The scene
+    /// holds the new mesh and no longer the old one, which may be the same.</param>
+    /// <param name="shape">as in Scene.Add: a struct, copied, or a mesh with ShapeType.Mesh. The scene
+    /// holds the new mesh and no longer the old one, which may be the same.</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for a frustum, ray or
+    /// segment</exception>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if the model would leave the
+    /// range of the world</exception>
+    /// <exception cref="GamephysException">Status.ErrorOutOfMemory: </exception>
+    public unsafe void SetShape(uint model, Shape shape) {
+        void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
+        var status = Low.gphys_scene_set_shape(Handle, model, shape.Type, shape_);
+        GC.KeepAlive(shape.Mesh);
+        Check(status);
     }
 
     /// <summary>Change which queries see a model: those with a mask m of which layers &amp; m is not 0. Children are not
@@ -652,6 +708,251 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
+    /// <summary>Closest model on a ray that the filter sees, as Scene.Raycast.
+    /// Cost: that of Scene.Raycast for one ignored model. For each model that is met within the ray's
+    /// reach, besides: O(its depth below its root) with FilterSubtree if ignored_model has children; of m
+    /// ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
+    /// they are takes O(m) a call.</summary>
+    /// <param name="filter">null: the defaults</param>
+    /// <returns>null if nothing is found.</returns>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for unknown flags, or
+    /// ignored_models null with an ignored_count above 0</exception>
+    public unsafe Hit? RaycastFiltered(Ray ray, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var hit = default(Hit);
+        var status = Low.gphys_scene_raycast_filtered(Handle, &ray, filter.HasValue ? &filter_ : null, &hit);
+        return Found(status) ? hit : (Hit?)null;
+    }
+
+    /// <summary>Closest models on the rays that the filters see, as Scene.RaycastBatch.
+    /// Cost: at most that of as many calls of Scene.RaycastFiltered; shared among workers.</summary>
+    /// <param name="filters">null: the defaults</param>
+    public unsafe void RaycastFilteredBatch(ReadOnlySpan<Ray> rays, Span<Hit> hits, QueryFilterDesc? filters = null) {
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, rays.Length);
+        RequireLength(hits.Length, count);
+        fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
+        fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
+        Check(Low.gphys_scene_raycast_filtered_batch(Handle, rays_, StrideOf(rays), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
+    }
+
+    /// <summary>Whether a ray meets anything that the filter sees, as Scene.RaycastAny: line of sight between two
+    /// models that both are left out.
+    /// Cost: as Scene.RaycastFiltered.</summary>
+    /// <param name="filter">null: the defaults</param>
+    public unsafe bool RaycastAnyFiltered(Ray ray, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var hit = default(int);
+        Check(Low.gphys_scene_raycast_any_filtered(Handle, &ray, filter.HasValue ? &filter_ : null, &hit));
+        return hit != 0;
+    }
+
+    /// <summary>Whether each of the rays meets anything that its filter sees, as Scene.RaycastAnyBatch.
+    /// Cost: at most that of as many single calls; shared among workers.</summary>
+    /// <param name="filters">null: the defaults</param>
+    public unsafe void RaycastAnyFilteredBatch(ReadOnlySpan<Ray> rays, Span<int> hits, QueryFilterDesc? filters = null) {
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, rays.Length);
+        RequireLength(hits.Length, count);
+        fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
+        fixed (int* hits_ = &MemoryMarshal.GetReference(hits))
+        Check(Low.gphys_scene_raycast_any_filtered_batch(Handle, rays_, StrideOf(rays), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(int)));
+    }
+
+    /// <summary>Every model that a ray meets and the filter sees, as Scene.RaycastAll.
+    /// Cost: that of Scene.RaycastAll, and for each model as Scene.RaycastFiltered.</summary>
+    /// <param name="filter">null: the defaults</param>
+    public unsafe Hit[] RaycastAllFiltered(Ray ray, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var result = new Hit[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (Hit* out_ = result)
+            status = Low.gphys_scene_raycast_all_filtered(Handle, &ray, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new Hit[total];
+        }
+    }
+
+    /// <summary>Every model that each of the rays meets and its filter sees, as Scene.RaycastAllBatch.
+    /// Cost: that of as many single calls; shared among workers.</summary>
+    /// <param name="filters">null: the defaults</param>
+    public unsafe Ragged<Hit> RaycastAllFilteredBatch(ReadOnlySpan<Ray> rays, QueryFilterDesc? filters = null) {
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, rays.Length);
+        var result = new Hit[Guess + count];
+        var offsets = new uint[count + 1];
+        for (;;) {
+            Status status;
+            fixed (Ray* rays_ = &MemoryMarshal.GetReference(rays))
+            fixed (Hit* out_ = result)
+            fixed (uint* offsets_ = offsets)
+            status = Low.gphys_scene_raycast_all_filtered_batch(Handle, rays_, StrideOf(rays), count, filters.HasValue ? &filters_ : null, 0, out_, (uint)result.Length, offsets_);
+            Check(status);
+            var total = offsets[count];
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return new Ragged<Hit>(result, offsets);
+            }
+            result = new Hit[total];
+        }
+    }
+
+    /// <summary>Closest model along a segment that the filter sees, as Scene.SegmentTest.
+    /// Cost: as Scene.RaycastFiltered.</summary>
+    /// <param name="filter">null: the defaults</param>
+    /// <returns>null if nothing is found.</returns>
+    public unsafe Hit? SegmentTestFiltered(Segment segment, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var hit = default(Hit);
+        var status = Low.gphys_scene_segment_test_filtered(Handle, &segment, filter.HasValue ? &filter_ : null, &hit);
+        return Found(status) ? hit : (Hit?)null;
+    }
+
+    /// <summary>Closest models along the segments that the filters see, as Scene.SegmentTestBatch.
+    /// Cost: that of as many single calls; shared among workers.</summary>
+    /// <param name="filters">null: the defaults</param>
+    public unsafe void SegmentTestFilteredBatch(ReadOnlySpan<Segment> segments, Span<Hit> hits, QueryFilterDesc? filters = null) {
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, segments.Length);
+        RequireLength(hits.Length, count);
+        fixed (Segment* segments_ = &MemoryMarshal.GetReference(segments))
+        fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
+        Check(Low.gphys_scene_segment_test_filtered_batch(Handle, segments_, StrideOf(segments), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
+    }
+
+    /// <summary>Ids of all models that overlap a shape and that the filter sees, as Scene.Overlap.
+    /// Cost: that of Scene.Overlap, and for each model as Scene.RaycastFiltered.</summary>
+    /// <param name="filter">null: the defaults</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for types of shapes that Scene.Overlap
+    /// does not take</exception>
+    public unsafe uint[] OverlapFiltered(Shape shape, QueryFilterDesc? filter = null) {
+        void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
+        var filter_ = filter.GetValueOrDefault();
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_scene_overlap_filtered(Handle, shape.Type, shape_, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            GC.KeepAlive(shape.Mesh);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
+    /// <summary>Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+    /// Scene.OverlapBatch.
+    /// Cost: at most that of as many single calls; shared among workers.</summary>
+    /// <param name="filters">null: the defaults</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: as there</exception>
+    public unsafe Ragged<uint> OverlapFilteredBatch(Shapes shapes, QueryFilterDesc? filters = null) {
+        var shapesOne = shapes.One;
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, shapes.Count);
+        var result = new uint[Guess + count];
+        var offsets = new uint[count + 1];
+        for (;;) {
+            Status status;
+            fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+            fixed (uint* out_ = result)
+            fixed (uint* offsets_ = offsets)
+            status = Low.gphys_scene_overlap_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, count, filters.HasValue ? &filters_ : null, 0, out_, (uint)result.Length, offsets_);
+            GC.KeepAlive(shapesOne.Mesh);
+            Check(status);
+            var total = offsets[count];
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return new Ragged<uint>(result, offsets);
+            }
+            result = new uint[total];
+        }
+    }
+
+    /// <summary>Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene.Cull: a
+    /// player's own head, say, is not drawn.
+    /// Cost: that of Scene.Cull, and for each model as Scene.RaycastFiltered.</summary>
+    /// <param name="filter">null: the defaults</param>
+    public unsafe uint[] CullFiltered(Frustum frustum, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_scene_cull_filtered(Handle, &frustum, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
+    /// <summary>The model nearest to a point that the filter sees, as Scene.Nearest: the nearest other model, if the
+    /// one at the point is left out.
+    /// Cost: as Scene.RaycastFiltered.</summary>
+    /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed; a model at exactly this distance
+    /// counts</param>
+    /// <param name="filter">null: the defaults</param>
+    /// <returns>null if nothing is found.</returns>
+    public unsafe Nearest? NearestFiltered(Vec3 point, float maxDistance = float.PositiveInfinity, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var nearest = default(Nearest);
+        var status = Low.gphys_scene_nearest_filtered(Handle, &point, maxDistance, filter.HasValue ? &filter_ : null, &nearest);
+        return Found(status) ? nearest : (Nearest?)null;
+    }
+
+    /// <summary>The models nearest to the points that the filters see, as Scene.NearestBatch.
+    /// Cost: that of as many single calls; shared among workers.</summary>
+    /// <param name="maxDistance">metres, &gt;= 0, INFINITY allowed, for all points</param>
+    /// <param name="filters">null: the defaults</param>
+    public unsafe void NearestFilteredBatch(ReadOnlySpan<Vec3> points, Span<Nearest> nearest, float maxDistance = float.PositiveInfinity, QueryFilterDesc? filters = null) {
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, points.Length);
+        RequireLength(nearest.Length, count);
+        fixed (Vec3* points_ = &MemoryMarshal.GetReference(points))
+        fixed (Nearest* nearest_ = &MemoryMarshal.GetReference(nearest))
+        Check(Low.gphys_scene_nearest_filtered_batch(Handle, points_, StrideOf(points), count, maxDistance, filters.HasValue ? &filters_ : null, 0, nearest_, (uint)sizeof(Nearest)));
+    }
+
+    /// <summary>First model that a moving sphere touches and the filter sees, as Scene.SweepSphere: the sphere may
+    /// be the bound of the ignored model itself.
+    /// Cost: that of Scene.SweepSphere, and for each model as Scene.RaycastFiltered.</summary>
+    /// <param name="displacement">metres; may be zero</param>
+    /// <param name="filter">null: the defaults</param>
+    /// <returns>null if nothing is found.</returns>
+    public unsafe Hit? SweepSphereFiltered(Sphere sphere, Vec3 displacement, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var hit = default(Hit);
+        var status = Low.gphys_scene_sweep_sphere_filtered(Handle, &sphere, &displacement, filter.HasValue ? &filter_ : null, &hit);
+        return Found(status) ? hit : (Hit?)null;
+    }
+
+    /// <summary>First models that count moving spheres touch and the filters see, as Scene.SweepSphereBatch.
+    /// Cost: that of as many single calls; shared among workers.</summary>
+    /// <param name="displacements">metres</param>
+    /// <param name="filters">null: the defaults</param>
+    public unsafe void SweepSphereFilteredBatch(ReadOnlySpan<Sphere> spheres, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, QueryFilterDesc? filters = null) {
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, spheres.Length, displacements.Length);
+        RequireLength(hits.Length, count);
+        fixed (Sphere* spheres_ = &MemoryMarshal.GetReference(spheres))
+        fixed (Vec3* displacements_ = &MemoryMarshal.GetReference(displacements))
+        fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
+        Check(Low.gphys_scene_sweep_sphere_filtered_batch(Handle, spheres_, StrideOf(spheres), displacements_, StrideOf(displacements), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
+    }
+
     /// <summary>How the scene's octree is made up.
     /// Cost: O(nodes).</summary>
     public unsafe OctreeStats GetOctreeStats() {
@@ -764,6 +1065,31 @@ public sealed partial class Camera : IDisposable {
     /// <param name="height">pixels, 1e-3 .. 1e6</param>
     public unsafe void SetViewport(float width, float height) {
         Check(Low.gphys_camera_set_viewport(Handle, width, height));
+    }
+
+    /// <summary>How the camera projects, as it was set.
+    /// Cost: O(1).</summary>
+    /// <returns>what of the following was called last: Camera.SetPerspective, as at creation,
+    /// Camera.SetOrthographic or Camera.SetProjection. the vertical field of view in radians of a
+    /// perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
+    /// without a far plane; 0 of a matrix.</returns>
+    public unsafe (Projection Kind, float Size, float Near, float Far) GetProjection() {
+        var kind = default(Projection);
+        var size = default(float);
+        var near = default(float);
+        var far = default(float);
+        Check(Low.gphys_camera_get_projection(Handle, &kind, &size, &near, &far));
+        return (kind, size, near, far);
+    }
+
+    /// <summary>The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
+    /// image.
+    /// Cost: O(1).</summary>
+    public unsafe (float Width, float Height) GetViewport() {
+        var width = default(float);
+        var height = default(float);
+        Check(Low.gphys_camera_get_viewport(Handle, &width, &height));
+        return (width, height);
     }
 
     /// <summary>Place the camera.
@@ -1041,6 +1367,76 @@ public sealed partial class Camera : IDisposable {
             Status status;
             fixed (uint* out_ = result)
             status = Low.gphys_camera_cull(Handle, scene.Handle, layers, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
+    /// <summary>The model under a pixel that the filter sees, as Camera.Pick: what lies behind a selection.
+    /// Cost: as Scene.RaycastFiltered.</summary>
+    /// <param name="pixelX">pixels; may lie outside the viewport</param>
+    /// <param name="pixelY">pixels; may lie outside the viewport</param>
+    /// <param name="filter">null: the defaults</param>
+    /// <returns>null if nothing is found.</returns>
+    public unsafe Hit? PickFiltered(Scene scene, float pixelX, float pixelY, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var hit = default(Hit);
+        var status = Low.gphys_camera_pick_filtered(Handle, scene.Handle, pixelX, pixelY, filter.HasValue ? &filter_ : null, &hit);
+        return Found(status) ? hit : (Hit?)null;
+    }
+
+    /// <summary>The models under the pixels that the filters see, as Camera.PickBatch.
+    /// Cost: at most that of as many single calls; shared among the scene's workers.</summary>
+    /// <param name="pixels">x, y pairs of floats</param>
+    /// <param name="filters">null: the defaults</param>
+    public unsafe void PickFilteredBatch(Scene scene, ReadOnlySpan<Vec2> pixels, Span<Hit> hits, QueryFilterDesc? filters = null) {
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, pixels.Length);
+        RequireLength(hits.Length, count);
+        fixed (Vec2* pixels_ = &MemoryMarshal.GetReference(pixels))
+        fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
+        Check(Low.gphys_camera_pick_filtered_batch(Handle, scene.Handle, (float*)pixels_, StrideOf(pixels), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
+    }
+
+    /// <summary>Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.PickRectangle.
+    /// Cost: as Scene.OverlapFiltered.</summary>
+    /// <param name="x0">pixels; opposite corners, in any order</param>
+    /// <param name="y0">pixels; opposite corners, in any order</param>
+    /// <param name="x1">pixels; opposite corners, in any order</param>
+    /// <param name="y1">pixels; opposite corners, in any order</param>
+    /// <param name="filter">null: the defaults</param>
+    public unsafe uint[] PickRectangleFiltered(Scene scene, float x0, float y0, float x1, float y1, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_camera_pick_rectangle_filtered(Handle, scene.Handle, x0, y0, x1, y1, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new uint[total];
+        }
+    }
+
+    /// <summary>Ids of the models to draw that the filter sees: Scene.CullFiltered with the camera's frustum.
+    /// Cost: as Scene.CullFiltered.</summary>
+    /// <param name="filter">null: the defaults</param>
+    public unsafe uint[] CullFiltered(Scene scene, QueryFilterDesc? filter = null) {
+        var filter_ = filter.GetValueOrDefault();
+        var result = new uint[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (uint* out_ = result)
+            status = Low.gphys_camera_cull_filtered(Handle, scene.Handle, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
             Check(status);
             if (status != Status.Incomplete) {
                 Array.Resize(ref result, (int)total);

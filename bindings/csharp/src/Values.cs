@@ -116,6 +116,8 @@ public static class Constants {
     public const uint HitInside = 1;
     /// <summary>a surface was met from behind its normal</summary>
     public const uint HitBack = 2;
+    /// <summary>ignored_model stands for its descendants, too</summary>
+    public const uint FilterSubtree = 1;
     /// <summary>constraints along both diagonals of each grid cell: stiff like paper</summary>
     public const uint ClothShear = 1;
     /// <summary>constraints that resist folding</summary>
@@ -479,6 +481,38 @@ public partial struct ModelInfo {
     public uint Tag;
     /// <summary>direct children</summary>
     public uint ChildCount;
+}
+
+/// <summary>
+/// Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
+/// error: what asked may have been removed since.
+/// </summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct QueryFilterDesc {
+    internal uint StructSize;
+    /// <summary>a model is seen if its own mask shares a bit; default AllLayers</summary>
+    public uint Layers;
+    /// <summary>left out; 0: none; default 0</summary>
+    public uint IgnoredModel;
+    /// <summary>filter values; default 0</summary>
+    public uint Flags;
+    /// <summary>
+    /// left out as well, in any order; read during the call; default null
+    /// The address of a gphys_model_id.
+    /// </summary>
+    public IntPtr IgnoredModels;
+    /// <summary>of ignored_models; default 0</summary>
+    public uint IgnoredCount;
+    /// <summary>must be 0</summary>
+    internal uint Reserved;
+    /// <summary>The defaults of the loaded library, to be changed.</summary>
+    public static unsafe QueryFilterDesc Default {
+        get {
+            QueryFilterDesc desc;
+            Support.Check(Low.gphys_query_filter_desc_init(&desc, (uint)sizeof(QueryFilterDesc)));
+            return desc;
+        }
+    }
 }
 
 [StructLayout(LayoutKind.Sequential)]

@@ -30,6 +30,7 @@ static class Layout {
         (typeof(SceneDesc), 40, new string[] { "StructSize", "Allocator", "ReserveModels", "TaskRunner", "WorkerCount", "Reserved" }, new int[] { 0, 8, 16, 24, 32, 36 }),
         (typeof(ModelDesc), 16, new string[] { "StructSize", "Parent", "Layers", "Tag" }, new int[] { 0, 4, 8, 12 }),
         (typeof(ModelInfo), 20, new string[] { "Type", "Parent", "Layers", "Tag", "ChildCount" }, new int[] { 0, 4, 8, 12, 16 }),
+        (typeof(QueryFilterDesc), 32, new string[] { "StructSize", "Layers", "IgnoredModel", "Flags", "IgnoredModels", "IgnoredCount", "Reserved" }, new int[] { 0, 4, 8, 12, 16, 24, 28 }),
         (typeof(CameraDesc), 40, new string[] { "StructSize", "Allocator", "Handedness", "DepthRange", "ReverseZ", "ViewportWidth", "ViewportHeight", "Reserved" }, new int[] { 0, 8, 16, 20, 24, 28, 32, 36 }),
         (typeof(Orbit), 60, new string[] { "Target", "Up", "Distance", "Yaw", "Pitch", "RadiansPerUnit", "MetresPerUnit", "MinDistance", "MaxDistance", "MinPitch", "MaxPitch" }, new int[] { 0, 12, 24, 28, 32, 36, 40, 44, 48, 52, 56 }),
         (typeof(SolverDesc), 80, new string[] { "StructSize", "Allocator", "Gravity", "Substeps", "FixedStep", "MaxSteps", "TaskRunner", "WorkerCount", "SleepSpeed", "SleepStrain", "SleepTime", "MaxStrain", "Tolerance", "MaxSubsteps", "Reserved" }, new int[] { 0, 8, 16, 28, 32, 36, 40, 48, 52, 56, 60, 64, 68, 72, 76 }),

@@ -35,6 +35,7 @@ export const SIDE_CROSSING = 0;
 export const SIDE_INSIDE = 1;
 export const DEPTH_ZERO_TO_ONE = 0;
 export const DEPTH_MINUS_ONE_TO_ONE = 1;
+export const FILTER_SUBTREE = 1;
 export const PROJECTION_PERSPECTIVE = 0;
 export const PROJECTION_ORTHOGRAPHIC = 1;
 export const PROJECTION_USER = 2;

@@ -1,6 +1,6 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 import { ALL_LAYERS, ERROR_INVALID_ID, OK } from './constants.js';
-import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readPenetration, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writePlane, writeQuat, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
+import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readPenetration, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
 import { Shape, runtime } from './runtime.js';
 
 /** Everything of the library but constants, over one way to reach its memory and functions. */
@@ -109,6 +109,14 @@ export function objects(memory) {
             begin();
             return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_models(this.pointer, room, capacity, base));
         }
+        getRoots() {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_roots(this.pointer, room, capacity, base));
+        }
+        getChildren(model) {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_children(this.pointer, model, room, capacity, base));
+        }
         getInfo(model) {
             check(native.gphys_scene_get_info(this.pointer, model, base));
             return readModelInfo(v, 0);
@@ -120,6 +128,9 @@ export function objects(memory) {
         getSceneBounds() {
             if (check(native.gphys_scene_get_scene_bounds(this.pointer, base)) !== OK) return null;
             return readAabb(v, 0);
+        }
+        setShape(model, shape) {
+            check(native.gphys_scene_set_shape(this.pointer, model, typeOf(shape), putShape(shape, 0)));
         }
         setLayers(model, layers = ALL_LAYERS) {
             check(native.gphys_scene_set_layers(this.pointer, model, layers));
@@ -274,6 +285,120 @@ export function objects(memory) {
             begin();
             return list('penetration', 27, (room, capacity) => native.gphys_scene_penetration(this.pointer, typeOf(shape), putShape(shape, 0), layers, room, capacity, base + 108));
         }
+        raycastFiltered(ray, filter) {
+            writeRay(v, 0, ray);
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 32, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 8, filter); }
+            if (check(native.gphys_scene_raycast_filtered(this.pointer, base, filter == null ? 0 : base + 32, base + 64)) !== OK) return null;
+            return readHit(v, 16);
+        }
+        raycastFilteredBatch(rays, filters, out) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(rays_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_scene_raycast_filtered_batch(this.pointer, pass(rays_), 28, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        raycastAnyFiltered(ray, filter) {
+            writeRay(v, 0, ray);
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 32, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 8, filter); }
+            check(native.gphys_scene_raycast_any_filtered(this.pointer, base, filter == null ? 0 : base + 32, base + 64));
+            return v.i32[16] !== 0;
+        }
+        raycastAnyFilteredBatch(rays, filters, out) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(rays_);
+            const out_hits_ = output(out, 'int32_t', count);
+            check(native.gphys_scene_raycast_any_filtered_batch(this.pointer, pass(rays_), 28, count, filters == null ? 0 : base, 0, pass(out_hits_), 4));
+            return finish(out_hits_);
+        }
+        raycastAllFiltered(ray, filter) {
+            begin();
+            writeRay(v, 0, ray);
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 32, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 8, filter); }
+            return list('hit', 16, (room, capacity) => native.gphys_scene_raycast_all_filtered(this.pointer, base, filter == null ? 0 : base + 32, room, capacity, base + 64));
+        }
+        raycastAllFilteredBatch(rays, filters) {
+            begin();
+            const rays_ = input(rays, 28, 'rays');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(rays_);
+            const offsets = output(undefined, 'uint32_t', count + 1);
+            const raysAt = pass(rays_);
+            const out_offsetsAt = pass(offsets);
+            return ragged('hit', offsets, (room, capacity) => native.gphys_scene_raycast_all_filtered_batch(this.pointer, raysAt, 28, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
+        }
+        segmentTestFiltered(segment, filter) {
+            writeSegment(v, 0, segment);
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 24, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 6, filter); }
+            if (check(native.gphys_scene_segment_test_filtered(this.pointer, base, filter == null ? 0 : base + 24, base + 56)) !== OK) return null;
+            return readHit(v, 14);
+        }
+        segmentTestFilteredBatch(segments, filters, out) {
+            begin();
+            const segments_ = input(segments, 24, 'segments');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(segments_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_scene_segment_test_filtered_batch(this.pointer, pass(segments_), 24, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        overlapFiltered(shape, filter) {
+            begin();
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 112, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 28, filter); }
+            return list('uint32_t', 36, (room, capacity) => native.gphys_scene_overlap_filtered(this.pointer, typeOf(shape), putShape(shape, 0), filter == null ? 0 : base + 112, room, capacity, base + 144));
+        }
+        overlapFilteredBatch(shapes, filters) {
+            begin();
+            const shapes_ = inputShapes(shapes);
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(shapes_);
+            const offsets = output(undefined, 'uint32_t', count + 1);
+            const shapesAt = pass(shapes_);
+            const out_offsetsAt = pass(offsets);
+            return ragged('uint32_t', offsets, (room, capacity) => native.gphys_scene_overlap_filtered_batch(this.pointer, shapes_.type, shapesAt, shapes_.stride, count, filters == null ? 0 : base, 0, room, capacity, out_offsetsAt));
+        }
+        cullFiltered(frustum, filter) {
+            begin();
+            writeFrustum(v, 0, frustum);
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 112, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 28, filter); }
+            return list('uint32_t', 36, (room, capacity) => native.gphys_scene_cull_filtered(this.pointer, base, filter == null ? 0 : base + 112, room, capacity, base + 144));
+        }
+        nearestFiltered(point, max_distance, filter) {
+            writeVec3(v, 0, point);
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 16, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 4, filter); }
+            if (check(native.gphys_scene_nearest_filtered(this.pointer, base, max_distance, filter == null ? 0 : base + 16, base + 48)) !== OK) return null;
+            return readNearest(v, 12);
+        }
+        nearestFilteredBatch(points, max_distance, filters, out) {
+            begin();
+            const points_ = input(points, 12, 'points');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(points_);
+            const out_nearest_ = output(out, 'nearest', count);
+            check(native.gphys_scene_nearest_filtered_batch(this.pointer, pass(points_), 12, count, max_distance, filters == null ? 0 : base, 0, pass(out_nearest_), 28));
+            return finish(out_nearest_);
+        }
+        sweepSphereFiltered(sphere, displacement, filter) {
+            writeSphere(v, 0, sphere);
+            writeVec3(v, 4, displacement);
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 32, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 8, filter); }
+            if (check(native.gphys_scene_sweep_sphere_filtered(this.pointer, base, base + 16, filter == null ? 0 : base + 32, base + 64)) !== OK) return null;
+            return readHit(v, 16);
+        }
+        sweepSphereFilteredBatch(spheres, displacements, filters, out) {
+            begin();
+            const spheres_ = input(spheres, 16, 'spheres');
+            const displacements_ = input(displacements, 12, 'displacements');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(spheres_, displacements_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_scene_sweep_sphere_filtered_batch(this.pointer, pass(spheres_), 16, pass(displacements_), 12, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
         getOctreeStats() {
             check(native.gphys_scene_get_octree_stats(this.pointer, base));
             return readOctreeStats(v, 0);
@@ -314,6 +439,14 @@ export function objects(memory) {
         }
         setViewport(width, height) {
             check(native.gphys_camera_set_viewport(this.pointer, width, height));
+        }
+        getProjection() {
+            check(native.gphys_camera_get_projection(this.pointer, base, base + 4, base + 8, base + 12));
+            return [v.i32[0], v.f32[1], v.f32[2], v.f32[3]];
+        }
+        getViewport() {
+            check(native.gphys_camera_get_viewport(this.pointer, base, base + 4));
+            return [v.f32[0], v.f32[1]];
         }
         setTransform(position, rotation) {
             writeVec3(v, 0, position);
@@ -433,6 +566,30 @@ export function objects(memory) {
         cull(scene, layers = ALL_LAYERS) {
             begin();
             return list('uint32_t', 0, (room, capacity) => native.gphys_camera_cull(this.pointer, pointer(scene, Scene, 'scene', false), layers, room, capacity, base));
+        }
+        pickFiltered(scene, pixel_x, pixel_y, filter) {
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filter); }
+            if (check(native.gphys_camera_pick_filtered(this.pointer, pointer(scene, Scene, 'scene', false), pixel_x, pixel_y, filter == null ? 0 : base, base + 32)) !== OK) return null;
+            return readHit(v, 8);
+        }
+        pickFilteredBatch(scene, pixels, filters, out) {
+            begin();
+            const pixels_ = input(pixels, 8, 'pixels');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(pixels_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_camera_pick_filtered_batch(this.pointer, pointer(scene, Scene, 'scene', false), pass(pixels_), 8, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        pickRectangleFiltered(scene, x0, y0, x1, y1, filter) {
+            begin();
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filter); }
+            return list('uint32_t', 8, (room, capacity) => native.gphys_camera_pick_rectangle_filtered(this.pointer, pointer(scene, Scene, 'scene', false), x0, y0, x1, y1, filter == null ? 0 : base, room, capacity, base + 32));
+        }
+        cullFiltered(scene, filter) {
+            begin();
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filter); }
+            return list('uint32_t', 8, (room, capacity) => native.gphys_camera_cull_filtered(this.pointer, pointer(scene, Scene, 'scene', false), filter == null ? 0 : base, room, capacity, base + 32));
         }
     }
     class Solver extends Handle {

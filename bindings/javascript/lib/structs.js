@@ -199,6 +199,17 @@ export function writeModelInfo(v, at, value) {
     v.u32[at + 3] = number(rows ? value[3] : value.tag, 'tag');
     v.u32[at + 4] = number(rows ? value[4] : value.child_count, 'child_count');
 }
+export function writeQueryFilterDesc(v, at, value) {
+    for (const name in value) {
+        switch (name) {
+            case 'layers': v.u32[at + 1] = number(value[name], 'layers'); break;
+            case 'ignored_model': v.u32[at + 2] = number(value[name], 'ignored_model'); break;
+            case 'flags': v.u32[at + 3] = number(value[name], 'flags'); break;
+            case 'ignored_count': v.u32[at + (v.wide ? 6 : 5)] = number(value[name], 'ignored_count'); break;
+            default: throw new TypeError(`query_filter_desc has no field ${name}`);
+        }
+    }
+}
 export function writeCameraDesc(v, at, value) {
     for (const name in value) {
         switch (name) {

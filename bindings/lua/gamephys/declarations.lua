@@ -43,6 +43,7 @@ typedef struct gphys_octree_box { gphys_aabb bounds; uint32_t depth; uint32_t it
 typedef struct gphys_scene_desc { uint32_t struct_size; const gphys_allocator *allocator; uint32_t reserve_models; const gphys_task_runner *task_runner; uint32_t worker_count; uint32_t reserved; } gphys_scene_desc;
 typedef struct gphys_model_desc { uint32_t struct_size; gphys_model_id parent; uint32_t layers; uint32_t tag; } gphys_model_desc;
 typedef struct gphys_model_info { gphys_shape_type type; gphys_model_id parent; uint32_t layers; uint32_t tag; uint32_t child_count; } gphys_model_info;
+typedef struct gphys_query_filter_desc { uint32_t struct_size; uint32_t layers; gphys_model_id ignored_model; uint32_t flags; const gphys_model_id *ignored_models; uint32_t ignored_count; uint32_t reserved; } gphys_query_filter_desc;
 typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; uint32_t reserved; } gphys_camera_desc;
 typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; float yaw; float pitch; float radians_per_unit; float metres_per_unit; float min_distance; float max_distance; float min_pitch; float max_pitch; } gphys_orbit;
 typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t reserved; } gphys_solver_desc;
@@ -102,10 +103,13 @@ gphys_status gphys_scene_remove_subtree(gphys_scene *scene, gphys_model_id model
 gphys_status gphys_scene_clear(gphys_scene *scene);
 gphys_status gphys_scene_has(const gphys_scene *scene, gphys_model_id model);
 gphys_status gphys_scene_get_models(const gphys_scene *scene, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_get_roots(const gphys_scene *scene, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_get_children(const gphys_scene *scene, gphys_model_id model, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_get_info(const gphys_scene *scene, gphys_model_id model, gphys_model_info *out_info);
 gphys_status gphys_scene_get_shape(const gphys_scene *scene, gphys_model_id model, void *out_shape, uint32_t out_size);
 gphys_status gphys_scene_get_bounds(const gphys_scene *scene, gphys_model_id model, gphys_aabb *out_bounds);
 gphys_status gphys_scene_get_scene_bounds(const gphys_scene *scene, gphys_aabb *out_bounds);
+gphys_status gphys_scene_set_shape(gphys_scene *scene, gphys_model_id model, gphys_shape_type type, const void *shape);
 gphys_status gphys_scene_set_layers(gphys_scene *scene, gphys_model_id model, uint32_t layers);
 gphys_status gphys_scene_set_tag(gphys_scene *scene, gphys_model_id model, uint32_t tag);
 gphys_status gphys_scene_set_parent(gphys_scene *scene, gphys_model_id model, gphys_model_id parent, int32_t keep_world);
@@ -131,6 +135,22 @@ gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene *scene, const gphy
 gphys_status gphys_scene_sweep(const gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_vec3 *displacement, uint32_t layers, gphys_hit *out_hit);
 gphys_status gphys_scene_sweep_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, const gphys_vec3 *displacements, uint32_t displacement_stride, uint32_t count, uint32_t layers, gphys_hit *out_hits, uint32_t out_stride);
 gphys_status gphys_scene_penetration(const gphys_scene *scene, gphys_shape_type type, const void *shape, uint32_t layers, gphys_penetration *out_penetrations, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_query_filter_desc_init(gphys_query_filter_desc *desc, uint32_t size);
+gphys_status gphys_scene_raycast_filtered(const gphys_scene *scene, const gphys_ray *ray, const gphys_query_filter_desc *filter, gphys_hit *out_hit);
+gphys_status gphys_scene_raycast_filtered_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_hit *out_hits, uint32_t out_stride);
+gphys_status gphys_scene_raycast_any_filtered(const gphys_scene *scene, const gphys_ray *ray, const gphys_query_filter_desc *filter, int32_t *out_hit);
+gphys_status gphys_scene_raycast_any_filtered_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, int32_t *out_hits, uint32_t out_stride);
+gphys_status gphys_scene_raycast_all_filtered(const gphys_scene *scene, const gphys_ray *ray, const gphys_query_filter_desc *filter, gphys_hit *out_hits, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_raycast_all_filtered_batch(const gphys_scene *scene, const gphys_ray *rays, uint32_t ray_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_hit *out_hits, uint32_t capacity, uint32_t *out_offsets);
+gphys_status gphys_scene_segment_test_filtered(const gphys_scene *scene, const gphys_segment *segment, const gphys_query_filter_desc *filter, gphys_hit *out_hit);
+gphys_status gphys_scene_segment_test_filtered_batch(const gphys_scene *scene, const gphys_segment *segments, uint32_t segment_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_hit *out_hits, uint32_t out_stride);
+gphys_status gphys_scene_overlap_filtered(const gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_query_filter_desc *filter, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_overlap_filtered_batch(const gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_offsets);
+gphys_status gphys_scene_cull_filtered(const gphys_scene *scene, const gphys_frustum *frustum, const gphys_query_filter_desc *filter, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_nearest_filtered(const gphys_scene *scene, const gphys_vec3 *point, float max_distance, const gphys_query_filter_desc *filter, gphys_nearest *out_nearest);
+gphys_status gphys_scene_nearest_filtered_batch(const gphys_scene *scene, const gphys_vec3 *points, uint32_t point_stride, uint32_t count, float max_distance, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_nearest *out_nearest, uint32_t out_stride);
+gphys_status gphys_scene_sweep_sphere_filtered(const gphys_scene *scene, const gphys_sphere *sphere, const gphys_vec3 *displacement, const gphys_query_filter_desc *filter, gphys_hit *out_hit);
+gphys_status gphys_scene_sweep_sphere_filtered_batch(const gphys_scene *scene, const gphys_sphere *spheres, uint32_t sphere_stride, const gphys_vec3 *displacements, uint32_t displacement_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_hit *out_hits, uint32_t out_stride);
 gphys_status gphys_scene_get_octree_stats(const gphys_scene *scene, gphys_octree_stats *out_stats);
 gphys_status gphys_scene_get_octree_boxes(const gphys_scene *scene, gphys_octree_box *out_boxes, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_validate(const gphys_scene *scene);
@@ -143,6 +163,8 @@ gphys_status gphys_camera_set_perspective(gphys_camera *camera, float fov_y, flo
 gphys_status gphys_camera_set_orthographic(gphys_camera *camera, float height, float near_distance, float far_distance);
 gphys_status gphys_camera_set_projection(gphys_camera *camera, const gphys_mat4 *projection);
 gphys_status gphys_camera_set_viewport(gphys_camera *camera, float width, float height);
+gphys_status gphys_camera_get_projection(const gphys_camera *camera, gphys_projection *out_kind, float *out_size, float *out_near, float *out_far);
+gphys_status gphys_camera_get_viewport(const gphys_camera *camera, float *out_width, float *out_height);
 gphys_status gphys_camera_set_transform(gphys_camera *camera, const gphys_vec3 *position, const gphys_quat *rotation);
 gphys_status gphys_camera_set_world_matrix(gphys_camera *camera, const gphys_mat4 *world);
 gphys_status gphys_camera_look_at(gphys_camera *camera, const gphys_vec3 *eye, const gphys_vec3 *target, const gphys_vec3 *up);
@@ -170,6 +192,10 @@ gphys_status gphys_camera_pick(const gphys_camera *camera, const gphys_scene *sc
 gphys_status gphys_camera_pick_batch(const gphys_camera *camera, const gphys_scene *scene, const float *pixels, uint32_t pixel_stride, uint32_t count, uint32_t layers, gphys_hit *out_hits, uint32_t out_stride);
 gphys_status gphys_camera_pick_rectangle(const gphys_camera *camera, const gphys_scene *scene, float x0, float y0, float x1, float y1, uint32_t layers, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_camera_cull(const gphys_camera *camera, const gphys_scene *scene, uint32_t layers, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_camera_pick_filtered(const gphys_camera *camera, const gphys_scene *scene, float pixel_x, float pixel_y, const gphys_query_filter_desc *filter, gphys_hit *out_hit);
+gphys_status gphys_camera_pick_filtered_batch(const gphys_camera *camera, const gphys_scene *scene, const float *pixels, uint32_t pixel_stride, uint32_t count, const gphys_query_filter_desc *filters, uint32_t filter_stride, gphys_hit *out_hits, uint32_t out_stride);
+gphys_status gphys_camera_pick_rectangle_filtered(const gphys_camera *camera, const gphys_scene *scene, float x0, float y0, float x1, float y1, const gphys_query_filter_desc *filter, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_camera_cull_filtered(const gphys_camera *camera, const gphys_scene *scene, const gphys_query_filter_desc *filter, gphys_model_id *out_models, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_desc_init(gphys_solver_desc *desc, uint32_t size);
 gphys_status gphys_solver_create(const gphys_solver_desc *desc, gphys_solver **out_solver);
 void gphys_solver_destroy(gphys_solver *solver);
@@ -256,6 +282,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         SIDE_INSIDE = 1,
         DEPTH_ZERO_TO_ONE = 0,
         DEPTH_MINUS_ONE_TO_ONE = 1,
+        FILTER_SUBTREE = 1,
         PROJECTION_PERSPECTIVE = 0,
         PROJECTION_ORTHOGRAPHIC = 1,
         PROJECTION_USER = 2,
@@ -302,6 +329,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "scene_desc", fields = { "struct_size", "allocator", "reserve_models", "task_runner", "worker_count", "reserved" } },
         { name = "model_desc", fields = { "struct_size", "parent", "layers", "tag" } },
         { name = "model_info", fields = { "type", "parent", "layers", "tag", "child_count" } },
+        { name = "query_filter_desc", fields = { "struct_size", "layers", "ignored_model", "flags", "ignored_models", "ignored_count", "reserved" } },
         { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height", "reserved" } },
         { name = "orbit", fields = { "target", "up", "distance", "yaw", "pitch", "radians_per_unit", "metres_per_unit", "min_distance", "max_distance", "min_pitch", "max_pitch" } },
         { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "reserved" } },

@@ -32,6 +32,7 @@ local OctreeBox = runtime.element 'gphys_octree_box'
 local SceneDesc = runtime.element 'gphys_scene_desc'
 local ModelDesc = runtime.element 'gphys_model_desc'
 local ModelInfo = runtime.element 'gphys_model_info'
+local QueryFilterDesc = runtime.element 'gphys_query_filter_desc'
 local CameraDesc = runtime.element 'gphys_camera_desc'
 local Orbit = runtime.element 'gphys_orbit'
 local SolverDesc = runtime.element 'gphys_solver_desc'
@@ -238,6 +239,22 @@ function Scene:get_models()
     end)
 end
 
+--- Ids of all models without a parent, ascending.
+--- Cost: O(n).
+function Scene:get_roots()
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_scene_get_roots(opened(self), out, capacity, total)
+    end)
+end
+
+--- Ids of the models that hang directly below one, ascending.
+--- Cost: O(k log k).
+function Scene:get_children(model)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_scene_get_children(opened(self), model, out, capacity, total)
+    end)
+end
+
 --- Kind, parent, layers, tag and number of children of a model.
 --- Cost: O(1).
 function Scene:get_info(model, out_info)
@@ -261,6 +278,21 @@ end
 function Scene:get_scene_bounds(out_bounds)
     out_bounds = out_bounds or Aabb.new()
     if found(C.gphys_scene_get_scene_bounds(opened(self), out_bounds)) then return out_bounds end
+end
+
+--- Give a model another shape, or another mesh, of any type that Scene:add takes: a character crouches,
+--- a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
+--- Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+--- Cost: as Scene:set_transform of a model without children, whatever the size of a mesh.
+--- @param shape as in Scene:add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+---     mesh and no longer the old one, which may be the same.
+--- @param shape as in Scene:add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+---     mesh and no longer the old one, which may be the same.
+--- @raise status ERROR_UNSUPPORTED: for a frustum, ray or segment
+--- @raise status ERROR_INVALID_ARGUMENT: also if the model would leave the range of the world
+--- @raise status ERROR_OUT_OF_MEMORY:
+function Scene:set_shape(model, shape)
+    check(C.gphys_scene_set_shape(opened(self), model, kind(shape), address(shape)))
 end
 
 --- Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
@@ -522,6 +554,174 @@ function Scene:penetration(shape, layers)
     end)
 end
 
+--- Closest model on a ray that the filter sees, as Scene:raycast.
+--- Cost: that of Scene:raycast for one ignored model. For each model that is met within the ray's
+--- reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
+--- ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
+--- they are takes O(m) a call.
+--- @param filter nil: the defaults
+--- @return nil if nothing is found.
+--- @raise status ERROR_INVALID_ARGUMENT: for unknown flags, or ignored_models nil with an ignored_count
+---     above 0
+function Scene:raycast_filtered(ray, filter, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_scene_raycast_filtered(opened(self), to_value(Ray, ray), filter and to_desc(QueryFilterDesc, filter), out_hit)) then return out_hit end
+end
+
+--- Closest models on the rays that the filters see, as Scene:raycast_batch.
+--- Cost: at most that of as many calls of Scene:raycast_filtered; shared among workers.
+--- @param filters nil: the defaults
+function Scene:raycast_filtered_batch(rays, filters, out)
+    local rays, rays_count, rays_stride = to_array(Ray, rays)
+    local count = common(rays_count)
+    out = results(Hit, out, count)
+    check(C.gphys_scene_raycast_filtered_batch(opened(self), rays, rays_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    return out
+end
+
+do
+    local out_hit = int32_t.array(1)
+    --- Whether a ray meets anything that the filter sees, as Scene:raycast_any: line of sight between two
+    --- models that both are left out.
+    --- Cost: as Scene:raycast_filtered.
+    --- @param filter nil: the defaults
+    function Scene:raycast_any_filtered(ray, filter)
+        check(C.gphys_scene_raycast_any_filtered(opened(self), to_value(Ray, ray), filter and to_desc(QueryFilterDesc, filter), out_hit))
+        return out_hit[0] ~= 0
+    end
+end
+
+--- Whether each of the rays meets anything that its filter sees, as Scene:raycast_any_batch.
+--- Cost: at most that of as many single calls; shared among workers.
+--- @param filters nil: the defaults
+function Scene:raycast_any_filtered_batch(rays, filters, out)
+    local rays, rays_count, rays_stride = to_array(Ray, rays)
+    local count = common(rays_count)
+    out = results(int32_t, out, count)
+    check(C.gphys_scene_raycast_any_filtered_batch(opened(self), rays, rays_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, int32_t.size))
+    return out
+end
+
+--- Every model that a ray meets and the filter sees, as Scene:raycast_all.
+--- Cost: that of Scene:raycast_all, and for each model as Scene:raycast_filtered.
+--- @param filter nil: the defaults
+function Scene:raycast_all_filtered(ray, filter)
+    return list(Hit, function(out, capacity, total)
+        return C.gphys_scene_raycast_all_filtered(opened(self), to_value(Ray, ray), filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
+    end)
+end
+
+--- Every model that each of the rays meets and its filter sees, as Scene:raycast_all_batch.
+--- Cost: that of as many single calls; shared among workers.
+--- @param filters nil: the defaults
+function Scene:raycast_all_filtered_batch(rays, filters)
+    local rays, rays_count, rays_stride = to_array(Ray, rays)
+    local count = common(rays_count)
+    return ragged(Hit, function(out, capacity, offsets)
+        return C.gphys_scene_raycast_all_filtered_batch(opened(self), rays, rays_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, capacity, offsets)
+    end, count)
+end
+
+--- Closest model along a segment that the filter sees, as Scene:segment_test.
+--- Cost: as Scene:raycast_filtered.
+--- @param filter nil: the defaults
+--- @return nil if nothing is found.
+function Scene:segment_test_filtered(segment, filter, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_scene_segment_test_filtered(opened(self), to_value(Segment, segment), filter and to_desc(QueryFilterDesc, filter), out_hit)) then return out_hit end
+end
+
+--- Closest models along the segments that the filters see, as Scene:segment_test_batch.
+--- Cost: that of as many single calls; shared among workers.
+--- @param filters nil: the defaults
+function Scene:segment_test_filtered_batch(segments, filters, out)
+    local segments, segments_count, segments_stride = to_array(Segment, segments)
+    local count = common(segments_count)
+    out = results(Hit, out, count)
+    check(C.gphys_scene_segment_test_filtered_batch(opened(self), segments, segments_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    return out
+end
+
+--- Ids of all models that overlap a shape and that the filter sees, as Scene:overlap.
+--- Cost: that of Scene:overlap, and for each model as Scene:raycast_filtered.
+--- @param filter nil: the defaults
+--- @raise status ERROR_UNSUPPORTED: for types of shapes that Scene:overlap does not take
+function Scene:overlap_filtered(shape, filter)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_scene_overlap_filtered(opened(self), kind(shape), address(shape), filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
+    end)
+end
+
+--- Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+--- Scene:overlap_batch.
+--- Cost: at most that of as many single calls; shared among workers.
+--- @param filters nil: the defaults
+--- @raise status ERROR_UNSUPPORTED: as there
+function Scene:overlap_filtered_batch(shapes, filters)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local count = common(shapes_count)
+    return ragged(uint32_t, function(out, capacity, offsets)
+        return C.gphys_scene_overlap_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, capacity, offsets)
+    end, count)
+end
+
+--- Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene:cull: a
+--- player's own head, say, is not drawn.
+--- Cost: that of Scene:cull, and for each model as Scene:raycast_filtered.
+--- @param filter nil: the defaults
+function Scene:cull_filtered(frustum, filter)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_scene_cull_filtered(opened(self), to_value(Frustum, frustum), filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
+    end)
+end
+
+--- The model nearest to a point that the filter sees, as Scene:nearest: the nearest other model, if the
+--- one at the point is left out.
+--- Cost: as Scene:raycast_filtered.
+--- @param max_distance metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+--- @param filter nil: the defaults
+--- @return nil if nothing is found.
+function Scene:nearest_filtered(point, max_distance, filter, out_nearest)
+    out_nearest = out_nearest or Nearest.new()
+    if found(C.gphys_scene_nearest_filtered(opened(self), to_value(Vec3, point), max_distance or math.huge, filter and to_desc(QueryFilterDesc, filter), out_nearest)) then return out_nearest end
+end
+
+--- The models nearest to the points that the filters see, as Scene:nearest_batch.
+--- Cost: that of as many single calls; shared among workers.
+--- @param max_distance metres, >= 0, INFINITY allowed, for all points
+--- @param filters nil: the defaults
+function Scene:nearest_filtered_batch(points, max_distance, filters, out)
+    local points, points_count, points_stride = to_array(Vec3, points)
+    local count = common(points_count)
+    out = results(Nearest, out, count)
+    check(C.gphys_scene_nearest_filtered_batch(opened(self), points, points_stride, count, max_distance or math.huge, filters and to_desc(QueryFilterDesc, filters), 0, out, Nearest.size))
+    return out
+end
+
+--- First model that a moving sphere touches and the filter sees, as Scene:sweep_sphere: the sphere may
+--- be the bound of the ignored model itself.
+--- Cost: that of Scene:sweep_sphere, and for each model as Scene:raycast_filtered.
+--- @param displacement metres; may be zero
+--- @param filter nil: the defaults
+--- @return nil if nothing is found.
+function Scene:sweep_sphere_filtered(sphere, displacement, filter, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_scene_sweep_sphere_filtered(opened(self), to_value(Sphere, sphere), to_value(Vec3, displacement), filter and to_desc(QueryFilterDesc, filter), out_hit)) then return out_hit end
+end
+
+--- First models that count moving spheres touch and the filters see, as Scene:sweep_sphere_batch.
+--- Cost: that of as many single calls; shared among workers.
+--- @param displacements metres
+--- @param filters nil: the defaults
+function Scene:sweep_sphere_filtered_batch(spheres, displacements, filters, out)
+    local spheres, spheres_count, spheres_stride = to_array(Sphere, spheres)
+    local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
+    local count = common(spheres_count, displacements_count)
+    out = results(Hit, out, count)
+    check(C.gphys_scene_sweep_sphere_filtered_batch(opened(self), spheres, spheres_stride, displacements, displacements_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    return out
+end
+
 --- How the scene's octree is made up.
 --- Cost: O(nodes).
 function Scene:get_octree_stats(out_stats)
@@ -609,6 +809,35 @@ end
 --- @param height pixels, 1e-3 .. 1e6
 function Camera:set_viewport(width, height)
     check(C.gphys_camera_set_viewport(opened(self), width, height))
+end
+
+do
+    local out_kind = int32_t.array(1)
+    local out_size = float.array(1)
+    local out_near = float.array(1)
+    local out_far = float.array(1)
+    --- How the camera projects, as it was set.
+    --- Cost: O(1).
+    --- @return what of the following was called last: Camera:set_perspective, as at creation,
+    ---     Camera:set_orthographic or Camera:set_projection. the vertical field of view in radians of a
+    ---     perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
+    ---     without a far plane; 0 of a matrix.
+    function Camera:get_projection()
+        check(C.gphys_camera_get_projection(opened(self), out_kind, out_size, out_near, out_far))
+        return out_kind[0], out_size[0], out_near[0], out_far[0]
+    end
+end
+
+do
+    local out_width = float.array(1)
+    local out_height = float.array(1)
+    --- The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
+    --- image.
+    --- Cost: O(1).
+    function Camera:get_viewport()
+        check(C.gphys_camera_get_viewport(opened(self), out_width, out_height))
+        return out_width[0], out_height[0]
+    end
 end
 
 --- Place the camera.
@@ -857,6 +1086,51 @@ end
 function Camera:cull(scene, layers)
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_camera_cull(opened(self), opened(scene), layers or ALL_LAYERS, out, capacity, total)
+    end)
+end
+
+--- The model under a pixel that the filter sees, as Camera:pick: what lies behind a selection.
+--- Cost: as Scene:raycast_filtered.
+--- @param pixel_x pixels; may lie outside the viewport
+--- @param pixel_y pixels; may lie outside the viewport
+--- @param filter nil: the defaults
+--- @return nil if nothing is found.
+function Camera:pick_filtered(scene, pixel_x, pixel_y, filter, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_camera_pick_filtered(opened(self), opened(scene), pixel_x, pixel_y, filter and to_desc(QueryFilterDesc, filter), out_hit)) then return out_hit end
+end
+
+--- The models under the pixels that the filters see, as Camera:pick_batch.
+--- Cost: at most that of as many single calls; shared among the scene's workers.
+--- @param pixels x, y pairs of floats
+--- @param filters nil: the defaults
+function Camera:pick_filtered_batch(scene, pixels, filters, out)
+    local pixels, pixels_count, pixels_stride = to_array(float, pixels, 2)
+    local count = common(pixels_count)
+    out = results(Hit, out, count)
+    check(C.gphys_camera_pick_filtered_batch(opened(self), opened(scene), pixels, pixels_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    return out
+end
+
+--- Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera:pick_rectangle.
+--- Cost: as Scene:overlap_filtered.
+--- @param x0 pixels; opposite corners, in any order
+--- @param y0 pixels; opposite corners, in any order
+--- @param x1 pixels; opposite corners, in any order
+--- @param y1 pixels; opposite corners, in any order
+--- @param filter nil: the defaults
+function Camera:pick_rectangle_filtered(scene, x0, y0, x1, y1, filter)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_camera_pick_rectangle_filtered(opened(self), opened(scene), x0, y0, x1, y1, filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
+    end)
+end
+
+--- Ids of the models to draw that the filter sees: Scene:cull_filtered with the camera's frustum.
+--- Cost: as Scene:cull_filtered.
+--- @param filter nil: the defaults
+function Camera:cull_filtered(scene, filter)
+    return list(uint32_t, function(out, capacity, total)
+        return C.gphys_camera_cull_filtered(opened(self), opened(scene), filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
     end)
 end
 

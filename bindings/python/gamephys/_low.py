@@ -50,6 +50,8 @@ SIDE_INSIDE = 1  # wholly in front of the plane, wholly inside the frustum
 DEPTH_ZERO_TO_ONE = 0  # DirectX, Vulkan, Metal, WebGPU
 DEPTH_MINUS_ONE_TO_ONE = 1  # OpenGL, WebGL
 
+FILTER_SUBTREE = 1  # ignored_model stands for its descendants, too
+
 PROJECTION_PERSPECTIVE = 0
 PROJECTION_ORTHOGRAPHIC = 1
 PROJECTION_USER = 2
@@ -361,6 +363,19 @@ model_info_dtype = dtype([("type", "<i4"), ("parent", "<u4"), ("layers", "<u4"),
 ModelInfo.dtype = model_info_dtype
 
 
+class QueryFilterDesc(Desc, Structure):
+    """Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
+    error: what asked may have been removed since."""
+    struct_size: int
+    layers: int  # a model is seen if its own mask shares a bit; default ALL_LAYERS
+    ignored_model: int  # left out; 0: none; default 0
+    flags: int  # filter values; default 0
+    ignored_models: int | None  # left out as well, in any order; read during the call; default None
+    ignored_count: int  # of ignored_models; default 0
+    reserved: int  # must be 0
+    _fields_ = [("struct_size", c_uint32), ("layers", c_uint32), ("ignored_model", c_uint32), ("flags", c_uint32), ("ignored_models", c_void_p), ("ignored_count", c_uint32), ("reserved", c_uint32)]
+
+
 class CameraDesc(Desc, Structure):
     struct_size: int
     allocator: int | None  # None: the C++ runtime's
@@ -574,10 +589,13 @@ gphys_scene_remove_subtree = function("gphys_scene_remove_subtree", c_int32, [c_
 gphys_scene_clear = function("gphys_scene_clear", c_int32, [c_void_p])
 gphys_scene_has = function("gphys_scene_has", c_int32, [c_void_p, c_uint32])
 gphys_scene_get_models = function("gphys_scene_get_models", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_get_roots = function("gphys_scene_get_roots", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_get_children = function("gphys_scene_get_children", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_scene_get_info = function("gphys_scene_get_info", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_get_shape = function("gphys_scene_get_shape", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_get_bounds = function("gphys_scene_get_bounds", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_scene_get_scene_bounds = function("gphys_scene_get_scene_bounds", c_int32, [c_void_p, c_void_p])
+gphys_scene_set_shape = function("gphys_scene_set_shape", c_int32, [c_void_p, c_uint32, c_int32, c_void_p])
 gphys_scene_set_layers = function("gphys_scene_set_layers", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_scene_set_tag = function("gphys_scene_set_tag", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_scene_set_parent = function("gphys_scene_set_parent", c_int32, [c_void_p, c_uint32, c_uint32, c_int32])
@@ -603,6 +621,22 @@ gphys_scene_sweep_sphere_batch = function("gphys_scene_sweep_sphere_batch", c_in
 gphys_scene_sweep = function("gphys_scene_sweep", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_sweep_batch = function("gphys_scene_sweep_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_scene_penetration = function("gphys_scene_penetration", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_query_filter_desc_init = function("gphys_query_filter_desc_init", c_int32, [c_void_p, c_uint32])
+gphys_scene_raycast_filtered = function("gphys_scene_raycast_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_scene_raycast_filtered_batch = function("gphys_scene_raycast_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_any_filtered = function("gphys_scene_raycast_any_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_scene_raycast_any_filtered_batch = function("gphys_scene_raycast_any_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_raycast_all_filtered = function("gphys_scene_raycast_all_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_raycast_all_filtered_batch = function("gphys_scene_raycast_all_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_segment_test_filtered = function("gphys_scene_segment_test_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_scene_segment_test_filtered_batch = function("gphys_scene_segment_test_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_overlap_filtered = function("gphys_scene_overlap_filtered", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_overlap_filtered_batch = function("gphys_scene_overlap_filtered_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_scene_cull_filtered = function("gphys_scene_cull_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_scene_nearest_filtered = function("gphys_scene_nearest_filtered", c_int32, [c_void_p, c_void_p, c_float, c_void_p, c_void_p])
+gphys_scene_nearest_filtered_batch = function("gphys_scene_nearest_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_float, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_scene_sweep_sphere_filtered = function("gphys_scene_sweep_sphere_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_scene_sweep_sphere_filtered_batch = function("gphys_scene_sweep_sphere_filtered_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
 gphys_scene_get_octree_stats = function("gphys_scene_get_octree_stats", c_int32, [c_void_p, c_void_p])
 gphys_scene_get_octree_boxes = function("gphys_scene_get_octree_boxes", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_scene_validate = function("gphys_scene_validate", c_int32, [c_void_p])
@@ -615,6 +649,8 @@ gphys_camera_set_perspective = function("gphys_camera_set_perspective", c_int32,
 gphys_camera_set_orthographic = function("gphys_camera_set_orthographic", c_int32, [c_void_p, c_float, c_float, c_float])
 gphys_camera_set_projection = function("gphys_camera_set_projection", c_int32, [c_void_p, c_void_p])
 gphys_camera_set_viewport = function("gphys_camera_set_viewport", c_int32, [c_void_p, c_float, c_float])
+gphys_camera_get_projection = function("gphys_camera_get_projection", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_camera_get_viewport = function("gphys_camera_get_viewport", c_int32, [c_void_p, c_void_p, c_void_p])
 gphys_camera_set_transform = function("gphys_camera_set_transform", c_int32, [c_void_p, c_void_p, c_void_p])
 gphys_camera_set_world_matrix = function("gphys_camera_set_world_matrix", c_int32, [c_void_p, c_void_p])
 gphys_camera_look_at = function("gphys_camera_look_at", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
@@ -642,6 +678,10 @@ gphys_camera_pick = function("gphys_camera_pick", c_int32, [c_void_p, c_void_p, 
 gphys_camera_pick_batch = function("gphys_camera_pick_batch", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_camera_pick_rectangle = function("gphys_camera_pick_rectangle", c_int32, [c_void_p, c_void_p, c_float, c_float, c_float, c_float, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_camera_cull = function("gphys_camera_cull", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_camera_pick_filtered = function("gphys_camera_pick_filtered", c_int32, [c_void_p, c_void_p, c_float, c_float, c_void_p, c_void_p])
+gphys_camera_pick_filtered_batch = function("gphys_camera_pick_filtered_batch", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_camera_pick_rectangle_filtered = function("gphys_camera_pick_rectangle_filtered", c_int32, [c_void_p, c_void_p, c_float, c_float, c_float, c_float, c_void_p, c_void_p, c_uint32, c_void_p])
+gphys_camera_cull_filtered = function("gphys_camera_cull_filtered", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_desc_init = function("gphys_solver_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_solver_create = function("gphys_solver_create", c_int32, [c_void_p, c_void_p])
 gphys_solver_destroy = function("gphys_solver_destroy", None, [c_void_p])
@@ -693,6 +733,7 @@ gphys_solver_get_hash = function("gphys_solver_get_hash", c_int32, [c_void_p, c_
 MeshDesc._init = gphys_mesh_desc_init
 SceneDesc._init = gphys_scene_desc_init
 ModelDesc._init = gphys_model_desc_init
+QueryFilterDesc._init = gphys_query_filter_desc_init
 CameraDesc._init = gphys_camera_desc_init
 SolverDesc._init = gphys_solver_desc_init
 BodyDesc._init = gphys_body_desc_init

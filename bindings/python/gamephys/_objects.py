@@ -211,6 +211,16 @@ class Scene(Models):
         Cost: O(n)."""
         return list_of(low.gphys_scene_get_models, (self._handle,), "<u4")
 
+    def get_roots(self) -> np.ndarray:
+        """Ids of all models without a parent, ascending.
+        Cost: O(n)."""
+        return list_of(low.gphys_scene_get_roots, (self._handle,), "<u4")
+
+    def get_children(self, model: int) -> np.ndarray:
+        """Ids of the models that hang directly below one, ascending.
+        Cost: O(k log k)."""
+        return list_of(low.gphys_scene_get_children, (self._handle, model,), "<u4")
+
     def get_info(self, model: int) -> low.ModelInfo:
         """Kind, parent, layers, tag and number of children of a model.
         Cost: O(1)."""
@@ -236,6 +246,24 @@ class Scene(Models):
             None if there are none."""
         out_bounds = low.Aabb()
         return out_bounds if found(low.gphys_scene_get_scene_bounds(self._handle, ctypes.byref(out_bounds))) else None
+
+    def set_shape(self, model: int, shape: Shape) -> None:
+        """Give a model another shape, or another mesh, of any type that Scene.add takes: a character
+        crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and
+        transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as
+        they do of any solid.
+        Cost: as Scene.set_transform of a model without children, whatever the size of a mesh.
+
+        Args:
+            shape, shape: as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds
+                the new mesh and no longer the old one, which may be the same.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for a frustum, ray or segment
+            InvalidArgument: also if the model would leave the range of the world
+            OutOfMemory:"""
+        type_, shape_ = shape_of(shape)
+        check(low.gphys_scene_set_shape(self._handle, model, type_, shape_.address))
 
     def set_layers(self, model: int, layers: int = low.ALL_LAYERS) -> None:
         """Change which queries see a model: those with a mask m of which layers & m is not 0. Children are
@@ -521,6 +549,214 @@ class Scene(Models):
         type_, shape_ = shape_of(shape)
         return list_of(low.gphys_scene_penetration, (self._handle, type_, shape_.address, layers,), low.penetration_dtype)
 
+    def raycast_filtered(self, ray: low.Ray | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+        """Closest model on a ray that the filter sees, as Scene.raycast.
+        Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
+        reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children;
+        of m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m).
+        Whether they are takes O(m) a call.
+
+        Args:
+            filter: None: the defaults
+
+        Returns:
+            None if nothing is found.
+
+        Raises:
+            InvalidArgument: for unknown flags, or ignored_models None with an ignored_count above 0"""
+        ray_ = value_of(ray, low.Ray)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        out_hit = low.Hit()
+        return out_hit if found(low.gphys_scene_raycast_filtered(self._handle, ray_.address, filter_.address, ctypes.byref(out_hit))) else None
+
+    def raycast_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Closest models on the rays that the filters see, as Scene.raycast_batch.
+        Cost: at most that of as many calls of Scene.raycast_filtered; shared among workers.
+
+        Args:
+            filters: None: the defaults"""
+        rays_ = array_of(rays, low.ray_dtype)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(rays_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_scene_raycast_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        return out_.array
+
+    def raycast_any_filtered(self, ray: low.Ray | Sequence, filter: low.QueryFilterDesc | None = None) -> bool:
+        """Whether a ray meets anything that the filter sees, as Scene.raycast_any: line of sight between
+        two models that both are left out.
+        Cost: as Scene.raycast_filtered.
+
+        Args:
+            filter: None: the defaults"""
+        ray_ = value_of(ray, low.Ray)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        out_hit = ctypes.c_int32()
+        check(low.gphys_scene_raycast_any_filtered(self._handle, ray_.address, filter_.address, ctypes.byref(out_hit)))
+        return bool(out_hit.value)
+
+    def raycast_any_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Whether each of the rays meets anything that its filter sees, as Scene.raycast_any_batch.
+        Cost: at most that of as many single calls; shared among workers.
+
+        Args:
+            filters: None: the defaults"""
+        rays_ = array_of(rays, low.ray_dtype)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(rays_)
+        out_ = result_array(out, count, "<i4")
+        check(low.gphys_scene_raycast_any_filtered_batch(self._handle, rays_.address, rays_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        return out_.array
+
+    def raycast_all_filtered(self, ray: low.Ray | Sequence, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+        """Every model that a ray meets and the filter sees, as Scene.raycast_all.
+        Cost: that of Scene.raycast_all, and for each model as Scene.raycast_filtered.
+
+        Args:
+            filter: None: the defaults"""
+        ray_ = value_of(ray, low.Ray)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        return list_of(low.gphys_scene_raycast_all_filtered, (self._handle, ray_.address, filter_.address,), low.hit_dtype)
+
+    def raycast_all_filtered_batch(self, rays: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Every model that each of the rays meets and its filter sees, as Scene.raycast_all_batch.
+        Cost: that of as many single calls; shared among workers.
+
+        Args:
+            filters: None: the defaults"""
+        rays_ = array_of(rays, low.ray_dtype)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(rays_)
+        return ragged_of(low.gphys_scene_raycast_all_filtered_batch, (self._handle, rays_.address, rays_.stride, count, filters_.address, 0,), low.hit_dtype, count)
+
+    def segment_test_filtered(self, segment: low.Segment | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+        """Closest model along a segment that the filter sees, as Scene.segment_test.
+        Cost: as Scene.raycast_filtered.
+
+        Args:
+            filter: None: the defaults
+
+        Returns:
+            None if nothing is found."""
+        segment_ = value_of(segment, low.Segment)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        out_hit = low.Hit()
+        return out_hit if found(low.gphys_scene_segment_test_filtered(self._handle, segment_.address, filter_.address, ctypes.byref(out_hit))) else None
+
+    def segment_test_filtered_batch(self, segments: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Closest models along the segments that the filters see, as Scene.segment_test_batch.
+        Cost: that of as many single calls; shared among workers.
+
+        Args:
+            filters: None: the defaults"""
+        segments_ = array_of(segments, low.segment_dtype)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(segments_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_scene_segment_test_filtered_batch(self._handle, segments_.address, segments_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        return out_.array
+
+    def overlap_filtered(self, shape: Shape, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+        """Ids of all models that overlap a shape and that the filter sees, as Scene.overlap.
+        Cost: that of Scene.overlap, and for each model as Scene.raycast_filtered.
+
+        Args:
+            filter: None: the defaults
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for types of shapes that Scene.overlap does not take"""
+        type_, shape_ = shape_of(shape)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        return list_of(low.gphys_scene_overlap_filtered, (self._handle, type_, shape_.address, filter_.address,), "<u4")
+
+    def overlap_filtered_batch(self, shapes: ArrayLike, filters: low.QueryFilterDesc | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+        Scene.overlap_batch.
+        Cost: at most that of as many single calls; shared among workers.
+
+        Args:
+            filters: None: the defaults
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: as there"""
+        type_, shapes_ = shapes_of(shapes)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(shapes_)
+        return ragged_of(low.gphys_scene_overlap_filtered_batch, (self._handle, type_, shapes_.address, shapes_.stride, count, filters_.address, 0,), "<u4", count)
+
+    def cull_filtered(self, frustum: low.Frustum | Sequence, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+        """Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene.cull: a
+        player's own head, say, is not drawn.
+        Cost: that of Scene.cull, and for each model as Scene.raycast_filtered.
+
+        Args:
+            filter: None: the defaults"""
+        frustum_ = value_of(frustum, low.Frustum)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        return list_of(low.gphys_scene_cull_filtered, (self._handle, frustum_.address, filter_.address,), "<u4")
+
+    def nearest_filtered(self, point: low.Vec3 | Sequence, max_distance: float = float("inf"), filter: low.QueryFilterDesc | None = None) -> low.Nearest | None:
+        """The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if
+        the one at the point is left out.
+        Cost: as Scene.raycast_filtered.
+
+        Args:
+            max_distance: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+            filter: None: the defaults
+
+        Returns:
+            None if nothing is found."""
+        point_ = value_of(point, low.Vec3)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        out_nearest = low.Nearest()
+        return out_nearest if found(low.gphys_scene_nearest_filtered(self._handle, point_.address, max_distance, filter_.address, ctypes.byref(out_nearest))) else None
+
+    def nearest_filtered_batch(self, points: ArrayLike, max_distance: float = float("inf"), filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """The models nearest to the points that the filters see, as Scene.nearest_batch.
+        Cost: that of as many single calls; shared among workers.
+
+        Args:
+            max_distance: metres, >= 0, INFINITY allowed, for all points
+            filters: None: the defaults"""
+        points_ = array_of(points, low.vec3_dtype)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(points_)
+        out_ = result_array(out, count, low.nearest_dtype)
+        check(low.gphys_scene_nearest_filtered_batch(self._handle, points_.address, points_.stride, count, max_distance, filters_.address, 0, out_.address, out_.stride))
+        return out_.array
+
+    def sweep_sphere_filtered(self, sphere: low.Sphere | Sequence, displacement: low.Vec3 | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+        """First model that a moving sphere touches and the filter sees, as Scene.sweep_sphere: the sphere
+        may be the bound of the ignored model itself.
+        Cost: that of Scene.sweep_sphere, and for each model as Scene.raycast_filtered.
+
+        Args:
+            displacement: metres; may be zero
+            filter: None: the defaults
+
+        Returns:
+            None if nothing is found."""
+        sphere_ = value_of(sphere, low.Sphere)
+        displacement_ = value_of(displacement, low.Vec3)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        out_hit = low.Hit()
+        return out_hit if found(low.gphys_scene_sweep_sphere_filtered(self._handle, sphere_.address, displacement_.address, filter_.address, ctypes.byref(out_hit))) else None
+
+    def sweep_sphere_filtered_batch(self, spheres: ArrayLike, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """First models that count moving spheres touch and the filters see, as Scene.sweep_sphere_batch.
+        Cost: that of as many single calls; shared among workers.
+
+        Args:
+            displacements: metres
+            filters: None: the defaults"""
+        spheres_ = array_of(spheres, low.sphere_dtype)
+        displacements_ = array_of(displacements, low.vec3_dtype)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(spheres_, displacements_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_scene_sweep_sphere_filtered_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        return out_.array
+
     def get_octree_stats(self) -> low.OctreeStats:
         """How the scene's octree is made up.
         Cost: O(nodes)."""
@@ -616,6 +852,31 @@ class Camera(Object):
         Args:
             width, height: pixels, 1e-3 .. 1e6"""
         check(low.gphys_camera_set_viewport(self._handle, width, height))
+
+    def get_projection(self) -> tuple[int, float, float, float]:
+        """How the camera projects, as it was set.
+        Cost: O(1).
+
+        Returns:
+            what of the following was called last: Camera.set_perspective, as at creation,
+                Camera.set_orthographic or Camera.set_projection. the vertical field of view in radians
+                of a perspective, the height in metres of an orthographic projection, 0 of a matrix.
+                metres; INFINITY without a far plane; 0 of a matrix."""
+        out_kind = ctypes.c_int32()
+        out_size = ctypes.c_float()
+        out_near = ctypes.c_float()
+        out_far = ctypes.c_float()
+        check(low.gphys_camera_get_projection(self._handle, ctypes.byref(out_kind), ctypes.byref(out_size), ctypes.byref(out_near), ctypes.byref(out_far)))
+        return out_kind.value, out_size.value, out_near.value, out_far.value
+
+    def get_viewport(self) -> tuple[float, float]:
+        """The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of
+        the image.
+        Cost: O(1)."""
+        out_width = ctypes.c_float()
+        out_height = ctypes.c_float()
+        check(low.gphys_camera_get_viewport(self._handle, ctypes.byref(out_width), ctypes.byref(out_height)))
+        return out_width.value, out_height.value
 
     def set_transform(self, position: low.Vec3 | Sequence, rotation: low.Quat | Sequence) -> None:
         """Place the camera.
@@ -884,6 +1145,54 @@ class Camera(Object):
         """Ids of the models to draw: Scene.cull with the camera's frustum.
         Cost: O(log n + k) expected."""
         return list_of(low.gphys_camera_cull, (self._handle, handle_of(scene, Scene), layers,), "<u4")
+
+    def pick_filtered(self, scene: Scene | None, pixel_x: float, pixel_y: float, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+        """The model under a pixel that the filter sees, as Camera.pick: what lies behind a selection.
+        Cost: as Scene.raycast_filtered.
+
+        Args:
+            pixel_x, pixel_y: pixels; may lie outside the viewport
+            filter: None: the defaults
+
+        Returns:
+            None if nothing is found."""
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        out_hit = low.Hit()
+        return out_hit if found(low.gphys_camera_pick_filtered(self._handle, handle_of(scene, Scene), pixel_x, pixel_y, filter_.address, ctypes.byref(out_hit))) else None
+
+    def pick_filtered_batch(self, scene: Scene | None, pixels: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """The models under the pixels that the filters see, as Camera.pick_batch.
+        Cost: at most that of as many single calls; shared among the scene's workers.
+
+        Args:
+            pixels: x, y pairs of floats
+            filters: None: the defaults"""
+        pixels_ = array_of(pixels, "<f4", 2)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(pixels_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_camera_pick_filtered_batch(self._handle, handle_of(scene, Scene), pixels_.address, pixels_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        return out_.array
+
+    def pick_rectangle_filtered(self, scene: Scene | None, x0: float, y0: float, x1: float, y1: float, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+        """Marquee: ids of all models in the pixel rectangle that the filter sees, as
+        Camera.pick_rectangle.
+        Cost: as Scene.overlap_filtered.
+
+        Args:
+            x0, y0, x1, y1: pixels; opposite corners, in any order
+            filter: None: the defaults"""
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        return list_of(low.gphys_camera_pick_rectangle_filtered, (self._handle, handle_of(scene, Scene), x0, y0, x1, y1, filter_.address,), "<u4")
+
+    def cull_filtered(self, scene: Scene | None, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+        """Ids of the models to draw that the filter sees: Scene.cull_filtered with the camera's frustum.
+        Cost: as Scene.cull_filtered.
+
+        Args:
+            filter: None: the defaults"""
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        return list_of(low.gphys_camera_cull_filtered, (self._handle, handle_of(scene, Scene), filter_.address,), "<u4")
 
 
 

@@ -93,6 +93,13 @@ impl Default for ModelDesc {
     }
 }
 
+impl Default for QueryFilterDesc {
+    /// The defaults of the loaded library.
+    fn default() -> QueryFilterDesc {
+        initialized(|desc| unsafe { sys::gphys_query_filter_desc_init(desc, std::mem::size_of::<QueryFilterDesc>() as u32) })
+    }
+}
+
 impl Default for CameraDesc {
     /// The defaults of the loaded library.
     fn default() -> CameraDesc {
@@ -397,6 +404,20 @@ impl Scene {
         list(|out_models, capacity, total| unsafe { sys::gphys_scene_get_models(self.handle.as_ptr(), out_models, capacity, total) })
     }
 
+    /// Ids of all models without a parent, ascending.
+    ///
+    /// Cost: O(n).
+    pub fn get_roots(&self) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_scene_get_roots(self.handle.as_ptr(), out_models, capacity, total) })
+    }
+
+    /// Ids of the models that hang directly below one, ascending.
+    ///
+    /// Cost: O(k log k).
+    pub fn get_children(&self, model: ModelId) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_scene_get_children(self.handle.as_ptr(), model, out_models, capacity, total) })
+    }
+
     /// Kind, parent, layers, tag and number of children of a model.
     ///
     /// Cost: O(1).
@@ -425,6 +446,24 @@ impl Scene {
     pub fn get_scene_bounds(&self) -> Result<Option<Aabb>> {
         let mut out_bounds = Aabb::default();
         Ok(found(unsafe { sys::gphys_scene_get_scene_bounds(self.handle.as_ptr(), &mut out_bounds) })?.then_some(out_bounds))
+    }
+
+    /// Give a model another shape, or another mesh, of any type that `Scene::add` takes: a character
+    /// crouches, a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and
+    /// transforms stay. Sleeping bodies near it wake, and particles that are inside then come out as they
+    /// do of any solid.
+    ///
+    /// Cost: as `Scene::set_transform` of a model without children, whatever the size of a mesh.
+    ///
+    /// * `shape`, `shape`: as in `Scene::add`: a struct, copied, or a mesh with `ShapeType::MESH`. The
+    ///   scene holds the new mesh and no longer the old one, which may be the same.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for a frustum, ray or segment
+    /// * `Status::ERROR_INVALID_ARGUMENT`: also if the model would leave the range of the world
+    /// * `Status::ERROR_OUT_OF_MEMORY`:
+    pub fn set_shape(&mut self, model: ModelId, shape: &dyn Shape) -> Result<()> {
+        check(unsafe { sys::gphys_scene_set_shape(self.handle.as_ptr(), model, shape.shape_type(), shape.pointer()) })
     }
 
     /// Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
@@ -732,6 +771,204 @@ impl Scene {
         list(|out_penetrations, capacity, total| unsafe { sys::gphys_scene_penetration(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), layers, out_penetrations, capacity, total) })
     }
 
+    /// Closest model on a ray that the filter sees, as `Scene::raycast`.
+    ///
+    /// Cost: that of `Scene::raycast` for one ignored model. For each model that is met within the ray's
+    /// reach, besides: O(its depth below its root) with `FILTER_SUBTREE` if ignored_model has children; of
+    /// m ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
+    /// they are takes O(m) a call.
+    ///
+    /// * `filter`: None: the defaults
+    ///
+    /// Returns `None` if nothing is found.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: for unknown flags, or ignored_models None with an ignored_count
+    ///   above 0
+    pub fn raycast_filtered(&self, ray: &Ray, filter: Option<&QueryFilterDesc>) -> Result<Option<Hit>> {
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_scene_raycast_filtered(self.handle.as_ptr(), ray, pointer(filter), &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// Closest models on the rays that the filters see, as `Scene::raycast_batch`.
+    ///
+    /// Cost: at most that of as many calls of `Scene::raycast_filtered`; shared among workers.
+    ///
+    /// * `filters`: None: the defaults
+    pub fn raycast_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let rays = rays.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[rays.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_raycast_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+    }
+
+    /// Whether a ray meets anything that the filter sees, as `Scene::raycast_any`: line of sight between
+    /// two models that both are left out.
+    ///
+    /// Cost: as `Scene::raycast_filtered`.
+    ///
+    /// * `filter`: None: the defaults
+    pub fn raycast_any_filtered(&self, ray: &Ray, filter: Option<&QueryFilterDesc>) -> Result<bool> {
+        let mut out_hit = i32::default();
+        check(unsafe { sys::gphys_scene_raycast_any_filtered(self.handle.as_ptr(), ray, pointer(filter), &mut out_hit) })?;
+        Ok(out_hit != 0)
+    }
+
+    /// Whether each of the rays meets anything that its filter sees, as `Scene::raycast_any_batch`.
+    ///
+    /// Cost: at most that of as many single calls; shared among workers.
+    ///
+    /// * `filters`: None: the defaults
+    pub fn raycast_any_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, i32>>) -> Result<()> {
+        let rays = rays.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[rays.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_raycast_any_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+    }
+
+    /// Every model that a ray meets and the filter sees, as `Scene::raycast_all`.
+    ///
+    /// Cost: that of `Scene::raycast_all`, and for each model as `Scene::raycast_filtered`.
+    ///
+    /// * `filter`: None: the defaults
+    pub fn raycast_all_filtered(&self, ray: &Ray, filter: Option<&QueryFilterDesc>) -> Result<Vec<Hit>> {
+        list(|out_hits, capacity, total| unsafe { sys::gphys_scene_raycast_all_filtered(self.handle.as_ptr(), ray, pointer(filter), out_hits, capacity, total) })
+    }
+
+    /// Every model that each of the rays meets and its filter sees, as `Scene::raycast_all_batch`.
+    ///
+    /// Cost: that of as many single calls; shared among workers.
+    ///
+    /// * `filters`: None: the defaults
+    pub fn raycast_all_filtered_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, filters: Option<&QueryFilterDesc>) -> Result<Ragged<Hit>> {
+        let rays = rays.into();
+        let count = common_length(&[rays.length])?;
+        ragged(count, |out_hits, capacity, offsets| unsafe { sys::gphys_scene_raycast_all_filtered_batch(self.handle.as_ptr(), rays.data, rays.stride, count, pointer(filters), 0, out_hits, capacity, offsets) })
+    }
+
+    /// Closest model along a segment that the filter sees, as `Scene::segment_test`.
+    ///
+    /// Cost: as `Scene::raycast_filtered`.
+    ///
+    /// * `filter`: None: the defaults
+    ///
+    /// Returns `None` if nothing is found.
+    pub fn segment_test_filtered(&self, segment: &Segment, filter: Option<&QueryFilterDesc>) -> Result<Option<Hit>> {
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_scene_segment_test_filtered(self.handle.as_ptr(), segment, pointer(filter), &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// Closest models along the segments that the filters see, as `Scene::segment_test_batch`.
+    ///
+    /// Cost: that of as many single calls; shared among workers.
+    ///
+    /// * `filters`: None: the defaults
+    pub fn segment_test_filtered_batch<'a>(&self, segments: impl Into<Batch<'a, Segment>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let segments = segments.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[segments.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_segment_test_filtered_batch(self.handle.as_ptr(), segments.data, segments.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+    }
+
+    /// Ids of all models that overlap a shape and that the filter sees, as `Scene::overlap`.
+    ///
+    /// Cost: that of `Scene::overlap`, and for each model as `Scene::raycast_filtered`.
+    ///
+    /// * `filter`: None: the defaults
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for types of shapes that `Scene::overlap` does not take
+    pub fn overlap_filtered(&self, shape: &dyn Shape, filter: Option<&QueryFilterDesc>) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_scene_overlap_filtered(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), pointer(filter), out_models, capacity, total) })
+    }
+
+    /// Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+    /// `Scene::overlap_batch`.
+    ///
+    /// Cost: at most that of as many single calls; shared among workers.
+    ///
+    /// * `filters`: None: the defaults
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: as there
+    pub fn overlap_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, filters: Option<&QueryFilterDesc>) -> Result<Ragged<ModelId>> {
+        let shapes = shapes.into();
+        let count = common_length(&[shapes.length])?;
+        ragged(count, |out_models, capacity, offsets| unsafe { sys::gphys_scene_overlap_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, count, pointer(filters), 0, out_models, capacity, offsets) })
+    }
+
+    /// Ids of all models in a frustum, by their world boxes, that the filter sees, as `Scene::cull`: a
+    /// player's own head, say, is not drawn.
+    ///
+    /// Cost: that of `Scene::cull`, and for each model as `Scene::raycast_filtered`.
+    ///
+    /// * `filter`: None: the defaults
+    pub fn cull_filtered(&self, frustum: &Frustum, filter: Option<&QueryFilterDesc>) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_scene_cull_filtered(self.handle.as_ptr(), frustum, pointer(filter), out_models, capacity, total) })
+    }
+
+    /// The model nearest to a point that the filter sees, as `Scene::nearest`: the nearest other model, if
+    /// the one at the point is left out.
+    ///
+    /// Cost: as `Scene::raycast_filtered`.
+    ///
+    /// * `max_distance`: metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+    /// * `filter`: None: the defaults
+    ///
+    /// Returns `None` if nothing is found.
+    pub fn nearest_filtered(&self, point: impl Into<Vec3>, max_distance: f32, filter: Option<&QueryFilterDesc>) -> Result<Option<Nearest>> {
+        let point = &point.into();
+        let mut out_nearest = Nearest::default();
+        Ok(found(unsafe { sys::gphys_scene_nearest_filtered(self.handle.as_ptr(), point, max_distance, pointer(filter), &mut out_nearest) })?.then_some(out_nearest))
+    }
+
+    /// The models nearest to the points that the filters see, as `Scene::nearest_batch`.
+    ///
+    /// Cost: that of as many single calls; shared among workers.
+    ///
+    /// * `max_distance`: metres, >= 0, INFINITY allowed, for all points
+    /// * `filters`: None: the defaults
+    pub fn nearest_filtered_batch<'a>(&self, points: impl Into<Batch<'a, Vec3>>, max_distance: f32, filters: Option<&QueryFilterDesc>, out_nearest: impl Into<BatchMut<'a, Nearest>>) -> Result<()> {
+        let points = points.into();
+        let out_nearest = out_nearest.into();
+        let count = common_length(&[points.length])?;
+        out_nearest.require(count.into())?;
+        check(unsafe { sys::gphys_scene_nearest_filtered_batch(self.handle.as_ptr(), points.data, points.stride, count, max_distance, pointer(filters), 0, out_nearest.data, out_nearest.stride) })
+    }
+
+    /// First model that a moving sphere touches and the filter sees, as `Scene::sweep_sphere`: the sphere
+    /// may be the bound of the ignored model itself.
+    ///
+    /// Cost: that of `Scene::sweep_sphere`, and for each model as `Scene::raycast_filtered`.
+    ///
+    /// * `displacement`: metres; may be zero
+    /// * `filter`: None: the defaults
+    ///
+    /// Returns `None` if nothing is found.
+    pub fn sweep_sphere_filtered(&self, sphere: &Sphere, displacement: impl Into<Vec3>, filter: Option<&QueryFilterDesc>) -> Result<Option<Hit>> {
+        let displacement = &displacement.into();
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_scene_sweep_sphere_filtered(self.handle.as_ptr(), sphere, displacement, pointer(filter), &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// First models that count moving spheres touch and the filters see, as `Scene::sweep_sphere_batch`.
+    ///
+    /// Cost: that of as many single calls; shared among workers.
+    ///
+    /// * `displacements`: metres
+    /// * `filters`: None: the defaults
+    pub fn sweep_sphere_filtered_batch<'a>(&self, spheres: impl Into<Batch<'a, Sphere>>, displacements: impl Into<Batch<'a, Vec3>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let spheres = spheres.into();
+        let displacements = displacements.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[spheres.length, displacements.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_sweep_sphere_filtered_batch(self.handle.as_ptr(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+    }
+
     /// How the scene's octree is made up.
     ///
     /// Cost: O(nodes).
@@ -852,6 +1089,34 @@ impl Camera {
     /// * `width`, `height`: pixels, 1e-3 .. 1e6
     pub fn set_viewport(&mut self, width: f32, height: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_viewport(self.handle.as_ptr(), width, height) })
+    }
+
+    /// How the camera projects, as it was set.
+    ///
+    /// Cost: O(1).
+    ///
+    /// Returns what of the following was called last: `Camera::set_perspective`, as at creation,
+    /// `Camera::set_orthographic` or `Camera::set_projection`. the vertical field of view in radians of a
+    /// perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
+    /// without a far plane; 0 of a matrix.
+    pub fn get_projection(&self) -> Result<(Projection, f32, f32, f32)> {
+        let mut out_kind = Projection::default();
+        let mut out_size = f32::default();
+        let mut out_near = f32::default();
+        let mut out_far = f32::default();
+        check(unsafe { sys::gphys_camera_get_projection(self.handle.as_ptr(), &mut out_kind, &mut out_size, &mut out_near, &mut out_far) })?;
+        Ok((out_kind, out_size, out_near, out_far))
+    }
+
+    /// The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
+    /// image.
+    ///
+    /// Cost: O(1).
+    pub fn get_viewport(&self) -> Result<(f32, f32)> {
+        let mut out_width = f32::default();
+        let mut out_height = f32::default();
+        check(unsafe { sys::gphys_camera_get_viewport(self.handle.as_ptr(), &mut out_width, &mut out_height) })?;
+        Ok((out_width, out_height))
     }
 
     /// Place the camera.
@@ -1153,6 +1418,52 @@ impl Camera {
     /// Cost: O(log n + k) expected.
     pub fn cull(&self, scene: &Scene, layers: u32) -> Result<Vec<ModelId>> {
         list(|out_models, capacity, total| unsafe { sys::gphys_camera_cull(self.handle.as_ptr(), scene.handle.as_ptr(), layers, out_models, capacity, total) })
+    }
+
+    /// The model under a pixel that the filter sees, as `Camera::pick`: what lies behind a selection.
+    ///
+    /// Cost: as `Scene::raycast_filtered`.
+    ///
+    /// * `pixel_x`, `pixel_y`: pixels; may lie outside the viewport
+    /// * `filter`: None: the defaults
+    ///
+    /// Returns `None` if nothing is found.
+    pub fn pick_filtered(&self, scene: &Scene, pixel_x: f32, pixel_y: f32, filter: Option<&QueryFilterDesc>) -> Result<Option<Hit>> {
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_camera_pick_filtered(self.handle.as_ptr(), scene.handle.as_ptr(), pixel_x, pixel_y, pointer(filter), &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// The models under the pixels that the filters see, as `Camera::pick_batch`.
+    ///
+    /// Cost: at most that of as many single calls; shared among the scene's workers.
+    ///
+    /// * `pixels`: x, y pairs of floats
+    /// * `filters`: None: the defaults
+    pub fn pick_filtered_batch<'a>(&self, scene: &Scene, pixels: impl Into<Batch<'a, [f32; 2]>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let pixels = pixels.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[pixels.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_camera_pick_filtered_batch(self.handle.as_ptr(), scene.handle.as_ptr(), pixels.data, pixels.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+    }
+
+    /// Marquee: ids of all models in the pixel rectangle that the filter sees, as `Camera::pick_rectangle`.
+    ///
+    /// Cost: as `Scene::overlap_filtered`.
+    ///
+    /// * `x0`, `y0`, `x1`, `y1`: pixels; opposite corners, in any order
+    /// * `filter`: None: the defaults
+    pub fn pick_rectangle_filtered(&self, scene: &Scene, x0: f32, y0: f32, x1: f32, y1: f32, filter: Option<&QueryFilterDesc>) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_camera_pick_rectangle_filtered(self.handle.as_ptr(), scene.handle.as_ptr(), x0, y0, x1, y1, pointer(filter), out_models, capacity, total) })
+    }
+
+    /// Ids of the models to draw that the filter sees: `Scene::cull_filtered` with the camera's frustum.
+    ///
+    /// Cost: as `Scene::cull_filtered`.
+    ///
+    /// * `filter`: None: the defaults
+    pub fn cull_filtered(&self, scene: &Scene, filter: Option<&QueryFilterDesc>) -> Result<Vec<ModelId>> {
+        list(|out_models, capacity, total| unsafe { sys::gphys_camera_cull_filtered(self.handle.as_ptr(), scene.handle.as_ptr(), pointer(filter), out_models, capacity, total) })
     }
 
 }

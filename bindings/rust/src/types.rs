@@ -99,6 +99,9 @@ impl DepthRange {
     pub const MINUS_ONE_TO_ONE: DepthRange = DepthRange(1);
 }
 
+/// ignored_model stands for its descendants, too
+pub const FILTER_SUBTREE: u32 = 1;
+
 /// A later library may have values that are not listed here.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -472,6 +475,26 @@ pub struct ModelInfo {
     pub child_count: u32,
 }
 
+/// Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
+/// error: what asked may have been removed since.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct QueryFilterDesc {
+    pub struct_size: Size<QueryFilterDesc>,
+    /// a model is seen if its own mask shares a bit; default `ALL_LAYERS`
+    pub layers: u32,
+    /// left out; 0: none; default 0
+    pub ignored_model: ModelId,
+    /// filter values; default 0
+    pub flags: u32,
+    /// left out as well, in any order; read during the call; default None
+    pub ignored_models: Hook<ModelId>,
+    /// of ignored_models; default 0
+    pub ignored_count: u32,
+    /// must be 0
+    pub reserved: u32,
+}
+
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct CameraDesc {
@@ -706,6 +729,7 @@ const _: () = {
     assert!(std::mem::size_of::<SceneDesc>() == 40);
     assert!(std::mem::size_of::<ModelDesc>() == 16);
     assert!(std::mem::size_of::<ModelInfo>() == 20);
+    assert!(std::mem::size_of::<QueryFilterDesc>() == 32);
     assert!(std::mem::size_of::<CameraDesc>() == 40);
     assert!(std::mem::size_of::<Orbit>() == 60);
     assert!(std::mem::size_of::<SolverDesc>() == 80);
@@ -744,6 +768,7 @@ const _: () = {
     assert!(std::mem::size_of::<SceneDesc>() == 24);
     assert!(std::mem::size_of::<ModelDesc>() == 16);
     assert!(std::mem::size_of::<ModelInfo>() == 20);
+    assert!(std::mem::size_of::<QueryFilterDesc>() == 28);
     assert!(std::mem::size_of::<CameraDesc>() == 32);
     assert!(std::mem::size_of::<Orbit>() == 60);
     assert!(std::mem::size_of::<SolverDesc>() == 68);
@@ -902,6 +927,15 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).tag) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).child_count) } as usize - p as usize, 16);
+    let s = std::mem::MaybeUninit::<QueryFilterDesc>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).ignored_model) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).flags) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).ignored_models) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).ignored_count) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).reserved) } as usize - p as usize, 28);
     let s = std::mem::MaybeUninit::<CameraDesc>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);

@@ -16,6 +16,10 @@ module Gamephys
       layout :struct_size, :uint32, :parent, :uint32, :layers, :uint32, :tag, :uint32
     end
 
+    class QueryFilterDesc < FFI::Struct
+      layout :struct_size, :uint32, :layers, :uint32, :ignored_model, :uint32, :flags, :uint32, :ignored_models, :pointer, :ignored_count, :uint32, :reserved, :uint32
+    end
+
     class CameraDesc < FFI::Struct
       layout :struct_size, :uint32, :allocator, :pointer, :handedness, :int32, :depth_range, :int32, :reverse_z, :int32, :viewport_width, :float, :viewport_height, :float, :reserved, :uint32
     end
@@ -77,10 +81,13 @@ module Gamephys
     attach_function :gphys_scene_clear, [:pointer], :int32
     attach_function :gphys_scene_has, [:pointer, :uint32], :int32
     attach_function :gphys_scene_get_models, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_get_roots, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_get_children, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_info, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_shape, [:pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_get_bounds, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_get_scene_bounds, [:pointer, :pointer], :int32
+    attach_function :gphys_scene_set_shape, [:pointer, :uint32, :int32, :pointer], :int32
     attach_function :gphys_scene_set_layers, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_scene_set_tag, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_scene_set_parent, [:pointer, :uint32, :uint32, :int32], :int32
@@ -106,6 +113,22 @@ module Gamephys
     attach_function :gphys_scene_sweep, [:pointer, :int32, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_sweep_batch, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_penetration, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_query_filter_desc_init, [:pointer, :uint32], :int32
+    attach_function :gphys_scene_raycast_filtered, [:pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_scene_raycast_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_raycast_any_filtered, [:pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_scene_raycast_any_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_raycast_all_filtered, [:pointer, :pointer, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_raycast_all_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_segment_test_filtered, [:pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_scene_segment_test_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_overlap_filtered, [:pointer, :int32, :pointer, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_overlap_filtered_batch, [:pointer, :int32, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_cull_filtered, [:pointer, :pointer, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_nearest_filtered, [:pointer, :pointer, :float, :pointer, :pointer], :int32
+    attach_function :gphys_scene_nearest_filtered_batch, [:pointer, :pointer, :uint32, :uint32, :float, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_scene_sweep_sphere_filtered, [:pointer, :pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_scene_sweep_sphere_filtered_batch, [:pointer, :pointer, :uint32, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_scene_get_octree_stats, [:pointer, :pointer], :int32
     attach_function :gphys_scene_get_octree_boxes, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_validate, [:pointer], :int32
@@ -118,6 +141,8 @@ module Gamephys
     attach_function :gphys_camera_set_orthographic, [:pointer, :float, :float, :float], :int32
     attach_function :gphys_camera_set_projection, [:pointer, :pointer], :int32
     attach_function :gphys_camera_set_viewport, [:pointer, :float, :float], :int32
+    attach_function :gphys_camera_get_projection, [:pointer, :pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_get_viewport, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_set_transform, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_set_world_matrix, [:pointer, :pointer], :int32
     attach_function :gphys_camera_look_at, [:pointer, :pointer, :pointer, :pointer], :int32
@@ -145,6 +170,10 @@ module Gamephys
     attach_function :gphys_camera_pick_batch, [:pointer, :pointer, :pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_camera_pick_rectangle, [:pointer, :pointer, :float, :float, :float, :float, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_camera_cull, [:pointer, :pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_camera_pick_filtered, [:pointer, :pointer, :float, :float, :pointer, :pointer], :int32
+    attach_function :gphys_camera_pick_filtered_batch, [:pointer, :pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_camera_pick_rectangle_filtered, [:pointer, :pointer, :float, :float, :float, :float, :pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_camera_cull_filtered, [:pointer, :pointer, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_solver_create, [:pointer, :pointer], :int32
     attach_function :gphys_solver_destroy, [:pointer], :void

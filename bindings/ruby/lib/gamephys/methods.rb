@@ -193,6 +193,18 @@ module Gamephys
       Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_models(opened, out, capacity, total) }
     end
 
+    # Ids of all models without a parent, ascending.
+    # Cost: O(n).
+    def get_roots
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_roots(opened, out, capacity, total) }
+    end
+
+    # Ids of the models that hang directly below one, ascending.
+    # Cost: O(k log k).
+    def get_children(model)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_get_children(opened, model, out, capacity, total) }
+    end
+
     # Kind, parent, layers, tag and number of children of a model.
     # Cost: O(1).
     def get_info(model)
@@ -216,6 +228,22 @@ module Gamephys
     def get_scene_bounds
       out_bounds = Aabb.room
       Aabb.unpack(out_bounds) if Low.found(Low.gphys_scene_get_scene_bounds(opened, out_bounds))
+    end
+
+    # Give a model another shape, or another mesh, of any type that Scene#add takes: a character crouches,
+    # a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
+    # Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+    # Cost: as Scene#set_transform of a model without children, whatever the size of a mesh.
+    # @param shape as in Scene#add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+    #     mesh and no longer the old one, which may be the same.
+    # @param shape as in Scene#add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+    #     mesh and no longer the old one, which may be the same.
+    # @raise [Error] for a frustum, ray or segment (ERROR_UNSUPPORTED)
+    # @raise [InvalidArgument] also if the model would leave the range of the world
+    # @raise [OutOfMemory]
+    def set_shape(model, shape)
+      Low.check(Low.gphys_scene_set_shape(opened, model, Low.kind(shape), Low.shape(shape)))
+      nil
     end
 
     # Change which queries see a model: those with a mask m of which layers & m is not 0. Children are not
@@ -468,6 +496,161 @@ module Gamephys
       Low.list(Penetration) { |out, capacity, total| Low.gphys_scene_penetration(opened, Low.kind(shape), Low.shape(shape), layers, out, capacity, total) }
     end
 
+    # Closest model on a ray that the filter sees, as Scene#raycast.
+    # Cost: that of Scene#raycast for one ignored model. For each model that is met within the ray's
+    # reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
+    # ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
+    # they are takes O(m) a call.
+    # @param filter nil: the defaults
+    # @return nil if nothing is found.
+    # @raise [InvalidArgument] for unknown flags, or ignored_models nil with an ignored_count above 0
+    def raycast_filtered(ray, filter = nil)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_scene_raycast_filtered(opened, Ray.pack(ray), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out_hit))
+    end
+
+    # Closest models on the rays that the filters see, as Scene#raycast_batch.
+    # Cost: at most that of as many calls of Scene#raycast_filtered; shared among workers.
+    # @param filters nil: the defaults
+    def raycast_filtered_batch(rays, filters = nil, out: nil)
+      rays = Low.array(Ray, rays)
+      count = Low.common(rays)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_scene_raycast_filtered_batch(opened, rays.pointer, rays.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # Whether a ray meets anything that the filter sees, as Scene#raycast_any: line of sight between two
+    # models that both are left out.
+    # Cost: as Scene#raycast_filtered.
+    # @param filter nil: the defaults
+    def raycast_any_filtered?(ray, filter = nil)
+      out_hit = Int32.room
+      Low.check(Low.gphys_scene_raycast_any_filtered(opened, Ray.pack(ray), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out_hit))
+      Int32.unpack(out_hit) != 0
+    end
+
+    # Whether each of the rays meets anything that its filter sees, as Scene#raycast_any_batch.
+    # Cost: at most that of as many single calls; shared among workers.
+    # @param filters nil: the defaults
+    def raycast_any_filtered_batch(rays, filters = nil, out: nil)
+      rays = Low.array(Ray, rays)
+      count = Low.common(rays)
+      out = Low.results(Int32, out, count)
+      Low.check(Low.gphys_scene_raycast_any_filtered_batch(opened, rays.pointer, rays.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Int32::BYTES))
+      out
+    end
+
+    # Every model that a ray meets and the filter sees, as Scene#raycast_all.
+    # Cost: that of Scene#raycast_all, and for each model as Scene#raycast_filtered.
+    # @param filter nil: the defaults
+    def raycast_all_filtered(ray, filter = nil)
+      Low.list(Hit) { |out, capacity, total| Low.gphys_scene_raycast_all_filtered(opened, Ray.pack(ray), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
+    end
+
+    # Every model that each of the rays meets and its filter sees, as Scene#raycast_all_batch.
+    # Cost: that of as many single calls; shared among workers.
+    # @param filters nil: the defaults
+    def raycast_all_filtered_batch(rays, filters = nil)
+      rays = Low.array(Ray, rays)
+      count = Low.common(rays)
+      Low.ragged(Hit, count) { |out, capacity, offsets| Low.gphys_scene_raycast_all_filtered_batch(opened, rays.pointer, rays.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
+    end
+
+    # Closest model along a segment that the filter sees, as Scene#segment_test.
+    # Cost: as Scene#raycast_filtered.
+    # @param filter nil: the defaults
+    # @return nil if nothing is found.
+    def segment_test_filtered(segment, filter = nil)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_scene_segment_test_filtered(opened, Segment.pack(segment), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out_hit))
+    end
+
+    # Closest models along the segments that the filters see, as Scene#segment_test_batch.
+    # Cost: that of as many single calls; shared among workers.
+    # @param filters nil: the defaults
+    def segment_test_filtered_batch(segments, filters = nil, out: nil)
+      segments = Low.array(Segment, segments)
+      count = Low.common(segments)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_scene_segment_test_filtered_batch(opened, segments.pointer, segments.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # Ids of all models that overlap a shape and that the filter sees, as Scene#overlap.
+    # Cost: that of Scene#overlap, and for each model as Scene#raycast_filtered.
+    # @param filter nil: the defaults
+    # @raise [Error] for types of shapes that Scene#overlap does not take (ERROR_UNSUPPORTED)
+    def overlap_filtered(shape, filter = nil)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_overlap_filtered(opened, Low.kind(shape), Low.shape(shape), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
+    end
+
+    # Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+    # Scene#overlap_batch.
+    # Cost: at most that of as many single calls; shared among workers.
+    # @param filters nil: the defaults
+    # @raise [Error] as there (ERROR_UNSUPPORTED)
+    def overlap_filtered_batch(shapes, filters = nil)
+      shapes = Low.shapes(shapes)
+      count = Low.common(shapes)
+      Low.ragged(UInt32, count) { |out, capacity, offsets| Low.gphys_scene_overlap_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out, capacity, offsets) }
+    end
+
+    # Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene#cull: a
+    # player's own head, say, is not drawn.
+    # Cost: that of Scene#cull, and for each model as Scene#raycast_filtered.
+    # @param filter nil: the defaults
+    def cull_filtered(frustum, filter = nil)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_scene_cull_filtered(opened, Frustum.pack(frustum), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
+    end
+
+    # The model nearest to a point that the filter sees, as Scene#nearest: the nearest other model, if the
+    # one at the point is left out.
+    # Cost: as Scene#raycast_filtered.
+    # @param max_distance metres, >= 0, INFINITY allowed; a model at exactly this distance counts
+    # @param filter nil: the defaults
+    # @return nil if nothing is found.
+    def nearest_filtered(point, filter = nil, max_distance: Float::INFINITY)
+      out_nearest = Nearest.room
+      Nearest.unpack(out_nearest) if Low.found(Low.gphys_scene_nearest_filtered(opened, Vec3.pack(point), max_distance, filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out_nearest))
+    end
+
+    # The models nearest to the points that the filters see, as Scene#nearest_batch.
+    # Cost: that of as many single calls; shared among workers.
+    # @param max_distance metres, >= 0, INFINITY allowed, for all points
+    # @param filters nil: the defaults
+    def nearest_filtered_batch(points, filters = nil, max_distance: Float::INFINITY, out: nil)
+      points = Low.array(Vec3, points)
+      count = Low.common(points)
+      out = Low.results(Nearest, out, count)
+      Low.check(Low.gphys_scene_nearest_filtered_batch(opened, points.pointer, points.stride, count, max_distance, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Nearest::BYTES))
+      out
+    end
+
+    # First model that a moving sphere touches and the filter sees, as Scene#sweep_sphere: the sphere may
+    # be the bound of the ignored model itself.
+    # Cost: that of Scene#sweep_sphere, and for each model as Scene#raycast_filtered.
+    # @param displacement metres; may be zero
+    # @param filter nil: the defaults
+    # @return nil if nothing is found.
+    def sweep_sphere_filtered(sphere, displacement, filter = nil)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_scene_sweep_sphere_filtered(opened, Sphere.pack(sphere), Vec3.pack(displacement), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out_hit))
+    end
+
+    # First models that count moving spheres touch and the filters see, as Scene#sweep_sphere_batch.
+    # Cost: that of as many single calls; shared among workers.
+    # @param displacements metres
+    # @param filters nil: the defaults
+    def sweep_sphere_filtered_batch(spheres, displacements, filters = nil, out: nil)
+      spheres = Low.array(Sphere, spheres)
+      displacements = Low.array(Vec3, displacements)
+      count = Low.common(spheres, displacements)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_scene_sweep_sphere_filtered_batch(opened, spheres.pointer, spheres.stride, displacements.pointer, displacements.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      out
+    end
+
     # How the scene's octree is made up.
     # Cost: O(nodes).
     def get_octree_stats
@@ -562,6 +745,31 @@ module Gamephys
     def set_viewport(width, height)
       Low.check(Low.gphys_camera_set_viewport(opened, width, height))
       nil
+    end
+
+    # How the camera projects, as it was set.
+    # Cost: O(1).
+    # @return what of the following was called last: Camera#set_perspective, as at creation,
+    #     Camera#set_orthographic or Camera#set_projection. the vertical field of view in radians of a
+    #     perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
+    #     without a far plane; 0 of a matrix.
+    def get_projection
+      out_kind = Int32.room
+      out_size = Float32.room
+      out_near = Float32.room
+      out_far = Float32.room
+      Low.check(Low.gphys_camera_get_projection(opened, out_kind, out_size, out_near, out_far))
+      [Int32.unpack(out_kind), Float32.unpack(out_size), Float32.unpack(out_near), Float32.unpack(out_far)]
+    end
+
+    # The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
+    # image.
+    # Cost: O(1).
+    def get_viewport
+      out_width = Float32.room
+      out_height = Float32.room
+      Low.check(Low.gphys_camera_get_viewport(opened, out_width, out_height))
+      [Float32.unpack(out_width), Float32.unpack(out_height)]
     end
 
     # Place the camera.
@@ -815,6 +1023,47 @@ module Gamephys
     # Cost: O(log n + k) expected.
     def cull(scene, layers: ALL_LAYERS)
       Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_cull(opened, Low.opened(scene, Scene), layers, out, capacity, total) }
+    end
+
+    # The model under a pixel that the filter sees, as Camera#pick: what lies behind a selection.
+    # Cost: as Scene#raycast_filtered.
+    # @param pixel_x pixels; may lie outside the viewport
+    # @param pixel_y pixels; may lie outside the viewport
+    # @param filter nil: the defaults
+    # @return nil if nothing is found.
+    def pick_filtered(scene, pixel_x, pixel_y, filter = nil)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_camera_pick_filtered(opened, Low.opened(scene, Scene), pixel_x, pixel_y, filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out_hit))
+    end
+
+    # The models under the pixels that the filters see, as Camera#pick_batch.
+    # Cost: at most that of as many single calls; shared among the scene's workers.
+    # @param pixels x, y pairs of floats
+    # @param filters nil: the defaults
+    def pick_filtered_batch(scene, pixels, filters = nil, out: nil)
+      pixels = Low.array(Float32, pixels, 2)
+      count = Low.common(pixels)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_camera_pick_filtered_batch(opened, Low.opened(scene, Scene), pixels.pointer, pixels.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera#pick_rectangle.
+    # Cost: as Scene#overlap_filtered.
+    # @param x0 pixels; opposite corners, in any order
+    # @param y0 pixels; opposite corners, in any order
+    # @param x1 pixels; opposite corners, in any order
+    # @param y1 pixels; opposite corners, in any order
+    # @param filter nil: the defaults
+    def pick_rectangle_filtered(scene, x0, y0, x1, y1, filter = nil)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_pick_rectangle_filtered(opened, Low.opened(scene, Scene), x0, y0, x1, y1, filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
+    end
+
+    # Ids of the models to draw that the filter sees: Scene#cull_filtered with the camera's frustum.
+    # Cost: as Scene#cull_filtered.
+    # @param filter nil: the defaults
+    def cull_filtered(scene, filter = nil)
+      Low.list(UInt32) { |out, capacity, total| Low.gphys_camera_cull_filtered(opened, Low.opened(scene, Scene), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
     end
   end
 

@@ -106,6 +106,41 @@ public final class Camera extends Owned {
         Low.check(status);
     }
 
+    /** What getProjection returns. */
+    public record ProjectionResult(int kind, float size, float near, float far) {}
+
+    /**
+     * How the camera projects, as it was set.
+     * Cost: O(1).
+     * @return what of the following was called last: Camera.setPerspective, as at creation,
+     *     Camera.setOrthographic or Camera.setProjection. the vertical field of view in radians of a
+     *     perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
+     *     without a far plane; 0 of a matrix.
+     */
+    public ProjectionResult getProjection() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_projection(opened(), scratch.slot(1), scratch.slot(2), scratch.slot(3), scratch.slot(4));
+        Low.keep(this);
+        Low.check(status);
+        return new ProjectionResult(scratch.getInt(1), scratch.getFloat(2), scratch.getFloat(3), scratch.getFloat(4));
+    }
+
+    /** What getViewport returns. */
+    public record ViewportResult(float width, float height) {}
+
+    /**
+     * The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
+     * image.
+     * Cost: O(1).
+     */
+    public ViewportResult getViewport() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_viewport(opened(), scratch.slot(1), scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return new ViewportResult(scratch.getFloat(1), scratch.getFloat(2));
+    }
+
     /**
      * Place the camera.
      * Cost: O(1).
@@ -500,5 +535,90 @@ public final class Camera extends Owned {
     /** The same with defaults. */
     public Batch<Integer> cull(Scene scene) {
         return cull(scene, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * The model under a pixel that the filter sees, as Camera.pick: what lies behind a selection.
+     * Cost: as Scene.raycastFiltered.
+     * @param pixelX pixels; may lie outside the viewport
+     * @param pixelY pixels; may lie outside the viewport
+     * @param filter null: the defaults
+     * @return empty if nothing is found.
+     */
+    public Optional<Hit> pickFiltered(Scene scene, float pixelX, float pixelY, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_pick_filtered(opened(), scene.opened(), pixelX, pixelY, filter == null ? null : filter.pointer(), scratch.slot(5));
+        Low.keep(this, scene, filter);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(5))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> pickFiltered(Scene scene, float pixelX, float pixelY) {
+        return pickFiltered(scene, pixelX, pixelY, (QueryFilterDesc) null);
+    }
+
+    /**
+     * The models under the pixels that the filters see, as Camera.pickBatch.
+     * Cost: at most that of as many single calls; shared among the scene's workers.
+     * @param pixels x, y pairs of floats
+     * @param filters null: the defaults
+     */
+    public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels, QueryFilterDesc filters, Batch<Hit> out) {
+        int count = Low.common(pixels.common(2));
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_camera_pick_filtered_batch(opened(), scene.opened(), pixels.pointer(), pixels.stride(8), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, scene, pixels, filters, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels, QueryFilterDesc filters) {
+        return pickFilteredBatch(scene, pixels, filters, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> pickFilteredBatch(Scene scene, Batch<Float> pixels) {
+        return pickFilteredBatch(scene, pixels, (QueryFilterDesc) null, (Batch<Hit>) null);
+    }
+
+    /**
+     * Marquee: ids of all models in the pixel rectangle that the filter sees, as Camera.pickRectangle.
+     * Cost: as Scene.overlapFiltered.
+     * @param x0 pixels; opposite corners, in any order
+     * @param y0 pixels; opposite corners, in any order
+     * @param x1 pixels; opposite corners, in any order
+     * @param y1 pixels; opposite corners, in any order
+     * @param filter null: the defaults
+     */
+    public Batch<Integer> pickRectangleFiltered(Scene scene, float x0, float y0, float x1, float y1, QueryFilterDesc filter) {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_camera_pick_rectangle_filtered(opened(), scene.opened(), x0, y0, x1, y1, filter == null ? null : filter.pointer(), room, capacity, total);
+                Low.keep(this, scene, filter);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> pickRectangleFiltered(Scene scene, float x0, float y0, float x1, float y1) {
+        return pickRectangleFiltered(scene, x0, y0, x1, y1, (QueryFilterDesc) null);
+    }
+
+    /**
+     * Ids of the models to draw that the filter sees: Scene.cullFiltered with the camera's frustum.
+     * Cost: as Scene.cullFiltered.
+     * @param filter null: the defaults
+     */
+    public Batch<Integer> cullFiltered(Scene scene, QueryFilterDesc filter) {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_camera_cull_filtered(opened(), scene.opened(), filter == null ? null : filter.pointer(), room, capacity, total);
+                Low.keep(this, scene, filter);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> cullFiltered(Scene scene) {
+        return cullFiltered(scene, (QueryFilterDesc) null);
     }
 }

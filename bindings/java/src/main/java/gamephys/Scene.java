@@ -190,6 +190,30 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * Ids of all models without a parent, ascending.
+     * Cost: O(n).
+     */
+    public Batch<Integer> getRoots() {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_get_roots(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * Ids of the models that hang directly below one, ascending.
+     * Cost: O(k log k).
+     */
+    public Batch<Integer> getChildren(int model) {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_get_children(opened(), model, room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
      * Kind, parent, layers, tag and number of children of a model.
      * Cost: O(1).
      */
@@ -224,6 +248,27 @@ public final class Scene extends SceneBase {
         int status = Low.gphys_scene_get_scene_bounds(opened(), scratch.slot(1));
         Low.keep(this);
         return Low.found(status) ? Optional.of(Aabb.read(scratch.memory, Scratch.at(1))) : Optional.empty();
+    }
+
+    /**
+     * Give a model another shape, or another mesh, of any type that Scene.add takes: a character crouches,
+     * a level of detail changes, a wall breaks. Its id, parent, children, tag, layers and transforms stay.
+     * Sleeping bodies near it wake, and particles that are inside then come out as they do of any solid.
+     * Cost: as Scene.setTransform of a model without children, whatever the size of a mesh.
+     * @param shape as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+     *     mesh and no longer the old one, which may be the same.
+     * @param shape as in Scene.add: a struct, copied, or a mesh with SHAPE_MESH. The scene holds the new
+     *     mesh and no longer the old one, which may be the same.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for a frustum, ray or segment
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if the model would leave the range of
+     *     the world
+     * @throws GamephysException with ERROR_OUT_OF_MEMORY:
+     */
+    public void setShape(int model, Shape shape) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_set_shape(opened(), model, shape.kind(), Low.shape(shape, scratch, 3));
+        Low.keep(this, shape);
+        Low.check(status);
     }
 
     /**
@@ -723,6 +768,338 @@ public final class Scene extends SceneBase {
     /** The same with defaults. */
     public Batch<Penetration> penetration(Shape shape) {
         return penetration(shape, Gamephys.ALL_LAYERS);
+    }
+
+    /**
+     * Closest model on a ray that the filter sees, as Scene.raycast.
+     * Cost: that of Scene.raycast for one ignored model. For each model that is met within the ray's
+     * reach, besides: O(its depth below its root) with FILTER_SUBTREE if ignored_model has children; of m
+     * ignored_models O(log m) if they are ascending, as all lists of the library are, else O(m). Whether
+     * they are takes O(m) a call.
+     * @param filter null: the defaults
+     * @return empty if nothing is found.
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for unknown flags, or ignored_models null
+     *     with an ignored_count above 0
+     */
+    public Optional<Hit> raycastFiltered(Ray ray, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_raycast_filtered(opened(), scratch.put(1, ray), filter == null ? null : filter.pointer(), scratch.slot(3));
+        Low.keep(this, filter);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> raycastFiltered(Ray ray) {
+        return raycastFiltered(ray, (QueryFilterDesc) null);
+    }
+
+    /**
+     * Closest models on the rays that the filters see, as Scene.raycastBatch.
+     * Cost: at most that of as many calls of Scene.raycastFiltered; shared among workers.
+     * @param filters null: the defaults
+     */
+    public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters, Batch<Hit> out) {
+        int count = Low.common(rays.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_scene_raycast_filtered_batch(opened(), rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, rays, filters, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters) {
+        return raycastFilteredBatch(rays, filters, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> raycastFilteredBatch(Batch<Ray> rays) {
+        return raycastFilteredBatch(rays, (QueryFilterDesc) null, (Batch<Hit>) null);
+    }
+
+    /**
+     * Whether a ray meets anything that the filter sees, as Scene.raycastAny: line of sight between two
+     * models that both are left out.
+     * Cost: as Scene.raycastFiltered.
+     * @param filter null: the defaults
+     */
+    public boolean raycastAnyFiltered(Ray ray, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_raycast_any_filtered(opened(), scratch.put(1, ray), filter == null ? null : filter.pointer(), scratch.slot(3));
+        Low.keep(this, filter);
+        Low.check(status);
+        return scratch.getInt(3) != 0;
+    }
+
+    /** The same with defaults. */
+    public boolean raycastAnyFiltered(Ray ray) {
+        return raycastAnyFiltered(ray, (QueryFilterDesc) null);
+    }
+
+    /**
+     * Whether each of the rays meets anything that its filter sees, as Scene.raycastAnyBatch.
+     * Cost: at most that of as many single calls; shared among workers.
+     * @param filters null: the defaults
+     */
+    public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters, Batch<Integer> out) {
+        int count = Low.common(rays.common());
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_scene_raycast_any_filtered_batch(opened(), rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Layout.INT.bytes());
+        Low.keep(this, rays, filters, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters) {
+        return raycastAnyFilteredBatch(rays, filters, (Batch<Integer>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> raycastAnyFilteredBatch(Batch<Ray> rays) {
+        return raycastAnyFilteredBatch(rays, (QueryFilterDesc) null, (Batch<Integer>) null);
+    }
+
+    /**
+     * Every model that a ray meets and the filter sees, as Scene.raycastAll.
+     * Cost: that of Scene.raycastAll, and for each model as Scene.raycastFiltered.
+     * @param filter null: the defaults
+     */
+    public Batch<Hit> raycastAllFiltered(Ray ray, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Hit.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_raycast_all_filtered(opened(), scratch.put(1, ray), filter == null ? null : filter.pointer(), room, capacity, total);
+                Low.keep(this, filter);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> raycastAllFiltered(Ray ray) {
+        return raycastAllFiltered(ray, (QueryFilterDesc) null);
+    }
+
+    /**
+     * Every model that each of the rays meets and its filter sees, as Scene.raycastAllBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param filters null: the defaults
+     */
+    public Ragged<Hit> raycastAllFilteredBatch(Batch<Ray> rays, QueryFilterDesc filters) {
+        int count = Low.common(rays.common());
+        return Low.ragged(Hit.LAYOUT, count, (room, capacity, offsets) -> {
+                int status = Low.gphys_scene_raycast_all_filtered_batch(opened(), rays.pointer(), rays.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                Low.keep(this, rays, filters);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Ragged<Hit> raycastAllFilteredBatch(Batch<Ray> rays) {
+        return raycastAllFilteredBatch(rays, (QueryFilterDesc) null);
+    }
+
+    /**
+     * Closest model along a segment that the filter sees, as Scene.segmentTest.
+     * Cost: as Scene.raycastFiltered.
+     * @param filter null: the defaults
+     * @return empty if nothing is found.
+     */
+    public Optional<Hit> segmentTestFiltered(Segment segment, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_segment_test_filtered(opened(), scratch.put(1, segment), filter == null ? null : filter.pointer(), scratch.slot(3));
+        Low.keep(this, filter);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(3))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> segmentTestFiltered(Segment segment) {
+        return segmentTestFiltered(segment, (QueryFilterDesc) null);
+    }
+
+    /**
+     * Closest models along the segments that the filters see, as Scene.segmentTestBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param filters null: the defaults
+     */
+    public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments, QueryFilterDesc filters, Batch<Hit> out) {
+        int count = Low.common(segments.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_scene_segment_test_filtered_batch(opened(), segments.pointer(), segments.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, segments, filters, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments, QueryFilterDesc filters) {
+        return segmentTestFilteredBatch(segments, filters, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> segmentTestFilteredBatch(Batch<Segment> segments) {
+        return segmentTestFilteredBatch(segments, (QueryFilterDesc) null, (Batch<Hit>) null);
+    }
+
+    /**
+     * Ids of all models that overlap a shape and that the filter sees, as Scene.overlap.
+     * Cost: that of Scene.overlap, and for each model as Scene.raycastFiltered.
+     * @param filter null: the defaults
+     * @throws GamephysException with ERROR_UNSUPPORTED: for types of shapes that Scene.overlap does not
+     *     take
+     */
+    public Batch<Integer> overlapFiltered(Shape shape, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_overlap_filtered(opened(), shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                Low.keep(this, shape, filter);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> overlapFiltered(Shape shape) {
+        return overlapFiltered(shape, (QueryFilterDesc) null);
+    }
+
+    /**
+     * Ids of all models that each of the shapes of one type overlaps and its filter sees, as
+     * Scene.overlapBatch.
+     * Cost: at most that of as many single calls; shared among workers.
+     * @param filters null: the defaults
+     * @throws GamephysException with ERROR_UNSUPPORTED: as there
+     */
+    public Ragged<Integer> overlapFilteredBatch(Shapes shapes, QueryFilterDesc filters) {
+        int count = Low.common(shapes.common());
+        return Low.ragged(Layout.INT, count, (room, capacity, offsets) -> {
+                int status = Low.gphys_scene_overlap_filtered_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), count, filters == null ? null : filters.pointer(), 0, room, capacity, offsets);
+                Low.keep(this, shapes, filters);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Ragged<Integer> overlapFilteredBatch(Shapes shapes) {
+        return overlapFilteredBatch(shapes, (QueryFilterDesc) null);
+    }
+
+    /**
+     * Ids of all models in a frustum, by their world boxes, that the filter sees, as Scene.cull: a
+     * player's own head, say, is not drawn.
+     * Cost: that of Scene.cull, and for each model as Scene.raycastFiltered.
+     * @param filter null: the defaults
+     */
+    public Batch<Integer> cullFiltered(Frustum frustum, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_cull_filtered(opened(), scratch.put(1, frustum), filter == null ? null : filter.pointer(), room, capacity, total);
+                Low.keep(this, filter);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> cullFiltered(Frustum frustum) {
+        return cullFiltered(frustum, (QueryFilterDesc) null);
+    }
+
+    /**
+     * The model nearest to a point that the filter sees, as Scene.nearest: the nearest other model, if the
+     * one at the point is left out.
+     * Cost: as Scene.raycastFiltered.
+     * @param maxDistance metres, &gt;= 0, INFINITY allowed; a model at exactly this distance counts
+     * @param filter null: the defaults
+     * @return empty if nothing is found.
+     */
+    public Optional<Nearest> nearestFiltered(Vec3 point, float maxDistance, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_nearest_filtered(opened(), scratch.put(1, point), maxDistance, filter == null ? null : filter.pointer(), scratch.slot(4));
+        Low.keep(this, filter);
+        return Low.found(status) ? Optional.of(Nearest.read(scratch.memory, Scratch.at(4))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Nearest> nearestFiltered(Vec3 point, float maxDistance) {
+        return nearestFiltered(point, maxDistance, (QueryFilterDesc) null);
+    }
+
+    /** The same with defaults. */
+    public Optional<Nearest> nearestFiltered(Vec3 point) {
+        return nearestFiltered(point, Float.POSITIVE_INFINITY, (QueryFilterDesc) null);
+    }
+
+    /**
+     * The models nearest to the points that the filters see, as Scene.nearestBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param maxDistance metres, &gt;= 0, INFINITY allowed, for all points
+     * @param filters null: the defaults
+     */
+    public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance, QueryFilterDesc filters, Batch<Nearest> out) {
+        int count = Low.common(points.common());
+        Batch<Nearest> room = Batch.room(Nearest.LAYOUT, count, out);
+        int status = Low.gphys_scene_nearest_filtered_batch(opened(), points.pointer(), points.stride(), count, maxDistance, filters == null ? null : filters.pointer(), 0, room.pointer(), Nearest.LAYOUT.bytes());
+        Low.keep(this, points, filters, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance, QueryFilterDesc filters) {
+        return nearestFilteredBatch(points, maxDistance, filters, (Batch<Nearest>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points, float maxDistance) {
+        return nearestFilteredBatch(points, maxDistance, (QueryFilterDesc) null, (Batch<Nearest>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Nearest> nearestFilteredBatch(Batch<Vec3> points) {
+        return nearestFilteredBatch(points, Float.POSITIVE_INFINITY, (QueryFilterDesc) null, (Batch<Nearest>) null);
+    }
+
+    /**
+     * First model that a moving sphere touches and the filter sees, as Scene.sweepSphere: the sphere may
+     * be the bound of the ignored model itself.
+     * Cost: that of Scene.sweepSphere, and for each model as Scene.raycastFiltered.
+     * @param displacement metres; may be zero
+     * @param filter null: the defaults
+     * @return empty if nothing is found.
+     */
+    public Optional<Hit> sweepSphereFiltered(Sphere sphere, Vec3 displacement, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_sweep_sphere_filtered(opened(), scratch.put(1, sphere), scratch.put(2, displacement), filter == null ? null : filter.pointer(), scratch.slot(4));
+        Low.keep(this, filter);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(4))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> sweepSphereFiltered(Sphere sphere, Vec3 displacement) {
+        return sweepSphereFiltered(sphere, displacement, (QueryFilterDesc) null);
+    }
+
+    /**
+     * First models that count moving spheres touch and the filters see, as Scene.sweepSphereBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param displacements metres
+     * @param filters null: the defaults
+     */
+    public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, QueryFilterDesc filters, Batch<Hit> out) {
+        int count = Low.common(spheres.common(), displacements.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_scene_sweep_sphere_filtered_batch(opened(), spheres.pointer(), spheres.stride(), displacements.pointer(), displacements.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, spheres, displacements, filters, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements, QueryFilterDesc filters) {
+        return sweepSphereFilteredBatch(spheres, displacements, filters, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> sweepSphereFilteredBatch(Batch<Sphere> spheres, Batch<Vec3> displacements) {
+        return sweepSphereFilteredBatch(spheres, displacements, (QueryFilterDesc) null, (Batch<Hit>) null);
     }
 
     /**

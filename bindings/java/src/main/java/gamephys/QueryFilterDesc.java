@@ -1,0 +1,89 @@
+// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
+package gamephys;
+
+import com.sun.jna.Pointer;
+import java.nio.ByteBuffer;
+
+/**
+ * <pre>
+ * Which models a query sees. Ids of models that are gone, or never were, leave out nothing and are no
+ * error: what asked may have been removed since.
+ * </pre>
+ */
+public final class QueryFilterDesc {
+    private final ByteBuffer memory = Batch.direct(Low.pick(32, 28));
+
+    public QueryFilterDesc() {
+        Low.check(Low.gphys_query_filter_desc_init(pointer(), memory.capacity()));
+    }
+
+    Pointer pointer() {
+        return com.sun.jna.Native.getDirectBufferPointer(memory);
+    }
+
+    /**
+     * <pre>
+     * a model is seen if its own mask shares a bit; default ALL_LAYERS
+     * </pre>
+     */
+    public QueryFilterDesc layers(int value) {
+        memory.putInt(4, value);
+        return this;
+    }
+
+    public int layers() {
+        return memory.getInt(4);
+    }
+
+    /**
+     * <pre>
+     * left out; 0: none; default 0
+     * </pre>
+     */
+    public QueryFilterDesc ignoredModel(int value) {
+        memory.putInt(8, value);
+        return this;
+    }
+
+    public int ignoredModel() {
+        return memory.getInt(8);
+    }
+
+    /**
+     * <pre>
+     * filter values; default 0
+     * </pre>
+     */
+    public QueryFilterDesc flags(int value) {
+        memory.putInt(12, value);
+        return this;
+    }
+
+    public int flags() {
+        return memory.getInt(12);
+    }
+
+    /**
+     * <pre>
+     * left out as well, in any order; read during the call; default null
+     * </pre>
+     */
+    public QueryFilterDesc ignoredModels(Pointer value) {
+        pointer().setPointer(16, value);
+        return this;
+    }
+
+    /**
+     * <pre>
+     * of ignored_models; default 0
+     * </pre>
+     */
+    public QueryFilterDesc ignoredCount(int value) {
+        memory.putInt(Low.pick(24, 20), value);
+        return this;
+    }
+
+    public int ignoredCount() {
+        return memory.getInt(Low.pick(24, 20));
+    }
+}
