@@ -87,6 +87,21 @@ void World::filtered_queries() {
     const gphys_vec3 displacement = p_.direction();
     call(gphys_scene_sweep_sphere_filtered, scene_, &sphere, &displacement, &filter, &met);
     FUZZ_CHECK(met.model == 0 || !is_out(met.model), "sweep_sphere_filtered names no model that is ignored");
+    const gphys_obb box{p_.point(), {p_.size(), p_.size(), p_.size()}, {0, 0, 0, 1}};
+    const gphys_status moved =
+        call(gphys_scene_sweep_filtered, scene_, GPHYS_SHAPE_OBB, &box, &displacement, &filter, &met);
+    FUZZ_CHECK(met.model == 0 || !is_out(met.model), "sweep_filtered names no model that is ignored");
+    gphys_hit moved_in_batch = no_hit;
+    const gphys_status all_moved =
+        call(gphys_scene_sweep_filtered_batch, scene_, GPHYS_SHAPE_OBB, &box, 0u, &displacement, 0u, 1u, &filter, 0u,
+             &moved_in_batch, uint32_t{sizeof(gphys_hit)});
+    FUZZ_CHECK(moved != GPHYS_OK || all_moved != GPHYS_OK || same_bits(met, moved_in_batch),
+               "sweep_filtered_batch gives the single call's bits");
+    gphys_penetration ways[4]{};
+    uint32_t way_count = 0;
+    call(gphys_scene_penetration_filtered, scene_, GPHYS_SHAPE_OBB, &box, &filter, ways, 4u, &way_count);
+    for (uint32_t i = 0; i < std::min(way_count, 4u); ++i)
+        FUZZ_CHECK(!is_out(ways[i].model), "penetration_filtered names no model that is ignored");
     const gphys_vec3 point = p_.point();
     gphys_nearest near = no_nearest;
     call(gphys_scene_nearest_filtered, scene_, &point, near.distance, &filter, &near);

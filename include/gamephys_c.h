@@ -1167,6 +1167,39 @@ GPHYS_API gphys_status gphys_scene_sweep_sphere_filtered_batch(const gphys_scene
                                                                uint32_t filter_stride, gphys_hit* out_hits,
                                                                uint32_t out_stride);
 
+/** First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+ *  gphys_scene_sweep: a character leaves out its own model.
+ *  @param displacement  metres; may be zero
+ *  @param filter        NULL: the defaults
+ *  @return GPHYS_OK or GPHYS_NO_HIT; GPHYS_ERROR_UNSUPPORTED for other types
+ *  Cost: that of gphys_scene_sweep, and for each model as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_sweep_filtered(const gphys_scene* scene, gphys_shape_type type, const void* shape,
+                                                  const gphys_vec3* displacement, const gphys_query_filter_desc* filter,
+                                                  gphys_hit* out_hit);
+/** First models that count moving shapes of one type touch and the filters see, as gphys_scene_sweep_batch.
+ *  @param shapes         a stride of 0 takes one shape throughout
+ *  @param displacements  metres; a stride of 0 moves all alike
+ *  @param filters        a stride of 0 takes one for all; NULL: the defaults
+ *  @param out_hits       count elements
+ *  @return GPHYS_ERROR_UNSUPPORTED as gphys_scene_sweep
+ *  Cost: that of count single calls; shared among workers. */
+GPHYS_API gphys_status gphys_scene_sweep_filtered_batch(const gphys_scene* scene, gphys_shape_type type,
+                                                        const void* shapes, uint32_t shape_stride,
+                                                        const gphys_vec3* displacements, uint32_t displacement_stride,
+                                                        uint32_t count, const gphys_query_filter_desc* filters,
+                                                        uint32_t filter_stride, gphys_hit* out_hits,
+                                                        uint32_t out_stride);
+
+/** What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+ *  gphys_scene_penetration.
+ *  @param filter  NULL: the defaults
+ *  @return GPHYS_ERROR_UNSUPPORTED for other types
+ *  Cost: that of gphys_scene_penetration, and for each model as gphys_scene_raycast_filtered. */
+GPHYS_API gphys_status gphys_scene_penetration_filtered(const gphys_scene* scene, gphys_shape_type type,
+                                                        const void* shape, const gphys_query_filter_desc* filter,
+                                                        gphys_penetration* out_penetrations, uint32_t capacity,
+                                                        uint32_t* out_total);
+
 /** How the scene's octree is made up. Cost: O(nodes). */
 GPHYS_API gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree_stats* out_stats);
 /** Boxes of the scene's octree, each parent before its children. Kept when too many: the first.

@@ -114,9 +114,11 @@ static void other_queries_leave_out_the_same(void** state) {
     const gphys_frustum around = {
         {0, 0, 0},
         {{{1, 0, 0}, -9}, {{-1, 0, 0}, -20}, {{0, 0, 1}, -9}, {{0, 0, -1}, -9}, {{0, 1, 0}, -9}, {{0, -1, 0}, -9}}};
+    const gphys_aabb cube = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}};
     gphys_model_id models[3], found[3];
     gphys_scene* scene = three_balls(models);
     gphys_query_filter_desc filter = defaults();
+    gphys_penetration ways[3];
     gphys_hit hit;
     gphys_nearest nearest;
     uint32_t total = 0;
@@ -127,6 +129,12 @@ static void other_queries_leave_out_the_same(void** state) {
     assert_int_equal(gphys_scene_nearest_filtered(scene, &origin, 1.5f, &filter, &nearest), GPHYS_NO_HIT);
     assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &small, &step, &filter, &hit), GPHYS_OK);
     assert_true(hit.model == models[HEAD] && hit.t == 0.075f);
+    assert_int_equal(gphys_scene_sweep_filtered(scene, GPHYS_SHAPE_AABB, &cube, &step, &filter, &hit), GPHYS_OK);
+    assert_true(hit.model == models[HEAD] && hit.t == 0.075f); /* the cube's face is where the sphere's side was */
+    assert_int_equal(gphys_scene_penetration_filtered(scene, GPHYS_SHAPE_SPHERE, &large, &filter, ways, 3, &total),
+                     GPHYS_OK);
+    assert_int_equal(total, 2);
+    assert_true(ways[0].model != models[BODY] && ways[1].model != models[BODY]);
     assert_int_equal(gphys_scene_overlap_filtered(scene, GPHYS_SHAPE_SPHERE, &large, &filter, found, 3, &total),
                      GPHYS_OK);
     assert_true(total == 2 && found[0] == models[HEAD] && found[1] == models[TARGET]);
@@ -139,6 +147,7 @@ static void other_queries_leave_out_the_same(void** state) {
     assert_true(total == 1 && found[0] == models[TARGET]);
     filter.layers = 1;
     assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &small, &step, &filter, &hit), GPHYS_NO_HIT);
+    assert_int_equal(gphys_scene_sweep_filtered(scene, GPHYS_SHAPE_AABB, &cube, &step, &filter, &hit), GPHYS_NO_HIT);
     assert_int_equal(gphys_scene_overlap_filtered(scene, GPHYS_SHAPE_RAY, &large, &filter, found, 3, &total),
                      GPHYS_ERROR_UNSUPPORTED);
     gphys_scene_destroy(scene);
@@ -271,6 +280,7 @@ static void bad_filters_are_refused_and_outputs_stay(void** state) {
     gphys_status expected[4];
     gphys_hit hits[2], untouched[2];
     gphys_nearest nearest, nearest_before;
+    gphys_penetration way;
     int32_t any = 7;
     uint32_t total = 7, offsets[3] = {7, 7, 7}, i;
     (void)state;
@@ -304,6 +314,9 @@ static void bad_filters_are_refused_and_outputs_stay(void** state) {
         assert_int_equal(gphys_scene_cull_filtered(scene, &frustum, f, list, 3, &total), expected[i]);
         assert_int_equal(gphys_scene_nearest_filtered(scene, &point, 1, f, &nearest), expected[i]);
         assert_int_equal(gphys_scene_sweep_sphere_filtered(scene, &ball, &point, f, hits), expected[i]);
+        assert_int_equal(gphys_scene_sweep_filtered(scene, GPHYS_SHAPE_SPHERE, &ball, &point, f, hits), expected[i]);
+        assert_int_equal(gphys_scene_penetration_filtered(scene, GPHYS_SHAPE_SPHERE, &ball, f, &way, 1, &total),
+                         expected[i]);
         assert_int_equal(gphys_camera_pick_filtered(camera, scene, 1, 1, f, hits), expected[i]);
         assert_int_equal(gphys_camera_pick_rectangle_filtered(camera, scene, 0, 0, 9, 9, f, list, 3, &total),
                          expected[i]);
@@ -326,6 +339,9 @@ static void bad_filters_are_refused_and_outputs_stay(void** state) {
         assert_int_equal(
             gphys_scene_sweep_sphere_filtered_batch(scene, &ball, 0, &point, 0, 2, mixed, size, hits, sizeof *hits),
             expected[i]);
+        assert_int_equal(gphys_scene_sweep_filtered_batch(scene, GPHYS_SHAPE_SPHERE, &ball, 0, &point, 0, 2, mixed,
+                                                          size, hits, sizeof *hits),
+                         expected[i]);
         assert_int_equal(gphys_camera_pick_filtered_batch(camera, scene, pixel, 0, 2, mixed, size, hits, sizeof *hits),
                          expected[i]);
     }

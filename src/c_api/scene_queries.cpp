@@ -3,21 +3,6 @@
 
 using namespace gphys;
 
-namespace {
-
-/// The input array of a batch of shapes that move.
-gphys_status check_moving(const Workers& workers, gphys_shape_type type, const void* shapes, uint32_t stride,
-                          uint32_t count) {
-    GPHYS_TRY(check_stride("shape_stride", stride, shape_struct_size(type)));
-    const Strided<char> shape(static_cast<const char*>(shapes), stride);
-    return check_each(workers, distinct(stride, count), [&](uint32_t i) {
-        Shape moving;
-        return read_moving(type, shapes ? &shape[i] : nullptr, moving);
-    });
-}
-
-}  // namespace
-
 gphys_status gphys_scene_raycast(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers, gphys_hit* out_hit) {
     return guarded([&] { return ask_raycast(scene, ray, layers, out_hit); });
 }
@@ -104,58 +89,5 @@ gphys_status gphys_scene_sweep_sphere_batch(const gphys_scene* scene, const gphy
     return guarded([&] {
         return ask_sweep_sphere_batch(scene, spheres, sphere_stride, displacements, displacement_stride, count, layers,
                                       out_hits, out_stride);
-    });
-}
-
-gphys_status gphys_scene_sweep(const gphys_scene* scene, gphys_shape_type type, const void* shape,
-                               const gphys_vec3* displacement, uint32_t layers, gphys_hit* out_hit) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(scene, "scene is null");
-        Shape moving;
-        GPHYS_TRY(read_moving(type, shape, moving));
-        GPHYS_REQUIRE(displacement, "displacement is null");
-        GPHYS_REQUIRE_VALID(*displacement);
-        GPHYS_REQUIRE(out_hit, "out_hit is null");
-        return unwrap(scene)->sweep(moving, widen(*displacement), layers, *out_hit);
-    });
-}
-
-gphys_status gphys_scene_sweep_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
-                                     uint32_t shape_stride, const gphys_vec3* displacements,
-                                     uint32_t displacement_stride, uint32_t count, uint32_t layers, gphys_hit* out_hits,
-                                     uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(scene, "scene is null");
-        const Workers& workers = unwrap(scene)->workers();
-        GPHYS_TRY(check_moving(workers, type, shapes, shape_stride, count));
-        GPHYS_TRY(check_inputs(workers, displacements, "displacement_stride", displacement_stride, count));
-        GPHYS_TRY(check_outputs(out_hits, out_stride, count));
-        const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
-        const Strided<gphys_vec3> displacement(displacements, displacement_stride);
-        const StridedOut<gphys_hit> out(out_hits, out_stride);
-        answer_each(workers, count, [&](uint32_t i) {
-            gphys_hit hit = no_hit;
-            Shape moving;
-            // It has been checked; if the caller has spoiled it since then, nothing is touched.
-            if (read_moving(type, &shape[i], moving) == GPHYS_OK) {
-                unwrap(scene)->sweep(moving, widen(displacement[i]), layers, hit);
-            }
-            out[i] = hit;
-        });
-        return GPHYS_OK;
-    });
-}
-
-gphys_status gphys_scene_penetration(const gphys_scene* scene, gphys_shape_type type, const void* shape,
-                                     uint32_t layers, gphys_penetration* out_penetrations, uint32_t capacity,
-                                     uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(scene, "scene is null");
-        Shape moving;
-        GPHYS_TRY(read_moving(type, shape, moving));
-        GPHYS_TRY(check_list(out_penetrations, capacity, out_total));
-        Smallest<gphys_penetration, DeepestFirst> deepest(out_penetrations, capacity);
-        unwrap(scene)->penetration(moving, layers, deepest);
-        return listed(deepest.finish(), capacity, out_total);
     });
 }

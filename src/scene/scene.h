@@ -35,6 +35,8 @@
 
 namespace gphys {
 
+using DeepestPenetrations = Smallest<gphys_penetration, DeepestFirst>;
+
 /// By t as the caller sees it, then id: the order of lists of hits.
 struct FirstHit {
     bool operator()(const gphys_hit& a, const gphys_hit& b) const { return a.t != b.t ? a.t < b.t : a.model < b.model; }
@@ -137,11 +139,13 @@ public:
     gphys_status nearest(Vec3 point, double max_distance, uint32_t layers, gphys_nearest& out) const;
     gphys_status nearest(Vec3 point, double max_distance, const QueryFilter& filter, gphys_nearest& out) const;
     gphys_status sweep(const Sphere& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
+    gphys_status sweep(const Sphere& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const;
     /// For a moving sphere, capsule or box.
     gphys_status sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const;
+    gphys_status sweep(const Shape& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const;
     /// The way of a sphere, capsule or box out of each model, or each triangle of a mesh, that it overlaps.
-    void penetration(const Shape& moving, uint32_t layers, Smallest<gphys_penetration, DeepestFirst>& out) const;
-    gphys_status sweep(const Sphere& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const;
+    void penetration(const Shape& moving, uint32_t layers, DeepestPenetrations& out) const;
+    void penetration(const Shape& moving, const QueryFilter& filter, DeepestPenetrations& out) const;
     /// World boxes that lie outside none of the six planes and of the frustum's own box, in
     /// arithmetic rounded outward: a superset of what the frustum sees.
     /// The lowest `capacity` ids, ascending; returns how many there are. Beyond them `out` is scratch.
@@ -237,6 +241,10 @@ private:
     gphys_status nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const;
     template <class Filter>
     gphys_status sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const;
+    template <class Filter>
+    gphys_status sweep_by(const Shape& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const;
+    template <class Filter>
+    void penetration_by(const Shape& moving, const Filter& filter, DeepestPenetrations& out) const;
     template <class Filter>
     uint32_t cull_by(const Frustum& frustum, const Filter& filter, gphys_model_id* out, uint32_t capacity) const;
 

@@ -26,14 +26,15 @@ void each_way_out(const Primitive& shape, const Shape& moving, const Add& add) {
 
 }  // namespace
 
-gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
-    if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, layers, out);
+template <class Filter>
+gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
+    if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, filter, out);
     Hit first, hit;
     Winner winner;
     double end = 1;
     const auto exact = [&](const auto& shape) { return sweep_shape(shape, moving, displacement, hit); };
     const auto ask = [&](uint32_t slot) {
-        if (!(models_[slot].layers & layers) || !with_shape(slot, exact)) return;
+        if (!may_see(filter, slot) || !sees(filter, slot) || !with_shape(slot, exact)) return;
         const float t = reported(hit.t);
         if (!winner.is_beaten_by(t, slot, ids_)) return;
         winner = {t, slot};
@@ -52,9 +53,10 @@ gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, uint32_t layer
     return GPHYS_OK;
 }
 
-void Scene::penetration(const Shape& moving, uint32_t layers, Smallest<gphys_penetration, DeepestFirst>& out) const {
+template <class Filter>
+void Scene::penetration_by(const Shape& moving, const Filter& filter, DeepestPenetrations& out) const {
     const auto ask = [&](uint32_t slot) {
-        if (!(models_[slot].layers & layers)) return true;
+        if (!may_see(filter, slot) || !sees(filter, slot)) return true;
         with_shape(slot, [&](const auto& shape) {
             each_way_out(shape, moving, [&](const Penetration& way, uint32_t triangle) {
                 out.add(to_penetration(way, triangle, ids_.id(slot), tags_[slot]));
@@ -65,6 +67,20 @@ void Scene::penetration(const Shape& moving, uint32_t layers, Smallest<gphys_pen
     for (const uint32_t slot : unbounded_) ask(slot);
     const auto visit = [&](uint32_t slot, bool) { return ask(slot); };
     octree_.overlap_box(BoxInMotion(moving).box, visit, model_memory(), model_memory());
+}
+
+gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {
+    return sweep_by(moving, displacement, layers, out);
+}
+gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, const QueryFilter& filter, gphys_hit& out) const {
+    return sweep_by(moving, displacement, filter, out);
+}
+
+void Scene::penetration(const Shape& moving, uint32_t layers, DeepestPenetrations& out) const {
+    penetration_by(moving, layers, out);
+}
+void Scene::penetration(const Shape& moving, const QueryFilter& filter, DeepestPenetrations& out) const {
+    penetration_by(moving, filter, out);
 }
 
 }  // namespace gphys
