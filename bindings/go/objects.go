@@ -1353,6 +1353,84 @@ func (o *Scene) SweepSphereFilteredBatch(spheres []Sphere, displacements []Vec3,
 	return
 }
 
+// First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+// Scene.Sweep: a character leaves out its own model.
+//   - displacement: metres; may be zero
+//   - filter: nil: the defaults
+// Result: found is false if nothing is found.
+// The error is ErrUnsupported for other types.
+// Cost: that of Scene.Sweep, and for each model as Scene.RaycastFiltered.
+func (o *Scene) SweepFiltered(shape Shape, displacement Vec3, filter *QueryFilterDesc) (hit Hit, found bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapeGiven, err := shapesOf(shape)
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_scene_sweep_filtered(self, shapeGiven.kind, shapeGiven.data, *(*C.gphys_vec3)(unsafe.Pointer(&displacement)), (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)))
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shape)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	hit = *(*Hit)(unsafe.Pointer(&r.out_hit))
+	found = true
+	return
+}
+
+// First models that count moving shapes of one type touch and the filters see, as Scene.SweepBatch.
+//   - displacements: metres
+//   - filters: nil: the defaults
+// The error is ErrUnsupported as Scene.Sweep.
+// Cost: that of as many single calls; shared among workers.
+func (o *Scene) SweepFilteredBatch(shapes Shapes, displacements []Vec3, filters *QueryFilterDesc, hits []Hit) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapesGiven, err := shapesOf(shapes)
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, shapesGiven.count, len(displacements))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(hits), count); err != nil {
+		return
+	}
+	r := C.go_gphys_scene_sweep_filtered_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, (*C.gphys_vec3)(data(displacements)), step(displacements), C.uint32_t(count), (*C.gphys_query_filter_desc)(unsafe.Pointer(filters)), 0, (*C.gphys_hit)(data(hits)), size(hits))
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shapes)
+	err = check(r.status, r.message)
+	return
+}
+
+// What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+// Scene.Penetration.
+//   - filter: nil: the defaults
+// The error is ErrUnsupported for other types.
+// Cost: that of Scene.Penetration, and for each model as Scene.RaycastFiltered.
+func (o *Scene) PenetrationFiltered(shape Shape, filter *QueryFilterDesc) (result []Penetration, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapeGiven, err := shapesOf(shape)
+	if err != nil {
+		return
+	}
+	result, err = list[Penetration](func(out unsafe.Pointer, capacity C.uint32_t) (C.gphys_status, *C.char, C.uint32_t) {
+		r := C.go_gphys_scene_penetration_filtered(self, shapeGiven.kind, shapeGiven.data, (*C.gphys_query_filter_desc)(unsafe.Pointer(filter)), (*C.gphys_penetration)(out), capacity)
+		return r.status, r.message, r.out_total
+	})
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shape)
+	return
+}
+
 // How the scene's octree is made up.
 // Cost: O(nodes).
 func (o *Scene) OctreeStats() (stats OctreeStats, err error) {

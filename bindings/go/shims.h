@@ -1083,6 +1083,41 @@ static inline go_gphys_scene_sweep_sphere_filtered_batch_result go_gphys_scene_s
     return r;
 }
 
+typedef struct go_gphys_scene_sweep_filtered_result {
+    gphys_status status;
+    char* message;
+    gphys_hit out_hit;
+} go_gphys_scene_sweep_filtered_result;
+static inline go_gphys_scene_sweep_filtered_result go_gphys_scene_sweep_filtered(void* scene, gphys_shape_type type, const void * shape, gphys_vec3 displacement, const gphys_query_filter_desc * filter) {
+    go_gphys_scene_sweep_filtered_result r = {0};
+    r.status = gphys_scene_sweep_filtered(scene, type, shape, &displacement, filter, &r.out_hit);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_sweep_filtered_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_sweep_filtered_batch_result;
+static inline go_gphys_scene_sweep_filtered_batch_result go_gphys_scene_sweep_filtered_batch(void* scene, gphys_shape_type type, const void * shapes, uint32_t shape_stride, const gphys_vec3 * displacements, uint32_t displacement_stride, uint32_t count, const gphys_query_filter_desc * filters, uint32_t filter_stride, gphys_hit * out_hits, uint32_t out_stride) {
+    go_gphys_scene_sweep_filtered_batch_result r = {0};
+    r.status = gphys_scene_sweep_filtered_batch(scene, type, shapes, shape_stride, displacements, displacement_stride, count, filters, filter_stride, out_hits, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_penetration_filtered_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_scene_penetration_filtered_result;
+static inline go_gphys_scene_penetration_filtered_result go_gphys_scene_penetration_filtered(void* scene, gphys_shape_type type, const void * shape, const gphys_query_filter_desc * filter, gphys_penetration * out_penetrations, uint32_t capacity) {
+    go_gphys_scene_penetration_filtered_result r = {0};
+    r.status = gphys_scene_penetration_filtered(scene, type, shape, filter, out_penetrations, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_get_octree_stats_result {
     gphys_status status;
     char* message;

@@ -816,6 +816,26 @@ export class Scene {
      * @param displacements - metres
      * @param filters - null: the defaults */
     sweepSphereFilteredBatch(spheres: Elements, displacements: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    /** First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+     * Scene.sweep: a character leaves out its own model.
+     * Cost: that of Scene.sweep, and for each model as Scene.raycastFiltered.
+     * @param displacement - metres; may be zero
+     * @param filter - null: the defaults
+     * @returns null if nothing is found.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for other types */
+    sweepFiltered(shape: AnyShape, displacement: Given<number[]>, filter?: Partial<QueryFilterDesc> | null): Hit | null;
+    /** First models that count moving shapes of one type touch and the filters see, as Scene.sweepBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param displacements - metres
+     * @param filters - null: the defaults
+     * @throws {GamephysError} ERROR_UNSUPPORTED: as Scene.sweep */
+    sweepFilteredBatch(shapes: Shapes | AnyShape, displacements: Elements, filters?: Partial<QueryFilterDesc> | null, out?: Elements): Records<Hit>;
+    /** What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+     * Scene.penetration.
+     * Cost: that of Scene.penetration, and for each model as Scene.raycastFiltered.
+     * @param filter - null: the defaults
+     * @throws {GamephysError} ERROR_UNSUPPORTED: for other types */
+    penetrationFiltered(shape: AnyShape, filter?: Partial<QueryFilterDesc> | null): Records<Penetration>;
     /** How the scene's octree is made up.
      * Cost: O(nodes). */
     getOctreeStats(): OctreeStats;

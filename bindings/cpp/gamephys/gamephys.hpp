@@ -743,6 +743,39 @@ public:
         check(gphys_scene_sweep_sphere_filtered_batch(handle(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, filters, 0, out_hits.data, out_hits.stride));
     }
 
+    // First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+    // Scene::sweep: a character leaves out its own model.
+    //   - displacement: metres; may be zero
+    //   - filter: nullptr: the defaults
+    // Result: std::nullopt if nothing is found.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for other types.
+    // Cost: that of Scene::sweep, and for each model as Scene::raycast_filtered.
+    std::optional<Hit> sweep_filtered(ShapeRef shape, const Vec3& displacement, const QueryFilterDesc* filter = nullptr) const {
+        Hit out_hit{};
+        if (!found(gphys_scene_sweep_filtered(handle(), shape.type, shape.pointer, &displacement, filter, &out_hit))) return std::nullopt;
+        return out_hit;
+    }
+
+    // First models that count moving shapes of one type touch and the filters see, as Scene::sweep_batch.
+    //   - displacements: metres
+    //   - filters: nullptr: the defaults
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED as Scene::sweep.
+    // Cost: that of as many single calls; shared among workers.
+    void sweep_filtered_batch(ShapeSpan shapes, Span<const Vec3> displacements, const QueryFilterDesc* filters, Span<Hit> out_hits) const {
+        const uint32_t count = common_size({shapes.sizes(), displacements.sizes()});
+        require_size(out_hits.size, count);
+        check(gphys_scene_sweep_filtered_batch(handle(), shapes.type, shapes.data, shapes.stride, displacements.data, displacements.stride, count, filters, 0, out_hits.data, out_hits.stride));
+    }
+
+    // What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+    // Scene::penetration.
+    //   - filter: nullptr: the defaults
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED for other types.
+    // Cost: that of Scene::penetration, and for each model as Scene::raycast_filtered.
+    std::vector<Penetration> penetration_filtered(ShapeRef shape, const QueryFilterDesc* filter = nullptr) const {
+        return list<Penetration>([&](Penetration* out_penetrations, uint32_t capacity, uint32_t* total) { return gphys_scene_penetration_filtered(handle(), shape.type, shape.pointer, filter, out_penetrations, capacity, total); });
+    }
+
     // How the scene's octree is made up.
     // Cost: O(nodes).
     OctreeStats get_octree_stats() const {

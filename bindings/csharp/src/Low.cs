@@ -105,6 +105,9 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_nearest_filtered_batch(SceneHandle scene, Vec3* points, uint point_stride, uint count, float max_distance, QueryFilterDesc* filters, uint filter_stride, Nearest* out_nearest, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_sphere_filtered(SceneHandle scene, Sphere* sphere, Vec3* displacement, QueryFilterDesc* filter, Hit* out_hit);
     [DllImport(Library)] internal static extern Status gphys_scene_sweep_sphere_filtered_batch(SceneHandle scene, Sphere* spheres, uint sphere_stride, Vec3* displacements, uint displacement_stride, uint count, QueryFilterDesc* filters, uint filter_stride, Hit* out_hits, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_scene_sweep_filtered(SceneHandle scene, ShapeType type, void* shape, Vec3* displacement, QueryFilterDesc* filter, Hit* out_hit);
+    [DllImport(Library)] internal static extern Status gphys_scene_sweep_filtered_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, Vec3* displacements, uint displacement_stride, uint count, QueryFilterDesc* filters, uint filter_stride, Hit* out_hits, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_scene_penetration_filtered(SceneHandle scene, ShapeType type, void* shape, QueryFilterDesc* filter, Penetration* out_penetrations, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_stats(SceneHandle scene, OctreeStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_boxes(SceneHandle scene, OctreeBox* out_boxes, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_validate(SceneHandle scene);

@@ -953,6 +953,65 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_sweep_sphere_filtered_batch(Handle, spheres_, StrideOf(spheres), displacements_, StrideOf(displacements), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit)));
     }
 
+    /// <summary>First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+    /// Scene.Sweep: a character leaves out its own model.
+    /// Cost: that of Scene.Sweep, and for each model as Scene.RaycastFiltered.</summary>
+    /// <param name="displacement">metres; may be zero</param>
+    /// <param name="filter">null: the defaults</param>
+    /// <returns>null if nothing is found.</returns>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types</exception>
+    public unsafe Hit? SweepFiltered(Shape shape, Vec3 displacement, QueryFilterDesc? filter = null) {
+        void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
+        var filter_ = filter.GetValueOrDefault();
+        var hit = default(Hit);
+        var status = Low.gphys_scene_sweep_filtered(Handle, shape.Type, shape_, &displacement, filter.HasValue ? &filter_ : null, &hit);
+        GC.KeepAlive(shape.Mesh);
+        return Found(status) ? hit : (Hit?)null;
+    }
+
+    /// <summary>First models that count moving shapes of one type touch and the filters see, as Scene.SweepBatch.
+    /// Cost: that of as many single calls; shared among workers.</summary>
+    /// <param name="displacements">metres</param>
+    /// <param name="filters">null: the defaults</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: as Scene.Sweep</exception>
+    public unsafe void SweepFilteredBatch(Shapes shapes, ReadOnlySpan<Vec3> displacements, Span<Hit> hits, QueryFilterDesc? filters = null) {
+        var shapesOne = shapes.One;
+        var filters_ = filters.GetValueOrDefault();
+        var count = CommonLength(-1, shapes.Count, displacements.Length);
+        RequireLength(hits.Length, count);
+        Status status;
+        fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+        fixed (Vec3* displacements_ = &MemoryMarshal.GetReference(displacements))
+        fixed (Hit* hits_ = &MemoryMarshal.GetReference(hits))
+        status = Low.gphys_scene_sweep_filtered_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, displacements_, StrideOf(displacements), count, filters.HasValue ? &filters_ : null, 0, hits_, (uint)sizeof(Hit));
+        GC.KeepAlive(shapesOne.Mesh);
+        Check(status);
+    }
+
+    /// <summary>What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+    /// Scene.Penetration.
+    /// Cost: that of Scene.Penetration, and for each model as Scene.RaycastFiltered.</summary>
+    /// <param name="filter">null: the defaults</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: for other types</exception>
+    public unsafe Penetration[] PenetrationFiltered(Shape shape, QueryFilterDesc? filter = null) {
+        void* shape_ = shape.Mesh == null ? (void*)&shape.Data : shape.Mesh.Pointer;
+        var filter_ = filter.GetValueOrDefault();
+        var result = new Penetration[Guess];
+        for (;;) {
+            uint total;
+            Status status;
+            fixed (Penetration* out_ = result)
+            status = Low.gphys_scene_penetration_filtered(Handle, shape.Type, shape_, filter.HasValue ? &filter_ : null, out_, (uint)result.Length, &total);
+            GC.KeepAlive(shape.Mesh);
+            Check(status);
+            if (status != Status.Incomplete) {
+                Array.Resize(ref result, (int)total);
+                return result;
+            }
+            result = new Penetration[total];
+        }
+    }
+
     /// <summary>How the scene's octree is made up.
     /// Cost: O(nodes).</summary>
     public unsafe OctreeStats GetOctreeStats() {

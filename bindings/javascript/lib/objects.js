@@ -399,6 +399,27 @@ export function objects(memory) {
             check(native.gphys_scene_sweep_sphere_filtered_batch(this.pointer, pass(spheres_), 16, pass(displacements_), 12, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
             return finish(out_hits_);
         }
+        sweepFiltered(shape, displacement, filter) {
+            writeVec3(v, 28, displacement);
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 128, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 32, filter); }
+            if (check(native.gphys_scene_sweep_filtered(this.pointer, typeOf(shape), putShape(shape, 0), base + 112, filter == null ? 0 : base + 128, base + 160)) !== OK) return null;
+            return readHit(v, 40);
+        }
+        sweepFilteredBatch(shapes, displacements, filters, out) {
+            begin();
+            const shapes_ = inputShapes(shapes);
+            const displacements_ = input(displacements, 12, 'displacements');
+            if (filters != null) { check(native.gphys_query_filter_desc_init(base, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 0, filters); }
+            const count = common(shapes_, displacements_);
+            const out_hits_ = output(out, 'hit', count);
+            check(native.gphys_scene_sweep_filtered_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(displacements_), 12, count, filters == null ? 0 : base, 0, pass(out_hits_), 52));
+            return finish(out_hits_);
+        }
+        penetrationFiltered(shape, filter) {
+            begin();
+            if (filter != null) { check(native.gphys_query_filter_desc_init(base + 112, v.wide ? 32 : 28)); writeQueryFilterDesc(v, 28, filter); }
+            return list('penetration', 36, (room, capacity) => native.gphys_scene_penetration_filtered(this.pointer, typeOf(shape), putShape(shape, 0), filter == null ? 0 : base + 112, room, capacity, base + 144));
+        }
         getOctreeStats() {
             check(native.gphys_scene_get_octree_stats(this.pointer, base));
             return readOctreeStats(v, 0);

@@ -722,6 +722,43 @@ function Scene:sweep_sphere_filtered_batch(spheres, displacements, filters, out)
     return out
 end
 
+--- First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+--- Scene:sweep: a character leaves out its own model.
+--- Cost: that of Scene:sweep, and for each model as Scene:raycast_filtered.
+--- @param displacement metres; may be zero
+--- @param filter nil: the defaults
+--- @return nil if nothing is found.
+--- @raise status ERROR_UNSUPPORTED: for other types
+function Scene:sweep_filtered(shape, displacement, filter, out_hit)
+    out_hit = out_hit or Hit.new()
+    if found(C.gphys_scene_sweep_filtered(opened(self), kind(shape), address(shape), to_value(Vec3, displacement), filter and to_desc(QueryFilterDesc, filter), out_hit)) then return out_hit end
+end
+
+--- First models that count moving shapes of one type touch and the filters see, as Scene:sweep_batch.
+--- Cost: that of as many single calls; shared among workers.
+--- @param displacements metres
+--- @param filters nil: the defaults
+--- @raise status ERROR_UNSUPPORTED: as Scene:sweep
+function Scene:sweep_filtered_batch(shapes, displacements, filters, out)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local displacements, displacements_count, displacements_stride = to_array(Vec3, displacements)
+    local count = common(shapes_count, displacements_count)
+    out = results(Hit, out, count)
+    check(C.gphys_scene_sweep_filtered_batch(opened(self), shapes_kind, shapes, shapes_stride, displacements, displacements_stride, count, filters and to_desc(QueryFilterDesc, filters), 0, out, Hit.size))
+    return out
+end
+
+--- What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+--- Scene:penetration.
+--- Cost: that of Scene:penetration, and for each model as Scene:raycast_filtered.
+--- @param filter nil: the defaults
+--- @raise status ERROR_UNSUPPORTED: for other types
+function Scene:penetration_filtered(shape, filter)
+    return list(Penetration, function(out, capacity, total)
+        return C.gphys_scene_penetration_filtered(opened(self), kind(shape), address(shape), filter and to_desc(QueryFilterDesc, filter), out, capacity, total)
+    end)
+end
+
 --- How the scene's octree is made up.
 --- Cost: O(nodes).
 function Scene:get_octree_stats(out_stats)

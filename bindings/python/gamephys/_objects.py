@@ -757,6 +757,59 @@ class Scene(Models):
         check(low.gphys_scene_sweep_sphere_filtered_batch(self._handle, spheres_.address, spheres_.stride, displacements_.address, displacements_.stride, count, filters_.address, 0, out_.address, out_.stride))
         return out_.array
 
+    def sweep_filtered(self, shape: Shape, displacement: low.Vec3 | Sequence, filter: low.QueryFilterDesc | None = None) -> low.Hit | None:
+        """First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+        Scene.sweep: a character leaves out its own model.
+        Cost: that of Scene.sweep, and for each model as Scene.raycast_filtered.
+
+        Args:
+            displacement: metres; may be zero
+            filter: None: the defaults
+
+        Returns:
+            None if nothing is found.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for other types"""
+        type_, shape_ = shape_of(shape)
+        displacement_ = value_of(displacement, low.Vec3)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        out_hit = low.Hit()
+        return out_hit if found(low.gphys_scene_sweep_filtered(self._handle, type_, shape_.address, displacement_.address, filter_.address, ctypes.byref(out_hit))) else None
+
+    def sweep_filtered_batch(self, shapes: ArrayLike, displacements: ArrayLike, filters: low.QueryFilterDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """First models that count moving shapes of one type touch and the filters see, as
+        Scene.sweep_batch.
+        Cost: that of as many single calls; shared among workers.
+
+        Args:
+            displacements: metres
+            filters: None: the defaults
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: as Scene.sweep"""
+        type_, shapes_ = shapes_of(shapes)
+        displacements_ = array_of(displacements, low.vec3_dtype)
+        filters_ = value_of(filters, low.QueryFilterDesc)
+        count = common_length(shapes_, displacements_)
+        out_ = result_array(out, count, low.hit_dtype)
+        check(low.gphys_scene_sweep_filtered_batch(self._handle, type_, shapes_.address, shapes_.stride, displacements_.address, displacements_.stride, count, filters_.address, 0, out_.address, out_.stride))
+        return out_.array
+
+    def penetration_filtered(self, shape: Shape, filter: low.QueryFilterDesc | None = None) -> np.ndarray:
+        """What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+        Scene.penetration.
+        Cost: that of Scene.penetration, and for each model as Scene.raycast_filtered.
+
+        Args:
+            filter: None: the defaults
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: for other types"""
+        type_, shape_ = shape_of(shape)
+        filter_ = value_of(filter, low.QueryFilterDesc)
+        return list_of(low.gphys_scene_penetration_filtered, (self._handle, type_, shape_.address, filter_.address,), low.penetration_dtype)
+
     def get_octree_stats(self) -> low.OctreeStats:
         """How the scene's octree is made up.
         Cost: O(nodes)."""

@@ -969,6 +969,56 @@ impl Scene {
         check(unsafe { sys::gphys_scene_sweep_sphere_filtered_batch(self.handle.as_ptr(), spheres.data, spheres.stride, displacements.data, displacements.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
     }
 
+    /// First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+    /// `Scene::sweep`: a character leaves out its own model.
+    ///
+    /// Cost: that of `Scene::sweep`, and for each model as `Scene::raycast_filtered`.
+    ///
+    /// * `displacement`: metres; may be zero
+    /// * `filter`: None: the defaults
+    ///
+    /// Returns `None` if nothing is found.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for other types
+    pub fn sweep_filtered(&self, shape: &dyn Shape, displacement: impl Into<Vec3>, filter: Option<&QueryFilterDesc>) -> Result<Option<Hit>> {
+        let displacement = &displacement.into();
+        let mut out_hit = Hit::default();
+        Ok(found(unsafe { sys::gphys_scene_sweep_filtered(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), displacement, pointer(filter), &mut out_hit) })?.then_some(out_hit))
+    }
+
+    /// First models that count moving shapes of one type touch and the filters see, as
+    /// `Scene::sweep_batch`.
+    ///
+    /// Cost: that of as many single calls; shared among workers.
+    ///
+    /// * `displacements`: metres
+    /// * `filters`: None: the defaults
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: as `Scene::sweep`
+    pub fn sweep_filtered_batch<'a>(&self, shapes: impl Into<Shapes<'a>>, displacements: impl Into<Batch<'a, Vec3>>, filters: Option<&QueryFilterDesc>, out_hits: impl Into<BatchMut<'a, Hit>>) -> Result<()> {
+        let shapes = shapes.into();
+        let displacements = displacements.into();
+        let out_hits = out_hits.into();
+        let count = common_length(&[shapes.length, displacements.length])?;
+        out_hits.require(count.into())?;
+        check(unsafe { sys::gphys_scene_sweep_filtered_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, displacements.data, displacements.stride, count, pointer(filters), 0, out_hits.data, out_hits.stride) })
+    }
+
+    /// What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+    /// `Scene::penetration`.
+    ///
+    /// Cost: that of `Scene::penetration`, and for each model as `Scene::raycast_filtered`.
+    ///
+    /// * `filter`: None: the defaults
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: for other types
+    pub fn penetration_filtered(&self, shape: &dyn Shape, filter: Option<&QueryFilterDesc>) -> Result<Vec<Penetration>> {
+        list(|out_penetrations, capacity, total| unsafe { sys::gphys_scene_penetration_filtered(self.handle.as_ptr(), shape.shape_type(), shape.pointer(), pointer(filter), out_penetrations, capacity, total) })
+    }
+
     /// How the scene's octree is made up.
     ///
     /// Cost: O(nodes).

@@ -651,6 +651,41 @@ module Gamephys
       out
     end
 
+    # First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+    # Scene#sweep: a character leaves out its own model.
+    # Cost: that of Scene#sweep, and for each model as Scene#raycast_filtered.
+    # @param displacement metres; may be zero
+    # @param filter nil: the defaults
+    # @return nil if nothing is found.
+    # @raise [Error] for other types (ERROR_UNSUPPORTED)
+    def sweep_filtered(shape, displacement, filter = nil)
+      out_hit = Hit.room
+      Hit.unpack(out_hit) if Low.found(Low.gphys_scene_sweep_filtered(opened, Low.kind(shape), Low.shape(shape), Vec3.pack(displacement), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out_hit))
+    end
+
+    # First models that count moving shapes of one type touch and the filters see, as Scene#sweep_batch.
+    # Cost: that of as many single calls; shared among workers.
+    # @param displacements metres
+    # @param filters nil: the defaults
+    # @raise [Error] as Scene#sweep (ERROR_UNSUPPORTED)
+    def sweep_filtered_batch(shapes, displacements, filters = nil, out: nil)
+      shapes = Low.shapes(shapes)
+      displacements = Low.array(Vec3, displacements)
+      count = Low.common(shapes, displacements)
+      out = Low.results(Hit, out, count)
+      Low.check(Low.gphys_scene_sweep_filtered_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, displacements.pointer, displacements.stride, count, filters && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filters), 0, out.pointer, Hit::BYTES))
+      out
+    end
+
+    # What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+    # Scene#penetration.
+    # Cost: that of Scene#penetration, and for each model as Scene#raycast_filtered.
+    # @param filter nil: the defaults
+    # @raise [Error] for other types (ERROR_UNSUPPORTED)
+    def penetration_filtered(shape, filter = nil)
+      Low.list(Penetration) { |out, capacity, total| Low.gphys_scene_penetration_filtered(opened, Low.kind(shape), Low.shape(shape), filter && Low.desc(Low::QueryFilterDesc, :gphys_query_filter_desc_init, filter), out, capacity, total) }
+    end
+
     # How the scene's octree is made up.
     # Cost: O(nodes).
     def get_octree_stats

@@ -106,6 +106,9 @@ class LowFunctions {
     static native int gphys_scene_nearest_filtered_batch(Pointer scene, Pointer points, int pointStride, int count, float maxDistance, Pointer filters, int filterStride, Pointer outNearest, int outStride);
     static native int gphys_scene_sweep_sphere_filtered(Pointer scene, Pointer sphere, Pointer displacement, Pointer filter, Pointer outHit);
     static native int gphys_scene_sweep_sphere_filtered_batch(Pointer scene, Pointer spheres, int sphereStride, Pointer displacements, int displacementStride, int count, Pointer filters, int filterStride, Pointer outHits, int outStride);
+    static native int gphys_scene_sweep_filtered(Pointer scene, int type, Pointer shape, Pointer displacement, Pointer filter, Pointer outHit);
+    static native int gphys_scene_sweep_filtered_batch(Pointer scene, int type, Pointer shapes, int shapeStride, Pointer displacements, int displacementStride, int count, Pointer filters, int filterStride, Pointer outHits, int outStride);
+    static native int gphys_scene_penetration_filtered(Pointer scene, int type, Pointer shape, Pointer filter, Pointer outPenetrations, int capacity, Pointer outTotal);
     static native int gphys_scene_get_octree_stats(Pointer scene, Pointer outStats);
     static native int gphys_scene_get_octree_boxes(Pointer scene, Pointer outBoxes, int capacity, Pointer outTotal);
     static native int gphys_scene_validate(Pointer scene);

@@ -1103,6 +1103,74 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * First model that a sphere, capsule, AABB or OBB that moves touches and the filter sees, as
+     * Scene.sweep: a character leaves out its own model.
+     * Cost: that of Scene.sweep, and for each model as Scene.raycastFiltered.
+     * @param displacement metres; may be zero
+     * @param filter null: the defaults
+     * @return empty if nothing is found.
+     * @throws GamephysException with ERROR_UNSUPPORTED: for other types
+     */
+    public Optional<Hit> sweepFiltered(Shape shape, Vec3 displacement, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_scene_sweep_filtered(opened(), shape.kind(), Low.shape(shape, scratch, 2), scratch.put(3, displacement), filter == null ? null : filter.pointer(), scratch.slot(5));
+        Low.keep(this, shape, filter);
+        return Low.found(status) ? Optional.of(Hit.read(scratch.memory, Scratch.at(5))) : Optional.empty();
+    }
+
+    /** The same with defaults. */
+    public Optional<Hit> sweepFiltered(Shape shape, Vec3 displacement) {
+        return sweepFiltered(shape, displacement, (QueryFilterDesc) null);
+    }
+
+    /**
+     * First models that count moving shapes of one type touch and the filters see, as Scene.sweepBatch.
+     * Cost: that of as many single calls; shared among workers.
+     * @param displacements metres
+     * @param filters null: the defaults
+     * @throws GamephysException with ERROR_UNSUPPORTED: as Scene.sweep
+     */
+    public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements, QueryFilterDesc filters, Batch<Hit> out) {
+        int count = Low.common(shapes.common(), displacements.common());
+        Batch<Hit> room = Batch.room(Hit.LAYOUT, count, out);
+        int status = Low.gphys_scene_sweep_filtered_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), displacements.pointer(), displacements.stride(), count, filters == null ? null : filters.pointer(), 0, room.pointer(), Hit.LAYOUT.bytes());
+        Low.keep(this, shapes, displacements, filters, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements, QueryFilterDesc filters) {
+        return sweepFilteredBatch(shapes, displacements, filters, (Batch<Hit>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Hit> sweepFilteredBatch(Shapes shapes, Batch<Vec3> displacements) {
+        return sweepFilteredBatch(shapes, displacements, (QueryFilterDesc) null, (Batch<Hit>) null);
+    }
+
+    /**
+     * What a sphere, capsule, AABB or OBB overlaps and the filter sees, and how it gets out, as
+     * Scene.penetration.
+     * Cost: that of Scene.penetration, and for each model as Scene.raycastFiltered.
+     * @param filter null: the defaults
+     * @throws GamephysException with ERROR_UNSUPPORTED: for other types
+     */
+    public Batch<Penetration> penetrationFiltered(Shape shape, QueryFilterDesc filter) {
+        Scratch scratch = Scratch.get();
+        return Low.list(Penetration.LAYOUT, (room, capacity, total) -> {
+                int status = Low.gphys_scene_penetration_filtered(opened(), shape.kind(), Low.shape(shape, scratch, 2), filter == null ? null : filter.pointer(), room, capacity, total);
+                Low.keep(this, shape, filter);
+                return status;
+            });
+    }
+
+    /** The same with defaults. */
+    public Batch<Penetration> penetrationFiltered(Shape shape) {
+        return penetrationFiltered(shape, (QueryFilterDesc) null);
+    }
+
+    /**
      * How the scene's octree is made up.
      * Cost: O(nodes).
      */
