@@ -459,7 +459,9 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
         if (body.cloth_contacts.pushed) ease_links(body);
     }
     if (cloth.most_strain > 0) {
+        if (collides) note_places(body);
         const double lost = relax_links(body, collides, h);
+        if (collides) stop_taken_back(body, around, h);
         if (lost > 0 && cloth.balance.closed) take_back(body, lost * cloth.average_mass);
     }
     if (collides) {

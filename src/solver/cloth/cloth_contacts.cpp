@@ -192,6 +192,7 @@ void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const Tim
             put(at, get(at) - along);
         }
         push_out(n, at);
+        contacts.normals[i + 3] = static_cast<float>(n.pressed / at[3]);
     }
 }
 
@@ -200,11 +201,12 @@ namespace {
 /// Friction: as far back to the place on the wall as all that presses allows.
 void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& settings, Vec3 place, float* at) {
     const Vec3 normal = n.walls[n.touching].normal, moved = get(at) - place;
-    n.total = n.pressed + std::max(0.0, -dot(get(&contacts.pulls[4 * size_t{n.particle}]), normal)) * at[3];
+    n.total = std::max(0.0, n.pressed - dot(get(&contacts.pulls[4 * size_t{n.particle}]), normal) * at[3]);
     const Vec3 along = moved - normal * dot(moved, normal);
     const double squared = length_squared(along), hold = settings.friction * n.total - n.slowed;
     const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
-    if (within(hold) || (n.crept >= 0 && within(n.crept + settings.static_friction * n.total - n.slowed))) {
+    n.held = within(hold) || (n.crept >= 0 && within(n.crept + settings.static_friction * n.total - n.slowed));
+    if (n.held) {
         put(at, place);
     } else if (hold > 0) {
         put(at, get(at) - along * (hold / std::sqrt(squared)));
@@ -298,6 +300,29 @@ void turn_velocities(Body& body, const Surroundings& around, double quiet, doubl
         lose(n, body, around, normal * (away - wanted));
         put(velocity, get(velocity) + normal * (wanted - away));
     }
+}
+
+void stop_taken_back(Body& body, const Surroundings& around, double h) {
+    ClothState& cloth = body.cloth;
+    for (const uint32_t number : body.cloth_contacts.touching) {
+        Neighbour& n = body.cloth_contacts.neighbours[number];
+        const size_t i = 4 * size_t{n.particle};
+        const Vec3 back = get(&cloth.at[i]) - n.chained, start = get(&cloth.start[i]);
+        const Vec3 velocity = get(&cloth.velocity[i]);
+        const double square = length_squared(back);
+        const double against = dot((place_on_wall(n, body.cloth_contacts, start) - start) / h - velocity, back);
+        if (against <= 0 || square == 0) continue;
+        const Vec3 slowed = velocity + back * std::min(1 / h, against / square);
+        lose(n, body, around, velocity - slowed);
+        put(&cloth.velocity[i], slowed);
+    }
+}
+
+bool is_held(const Body& body, uint32_t particle) {
+    const uint32_t place = body.cloth_contacts.place[particle];
+    if (place == ClothContacts::nowhere) return false;
+    const Neighbour& n = body.cloth_contacts.neighbours[place];
+    return n.touching >= 0 && n.held;
 }
 
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides) {

@@ -54,6 +54,7 @@ struct alignas(64) Neighbour {
     double slowed;          // metres, by how much friction has slowed it before the links pulled
     double approach;        // speed towards the wall before it touched
     bool chained_touching;  // whether it touched before the chains were solved
+    bool held;              // whether friction keeps it at its place on the wall
     Vec3 coming;            // if so, the velocity predicted for the end of this substep
     Vec3 chained;           // and where the chains have left it, before limits
     Vec3 moved;             // metres, by chains and limits; against what walls did, if it touched after them

@@ -142,8 +142,16 @@ struct NoSurfacesPulling : NoSurfaces {
     }
 };
 
-/// With the normals N of what they touch, particles have the inverse masses w (1 - N N^T): the system
-/// counts with them as they move along the surface. What pulls them off it does so all the same.
+/// What is left to the wall of a pull off it, where `before` is what chains before have pulled off, less what presses.
+inline Float8 held_part(Float8 pull, Float8 before) {
+    return pull - (max(before + pull, splat(0)) - max(before, splat(0)));
+}
+
+/// With the normals N of what they touch, particles have the inverse masses w (1 - N N^T): the system counts with them
+/// as they move along the surface. What all chains so far pull them off it with, beyond what presses them there, moves
+/// them off, and the next chains may move them back: it is the sum that has a sign (Catto 2005, "Iterative dynamics
+/// with temporal coherence"). Were it each chain's pull, a link that pushes would throw them off, and none would take
+/// them back.
 struct Surfaces {
     // A chain between two held particles asks for what cannot be: its last pivot would be 0 and would
     // throw it aside. Those of a chain with a free end are half of the diagonal or more.
@@ -155,7 +163,13 @@ struct Surfaces {
     const ClothSurfaces& arrays;
 
     using Normals = Quads8;
-    Normals normals(const uint32_t* particles) const { return load_quads(arrays.normals, particles); }
+    /// 0 of what has been pulled off.
+    Normals normals(const uint32_t* particles) const {
+        const Quads8 normal = load_quads(arrays.normals, particles), pulled = load_quads(arrays.pulls, particles);
+        const Mask8 held = product(pulled, normal) <= normal.w;
+        const Float8 none = splat(0);
+        return {choose(held, normal.x, none), choose(held, normal.y, none), choose(held, normal.z, none), none};
+    }
     static Float8 mobility(const Quads8& a, const Normals& at_a, const Quads8& b, const Normals& at_b,
                            const Direction& n) {
         const Float8 off_a = along(n, at_a), off_b = along(n, at_b), sum = a.w + b.w;
@@ -169,16 +183,18 @@ struct Surfaces {
     }
     void move(float* at, const uint32_t* particles, const Quads8& pull) const {
         Quads8 a = load_quads(at, particles);
-        const Normals normal = normals(particles);
-        const Float8 in = min(splat(0), pull.x * normal.x + pull.y * normal.y + pull.z * normal.z);
-        a.x = a.x + (pull.x - normal.x * in) * a.w;
-        a.y = a.y + (pull.y - normal.y * in) * a.w;
-        a.z = a.z + (pull.z - normal.z * in) * a.w;
+        const Quads8 normal = load_quads(arrays.normals, particles), pulled = load_quads(arrays.pulls, particles);
+        const Float8 off = product(pull, normal), before = product(pulled, normal) - normal.w;
+        const Float8 held = held_part(off, before);
+        a.x = a.x + (pull.x - normal.x * held) * a.w;
+        a.y = a.y + (pull.y - normal.y * held) * a.w;
+        a.z = a.z + (pull.z - normal.z * held) * a.w;
         store_quads(at, particles, a);
         add_pull(arrays.pulls, particles, pull);
     }
 
 private:
+    static Float8 product(const Quads8& a, const Quads8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
     static Float8 along(const Direction& n, const Normals& normal) {
         return n.x * normal.x + n.y * normal.y + n.z * normal.z;
     }
@@ -215,6 +231,9 @@ struct Tethered {
         out.inverse = splat(1) / max(inertia, splat(least_inertia));
         return out;
     }
+    static Float8 off_wall(const Quads8& pull, const Normals& at) {
+        return pull.x * at.along.x + pull.y * at.along.y + pull.z * at.along.z;
+    }
     /// a . (W - W N (W N)^T / (N . W N)) b
     static Float8 through(const Normals& at, Float8 ax, Float8 ay, Float8 az, const Direction& b) {
         const Vec<Float8> moved = times(at.diagonal, at.off, ax, ay, az);
@@ -233,10 +252,11 @@ struct Tethered {
     void move(float* at, const uint32_t* particles, const Quads8& pull) const {
         Quads8 a = load_quads(at, particles);
         const Normals here = normals(particles);
-        const Float8 in =
-            min(splat(0), pull.x * here.along.x + pull.y * here.along.y + pull.z * here.along.z) * here.inverse;
-        const Vec<Float8> way = times(here.diagonal, here.off, pull.x - here.normal.x * in, pull.y - here.normal.y * in,
-                                      pull.z - here.normal.z * in);
+        const Float8 pressing = load_quads(arrays.surfaces.normals, particles).w;
+        const Quads8 pulled = load_quads(arrays.surfaces.pulls, particles);
+        const Float8 held = held_part(off_wall(pull, here), off_wall(pulled, here) - pressing) * here.inverse;
+        const Vec<Float8> way = times(here.diagonal, here.off, pull.x - here.normal.x * held,
+                                      pull.y - here.normal.y * held, pull.z - here.normal.z * held);
         a.x = a.x + way.x * a.w;
         a.y = a.y + way.y * a.w;
         a.z = a.z + way.z * a.w;

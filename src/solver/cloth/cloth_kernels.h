@@ -51,9 +51,9 @@ struct ClothMotion {
     const float* acceleration;  // of gravity and forces, and mass; 0 of those that do not move freely
 };
 
-/// Of all particles, four floats each, the fourth unused.
+/// Of all particles, four floats each; the fourth of pulls is unused.
 struct ClothSurfaces {
-    const float* normals;  // unit, of what the particle touches; 0 if nothing
+    const float* normals;  // unit, of what the particle touches, and what presses it there, as pulls; 0 if nothing
     float* pulls;          // of the links: what they add would move an average particle, in metres
 };
 
@@ -69,7 +69,8 @@ struct ClothKernels {
     void (*predict)(const ClothMotion& motion, const ClothStep& step);
     /// Room for 6 vectors a link in `rows`.
     void (*solve)(float* at, const ClothChains& chains, const ChainBatch& batch, float* rows);
-    /// The same while particles that touch something move along it or off, and not into it.
+    /// The same while particles that touch something move along it or off, and not into it. They are off by what all
+    /// chains since `pulls` was 0 pull them off with beyond what presses.
     void (*solve_touching)(float* at, const ClothSurfaces& surfaces, const ClothChains& chains, const ChainBatch& batch,
                            float* rows);
     /// As `solve`, with the pulls as `solve_touching` adds them up.

@@ -261,6 +261,10 @@ void turn_velocities(Body& body, const Surroundings& around, double quiet, doubl
 /// A model that moves carries particles further in a substep than friction should: links between two that touch
 /// something get their lengths back.
 void ease_links(Body& body);
+/// What relaxing links has taken back since note_places of the way of a particle that touches something is no motion.
+void stop_taken_back(Body& body, const Surroundings& around, double h);
+/// Whether friction has kept a particle at its place in this substep.
+bool is_held(const Body& body, uint32_t particle);
 /// Moves a particle aside, but not into its walls.
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
 void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h);
