@@ -17,7 +17,7 @@ static const struct golden {
     /* clang-format off */
     {"particles", 0x099c6058, 0x1b99ec6b},
     {"ropes", 0x178a4c36, 0xd5a3a83a},
-    {"cloth", 0x3326edd3, 0x12ea35b5},
+    {"cloth", 0x7a02f851, 0x7c9d4efc},
     {"joints", 0x45b6c712, 0xf1c59768},
     {"moving_models", 0xc059a03b, 0xac9f23d4},
     {"cameras", 0xbe75667a, 0xa4f12f08},

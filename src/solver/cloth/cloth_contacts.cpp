@@ -322,7 +322,7 @@ bool is_held(const Body& body, uint32_t particle) {
     const uint32_t place = body.cloth_contacts.place[particle];
     if (place == ClothContacts::nowhere) return false;
     const Neighbour& n = body.cloth_contacts.neighbours[place];
-    return n.touching >= 0 && n.held;
+    return n.touching >= 0 && n.held && !is_pushed(n);
 }
 
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides) {
