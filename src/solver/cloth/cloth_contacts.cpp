@@ -320,7 +320,7 @@ void stop_taken_back(Body& body, const Surroundings& around, double h) {
 
 bool is_held(const Body& body, uint32_t particle) {
     const uint32_t place = body.cloth_contacts.place[particle];
-    if (place == ClothContacts::nowhere) return false;
+    if (place == ClothContacts::nowhere || body.cloth_contacts.sunk) return false;
     const Neighbour& n = body.cloth_contacts.neighbours[place];
     return n.touching >= 0 && n.held && !is_pushed(n);
 }

@@ -263,7 +263,8 @@ void turn_velocities(Body& body, const Surroundings& around, double quiet, doubl
 void ease_links(Body& body);
 /// What relaxing links has taken back since note_places of the way of a particle that touches something is no motion.
 void stop_taken_back(Body& body, const Surroundings& around, double h);
-/// Whether friction has kept a particle at its place in this substep, on a model that stands still.
+/// Whether friction has kept a particle at its place in this substep, on a model that stands still and while none of
+/// the body is in one.
 bool is_held(const Body& body, uint32_t particle);
 /// Moves a particle aside, but not into its walls.
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
