@@ -91,7 +91,7 @@ TEST_CASE("a sheet of default settings calms down on a box") {
     sheet.body = sheet.world.cloth({-1, 0.5f, -1}, {2, 0, 0}, {0, 0, 2}, 30, 30);
     const double speed = sheet.speed_after(10);
     test::figure("largest speed on a box after ten seconds", speed * 1e3, "mm/s");
-    // Measured: 18 mm/s. It was 480 when chains that push a particle off the box kept the next from taking it back.
+    // Measured: 18 mm/s, and 480 if what one chain pushes off the box none takes back.
     CHECK(speed < 0.05);
 }
 
