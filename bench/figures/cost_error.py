@@ -2,7 +2,7 @@
 import math
 
 import matplotlib.pyplot as plt
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from marks import look, place_labels, shown
 
@@ -24,10 +24,13 @@ def power(exponent):
 class ErrorAxis:
     """Where errors are drawn: decades, and zero below them behind a break."""
 
-    def __init__(self, errors):
+    def __init__(self, errors, of_shares):
         positive = [error for error in errors if error > 0]
         self.low = math.floor(math.log10(min(positive))) if positive else -8
         self.high = math.ceil(math.log10(max(positive))) if positive else -4
+        if of_shares:  # which end at 100 %
+            self.high = min(self.high, 0)
+            self.low = min(self.low, self.high - 2)
         self.high = max(self.high, self.low + 2)
         self.zero = len(positive) < len(errors)  # whether there is one
         self.gap = 0.28 * (self.high - self.low)
@@ -59,10 +62,13 @@ class ErrorAxis:
 
 def panel(axes, title, points, cost_label, error_label, percent=False):
     """points: (cost, slower cost or 0, error, library, label). Returns what place_labels needs."""
-    scale = ErrorAxis([error for _, _, error, _, _ in points])
+    scale = ErrorAxis([error for _, _, error, _, _ in points], percent)
     axes.set_xscale("log")
     costs = [cost for cost, *_ in points]
     axes.set_xlim(min(costs) / 2.2, max(max(costs) * 2.6, min(costs) * 12))
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.12g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_title(title, loc="left")
     axes.set_xlabel(cost_label)
     axes.set_ylabel(error_label)

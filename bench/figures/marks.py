@@ -70,7 +70,7 @@ def place_labels(axes, points, bars, lines, size=9.5):
                     left = px + ux * d - (0 if ux > 0 else width if ux < 0 else width / 2)
                     low = py + uy * d - (0 if uy > 0 else height if uy < 0 else height / 2)
                     place = (left, low, left + width, low + height)
-                    if place[0] < inside.x0 + 2 or place[2] > inside.x1 or place[1] < inside.y0 + 1 or place[3] > inside.y1:
+                    if place[0] < inside.x0 + 6 or place[2] > inside.x1 or place[1] < inside.y0 + 1 or place[3] > inside.y1:
                         continue
                     if free(place, avoided):
                         found = place, distance
