@@ -22,6 +22,7 @@ def draw(points):
     parts = panel(axes, "title", points, "ns", "error")
     drawing.canvas.draw()
     lost = place_labels(*parts)
+    drawing.canvas.draw()  # which brings the labels to their places
     boxes = [Text.get_window_extent(label) for label in axes.texts]  # without the line to the point
     plt.close(drawing)
     return lost, boxes
