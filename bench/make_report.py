@@ -80,7 +80,8 @@ def ordinary_panels(rows):
                 if name.startswith("gamephys_2") or row["unit"] != "ns":
                     continue
                 own_batch = name == "gamephys" or "packets" in name
-                if how and len(cases) > 1 and not own_batch:
+                singly = any(name in rows.get((other, largest(rows, other)), {}) for other, what in cases if not what)
+                if how and singly and not own_batch:
                     continue  # a loop of single calls, which the other case has
                 if row["error_unit"] in WRONG:
                     if row["error"]:
@@ -124,6 +125,8 @@ def growth(rows, path):
                                        (grid[1], "Rays of a camera", "scene_ray_rows", "scene_single_rows")):
         for name in ("gamephys", "embree", "bullet"):
             for case, style, how in ((batch, "-", "batch"), (single, "--", "single calls")):
+                if how == "batch" and name == "embree":
+                    continue  # a loop of single calls
                 points = sorted((n, by[name]["value"]) for (this, n), by in rows.items() if this == case and name in by)
                 if points:
                     colour, marker = look(name)
@@ -132,7 +135,7 @@ def growth(rows, path):
         axes.set_title(title, loc="left")
         axes.set_xlabel("boxes")
     grid[0].set_ylabel("ns per ray")
-    grid[1].legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    grid[1].legend(loc="center left", bbox_to_anchor=(1, 0.5), handlelength=3.5)
     drawing.savefig(path.with_suffix(".svg"), metadata={"Date": None})
     drawing.savefig(path.with_suffix(".png"))
     plt.close(drawing)

@@ -1,5 +1,4 @@
 """How libraries look in all figures: Okabe and Ito's colours, which the colour-blind tell apart, and a marker each."""
-from matplotlib.patheffects import withStroke
 
 LOOKS = {
     "gamephys": ("#D55E00", "o"),
@@ -87,5 +86,6 @@ def place_labels(axes, points, bars, lines, size=9.5):
         at = axes.transData.inverted().transform(((place[0] + place[2]) / 2, (place[1] + place[3]) / 2))
         arrow = {"arrowstyle": "-", "color": "#999999", "linewidth": 0.7, "shrinkA": 0, "shrinkB": 4} if distance > 14 else None
         axes.annotate(text, (x, y), xytext=at, ha="center", va="center", fontsize=size, color=colour, arrowprops=arrow,
-                      path_effects=[withStroke(linewidth=2.5, foreground="white")], zorder=4)
+                      zorder=4,
+                      bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.5})
     return lost
