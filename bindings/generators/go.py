@@ -279,6 +279,8 @@ def keep(alive):
 def method(api, call):
     f = call.function
     name = go_name(call.name.removeprefix("get_"))
+    if not call.owner and name in {go_name(s["name"]) for s in api["structs"]}:
+        name = "Shape" + name  # functions and types share a package's names
     receiver = f"(o *{go_name(call.owner)}) " if call.owner else ""
     lines, alive = prepare(api, call)
     args = go_arguments(call)

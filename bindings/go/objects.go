@@ -3448,7 +3448,7 @@ func Sweep(shape Shape, moving Shape, displacement Vec3) (hit Hit, found bool, e
 // The error is ErrUnsupported for rays, segments and frusta, and for other types that move.
 // Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
 // 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
-func Penetration(shape Shape, moving Shape) (penetration Penetration, found bool, err error) {
+func ShapePenetration(shape Shape, moving Shape) (penetration Penetration, found bool, err error) {
 	shapeGiven, err := shapesOf(shape)
 	if err != nil {
 		return

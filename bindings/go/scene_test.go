@@ -86,6 +86,27 @@ func TestFiltersLeaveOutModels(t *testing.T) {
 	same(t, must(scene.CullFiltered(must(camera.Frustum()), &filter)), []ModelID{target})
 }
 
+func TestSolidsMoveUpToWhatTheyTouchAndOutOfWhatTheyOverlap(t *testing.T) {
+	scene, ball := must(NewScene(nil)), Sphere{Radius: 1}
+	same(t, found(Sweep(ball, Sphere{Vec(0, 4, 0), 1}, Vec(0, -4, 0))).T, float32(0.5))
+	same(t, found(ShapePenetration(ball, Sphere{Vec(0, 0, 1.5), 1})).Depth, float32(0.5))
+	must(scene.Add(ball, nil, nil))
+	farOff := Place(Vec(0, 0, 10))
+	target := must(scene.Add(ball, &farOff, nil))
+	filter := DefaultQueryFilterDesc()
+	filter.IgnoredModel = target
+	moving, deep, way, hits := Sphere{Vec(0, 0, 5), 1}, Sphere{Vec(0, 0, 8.5), 1}, Vec(0, 0, 6), make([]Hit, 2)
+	same(t, found(scene.Sweep(moving, way, AllLayers)).Model, target)
+	_, met, err := scene.SweepFiltered(moving, way, &filter)
+	same(t, []any{met, err}, []any{false, nil})
+	try(t, scene.SweepBatch(Spheres{moving, moving}, []Vec3{way}, AllLayers, hits))
+	same(t, hits[1].Model, target)
+	try(t, scene.SweepFilteredBatch(Spheres{moving, moving}, []Vec3{way}, &filter, hits))
+	same(t, hits[1].Model, ModelID(0))
+	same(t, must(scene.Penetration(deep, AllLayers))[0].Depth, float32(0.5))
+	same(t, len(must(scene.PenetrationFiltered(deep, &filter))), 0)
+}
+
 func TestShapesChangeAndTreesAndCamerasAreRead(t *testing.T) {
 	scene := must(NewScene(nil))
 	body := must(scene.Add(Sphere{Radius: 1}, nil, nil))

@@ -258,6 +258,31 @@ TEST_CASE("filters leave out models") {
     CHECK(scene.cull_filtered(camera.get_frustum(), &filter) == one);
 }
 
+TEST_CASE("solids move up to what they touch, and out of what they overlap") {
+    const Sphere centred{zero, 1}, inside{{0, 0, 1.5f}, 1}, above{{0, 4, 0}, 1};
+    CHECK(sweep(centred, above, {0, -4, 0})->t == 0.5f);
+    CHECK(penetration(centred, inside)->depth == 0.5f);
+    CHECK(!penetration(centred, above));
+    Scene scene;
+    scene.add(centred);
+    const Transform far_off{{0, 0, 10}, still, 1};
+    const gphys_model_id target = scene.add(centred, &far_off);
+    QueryFilterDesc filter = query_filter_desc();
+    filter.ignored_model = target;
+    const std::vector<Sphere> moving(2, Sphere{{0, 0, 5}, 1});
+    const std::vector<Vec3> ways(2, Vec3{0, 0, 6});
+    const Sphere deep{{0, 0, 8.5f}, 1};
+    CHECK(scene.sweep(moving[0], ways[0])->model == target);
+    CHECK(!scene.sweep_filtered(moving[0], ways[0], &filter));
+    std::vector<Hit> hits(2);
+    scene.sweep_batch(moving, ways, GPHYS_ALL_LAYERS, hits);
+    CHECK((hits[1].model == target && hits[1].t == 0.5f));
+    scene.sweep_filtered_batch(moving, ways, &filter, hits);
+    CHECK(hits[1].model == 0);
+    CHECK(scene.penetration(deep).at(0).depth == 0.5f);
+    CHECK(scene.penetration_filtered(deep, &filter).empty());
+}
+
 TEST_CASE("shapes change, trees and cameras are read") {
     Scene scene;
     ModelDesc on_body = model_desc();

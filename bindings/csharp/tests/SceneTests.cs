@@ -94,6 +94,29 @@ public class SceneTests {
     }
 
     [Test]
+    public void SolidsMoveUpToWhatTheyTouchAndOutOfWhatTheyOverlap() {
+        var ball = new Sphere((0, 0, 0), 1);
+        Assert.AreEqual(0.5, Geometry.Sweep(ball, new Sphere((0, 4, 0), 1), (0, -4, 0)).Value.T);
+        Assert.AreEqual(0.5, Geometry.Penetration(ball, new Sphere((0, 0, 1.5f), 1)).Value.Depth);
+        var scene = new Scene();
+        scene.Add(ball);
+        var target = scene.Add(ball, Transform.At((0, 0, 10)));
+        var filter = QueryFilterDesc.Default;
+        filter.IgnoredModel = target;
+        Sphere moving = new Sphere((0, 0, 5), 1), deep = new Sphere((0, 0, 8.5f), 1);
+        Vec3 way = (0, 0, 6);
+        Assert.AreEqual(target, scene.Sweep(moving, way).Value.Model);
+        Assert.IsNull(scene.SweepFiltered(moving, way, filter));
+        var hits = new Hit[2];
+        scene.SweepBatch(new[] { moving, moving }, new[] { way }, hits);
+        Assert.AreEqual((target, 0.5f), (hits[1].Model, hits[1].T));
+        scene.SweepFilteredBatch(new[] { moving, moving }, new[] { way }, hits, filter);
+        Assert.AreEqual(0u, hits[1].Model);
+        Assert.AreEqual(0.5f, scene.Penetration(deep)[0].Depth);
+        Assert.IsEmpty(scene.PenetrationFiltered(deep, filter));
+    }
+
+    [Test]
     public void ShapesChangeAndTreesAndCamerasAreRead() {
         var scene = new Scene();
         var body = scene.Add(new Sphere((0, 0, 0), 1));

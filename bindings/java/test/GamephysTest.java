@@ -242,6 +242,26 @@ public class GamephysTest {
     }
 
     @Test
+    public void solidsMoveUpToWhatTheyTouchAndOutOfWhatTheyOverlap() {
+        Sphere centred = new Sphere(ZERO, 1);
+        assertEquals(0.5, sweep(centred, new Sphere(v(0, 4, 0), 1), v(0, -4, 0)).orElseThrow().t(), 0);
+        assertEquals(0.5, penetration(centred, new Sphere(v(0, 0, 1.5f), 1)).orElseThrow().depth(), 0);
+        Scene scene = new Scene();
+        scene.add(centred);
+        int target = scene.add(centred, new Transform(v(0, 0, 10), STILL, 1));
+        QueryFilterDesc filter = new QueryFilterDesc().ignoredModel(target);
+        Sphere moving = new Sphere(v(0, 0, 5), 1), deep = new Sphere(v(0, 0, 8.5f), 1);
+        Vec3 way = v(0, 0, 6);
+        Batch<Sphere> spheres = Batch.copyOf(Sphere.LAYOUT, List.of(moving, moving));
+        assertEquals(target, scene.sweep(moving, way).orElseThrow().model());
+        assertTrue(scene.sweepFiltered(moving, way, filter).isEmpty());
+        assertEquals(target, scene.sweepBatch(Shapes.of(spheres), points(way, way)).get(1).model());
+        assertEquals(0, scene.sweepFilteredBatch(Shapes.of(spheres), points(way, way), filter).get(1).model());
+        assertEquals(0.5, scene.penetration(deep).get(0).depth(), 0);
+        assertEquals(0, scene.penetrationFiltered(deep, filter).size());
+    }
+
+    @Test
     public void shapesChangeAndTreesAndCamerasAreRead() {
         Scene scene = new Scene();
         int body = scene.add(BALL), head = scene.add(BALL, null, new ModelDesc().parent(body));

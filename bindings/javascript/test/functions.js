@@ -120,6 +120,21 @@ test('questions to a scene', () => {
     assert.strictEqual([...scene.getOctreeBoxes()].reduce((sum, box) => sum + box.item_count, 0), 2);
 });
 
+test('solids move up to what they touch, and out of what they overlap', () => {
+    const above = gp.sphere([0, 4, 0], 1), moving = gp.sphere([0, 0, 5], 1), deep = gp.sphere([0, 0, 8.5], 1);
+    assert.strictEqual(gp.sweep(ball, above, [0, -4, 0]).t, 0.5);
+    assert.strictEqual(gp.penetration(ball, gp.sphere([0, 0, 1.5], 1)).depth, 0.5);
+    const scene = new gp.Scene();
+    scene.add(ball);
+    const target = scene.add(ball, at(0, 0, 10)), filter = { ignored_model: target }, ways = floats(0, 0, 6, 0, 0, 6);
+    assert.strictEqual(scene.sweep(moving, [0, 0, 6]).model, target);
+    assert.strictEqual(scene.sweepFiltered(moving, [0, 0, 6], filter), null);
+    assert.strictEqual(scene.sweepBatch(moving, ways).get(1).model, target);
+    assert.strictEqual(scene.sweepFilteredBatch(moving, ways, filter).get(1).model, 0);
+    assert.strictEqual(scene.penetration(deep).get(0).depth, 0.5);
+    assert.strictEqual([...scene.penetrationFiltered(deep, filter)].length, 0);
+});
+
 test('filters leave out models', () => {
     const scene = new gp.Scene();
     const body = scene.add(ball);

@@ -179,6 +179,21 @@ function tests.filters_leave_out_models()
     assert(scene:cull_filtered(camera:get_frustum(), filter)[0] == target)
 end
 
+function tests.solids_move_up_to_what_they_touch_and_out_of_what_they_overlap()
+    local centred = gp.Sphere({ 0, 0, 0 }, 1)
+    assert(gp.sweep(centred, gp.Sphere({ 0, 4, 0 }, 1), { 0, -4, 0 }).t == 0.5)
+    assert(gp.penetration(centred, gp.Sphere({ 0, 0, 1.5 }, 1)).depth == 0.5)
+    local scene = gp.Scene()
+    scene:add(centred)
+    local target = scene:add(centred, gp.Transform({ 0, 0, 10 }, { 0, 0, 0, 1 }, 1))
+    local moving, deep, way = gp.Sphere({ 0, 0, 5 }, 1), gp.Sphere({ 0, 0, 8.5 }, 1), gp.Vec3(0, 0, 6)
+    local spheres, filter = { moving, moving }, { ignored_model = target }
+    assert(scene:sweep(moving, way).model == target and not scene:sweep_filtered(moving, way, filter))
+    assert(scene:sweep_batch(spheres, { way, way })[1].model == target)
+    assert(scene:sweep_filtered_batch(spheres, { way, way }, filter)[1].model == 0)
+    assert(scene:penetration(deep)[0].depth == 0.5 and gp.length(scene:penetration_filtered(deep, filter)) == 0)
+end
+
 function tests.shapes_change_and_trees_and_cameras_are_read()
     local scene = gp.Scene()
     local body = scene:add(ball)

@@ -163,6 +163,23 @@ class Functions(unittest.TestCase):
         self.assertEqual(camera.cull_filtered(scene, both).tolist(), [target])
         self.assertEqual(scene.cull_filtered(camera.get_frustum(), both).tolist(), [target])
 
+    def test_solids_move_up_to_what_they_touch_and_out_of_what_they_overlap(self):
+        centred = gp.Sphere((0, 0, 0), 1)
+        self.assertEqual(gp.sweep(centred, gp.Sphere((0, 4, 0), 1), (0, -4, 0)).t, 0.5)
+        self.assertEqual(gp.penetration(centred, gp.Sphere((0, 0, 1.5), 1)).depth, 0.5)
+        self.assertIsNone(gp.penetration(centred, gp.Sphere((0, 4, 0), 1)))
+        scene = gp.Scene()
+        scene.add(centred)
+        target = scene.add(centred, ((0, 0, 10), STILL, 1))
+        moving, deep, way = gp.Sphere((0, 0, 5), 1), gp.Sphere((0, 0, 8.5), 1), (0, 0, 6)
+        others = gp.QueryFilterDesc(ignored_model=target)
+        self.assertEqual(scene.sweep(moving, way).model, target)
+        self.assertIsNone(scene.sweep_filtered(moving, way, others))
+        self.assertEqual(scene.sweep_batch([moving, moving], np.float32([way] * 2))["model"].tolist(), [target] * 2)
+        self.assertEqual(scene.sweep_filtered_batch([moving, moving], np.float32([way] * 2), others)["model"].tolist(), [0, 0])
+        self.assertEqual(scene.penetration(deep)["depth"].tolist(), [0.5])
+        self.assertEqual(len(scene.penetration_filtered(deep, others)), 0)
+
     def test_shapes_change_and_trees_and_cameras_are_read(self):
         scene = gp.Scene()
         body = scene.add(BALL)

@@ -181,6 +181,22 @@ class TestGamephys < Minitest::Test
     assert_equal [[target]] * 3, lists.map(&:to_a)
   end
 
+  def test_solids_move_up_to_what_they_touch_and_out_of_what_they_overlap
+    centred = Sphere.new([0, 0, 0], 1)
+    assert_equal 0.5, Gamephys.sweep(centred, Sphere.new([0, 4, 0], 1), [0, -4, 0]).t
+    assert_equal 0.5, Gamephys.penetration(centred, Sphere.new([0, 0, 1.5], 1)).depth
+    scene = Scene.new
+    scene.add(centred)
+    target = scene.add(centred, [[0, 0, 10], STILL, 1])
+    moving, deep, way, filter = Sphere.new([0, 0, 5], 1), Sphere.new([0, 0, 8.5], 1), [0, 0, 6], { ignored_model: target }
+    assert_equal target, scene.sweep(moving, way).model
+    assert_nil scene.sweep_filtered(moving, way, filter)
+    assert_equal [target, target], scene.sweep_batch([moving, moving], [way, way]).map(&:model)
+    assert_equal [0, 0], scene.sweep_filtered_batch([moving, moving], [way, way], filter).map(&:model)
+    assert_equal [0.5], scene.penetration(deep).map(&:depth)
+    assert_empty scene.penetration_filtered(deep, filter).to_a
+  end
+
   def test_shapes_change_and_trees_and_cameras_are_read
     scene = Scene.new
     body = scene.add(BALL)

@@ -86,6 +86,28 @@ fn filters_leave_out_models() {
 }
 
 #[test]
+fn solids_move_up_to_what_they_touch_and_out_of_what_they_overlap() {
+    let ball = Sphere::new([0.0; 3], 1.0);
+    assert_eq!(sweep(&ball, &Sphere::new([0.0, 4.0, 0.0], 1.0), [0.0, -4.0, 0.0]).unwrap().unwrap().t, 0.5);
+    assert_eq!(penetration(&ball, &Sphere::new([0.0, 0.0, 1.5], 1.0)).unwrap().unwrap().depth, 0.5);
+    let mut scene = Scene::new(None).unwrap();
+    scene.add(&ball, None, None).unwrap();
+    let target = scene.add(&ball, Some(&Transform::new([0.0, 0.0, 10.0], Quat::default(), 1.0)), None).unwrap();
+    let others = QueryFilterDesc { ignored_model: target, ..Default::default() };
+    let (moving, deep) = (Sphere::new([0.0, 0.0, 5.0], 1.0), Sphere::new([0.0, 0.0, 8.5], 1.0));
+    let way = Vec3::new(0.0, 0.0, 6.0);
+    assert_eq!(scene.sweep(&moving, way, ALL_LAYERS).unwrap().unwrap().model, target);
+    assert!(scene.sweep_filtered(&moving, way, Some(&others)).unwrap().is_none());
+    let mut hits = [Hit::default(); 2];
+    scene.sweep_batch(&[moving; 2], &[way; 2], ALL_LAYERS, &mut hits).unwrap();
+    assert_eq!(hits[1].model, target);
+    scene.sweep_filtered_batch(&[moving; 2], &[way; 2], Some(&others), &mut hits).unwrap();
+    assert_eq!(hits[1].model, 0);
+    assert_eq!(scene.penetration(&deep, ALL_LAYERS).unwrap()[0].depth, 0.5);
+    assert!(scene.penetration_filtered(&deep, Some(&others)).unwrap().is_empty());
+}
+
+#[test]
 fn shapes_change_and_trees_and_cameras_are_read() {
     let mut scene = Scene::new(None).unwrap();
     let ball = Sphere::new([0.0; 3], 1.0);
