@@ -187,7 +187,7 @@ def price(rows):
 PAGE = """# Report: speed against error
 
 {machine}
-Measured in: {minutes:.0f} minutes; up to {load:.1f} other programs ran at the same time{busy}
+Measured in: {minutes:.0f} minutes; load average of other programs up to {load:.1f}{busy}
 
 Written by `./bench.sh --report{quick}`: every number and figure on this page comes from one run, in which all libraries did the same work in turns. To measure on your machine, run it there; it replaces the page.
 
