@@ -21,6 +21,7 @@ presets=(release asan-ubsan)
 packages=(cmake ninja-build g++ clang pkg-config dpkg-dev lintian file catch2 libcmocka-dev libcgal-dev libassimp-dev libstb-dev
     libbenchmark-dev valgrind python3 python3-cffi luajit abigail-tools libmpfr-dev python3-sphinx python3-myst-parser furo python3-numpy python3-matplotlib)
 configuration=()
+options=()
 usage() {
     echo "usage: ./test.sh [--long | --bindings | --platforms | --fuzz MINUTES | --soak | --coverage [--write]]" >&2
     exit 2
@@ -30,6 +31,7 @@ case ${1:-} in
     --long)
         presets=(release clang exact-gcc-O0 exact-gcc-haswell exact-clang-O0 exact-clang-haswell asan-ubsan tsan)
         configuration=(-C Long)
+        options=(-DGAMEPHYS_EXACT_TESTS=ON)
         ;;
     --bindings)
         presets=(bindings)
@@ -108,7 +110,7 @@ for preset in "${presets[@]}"; do
     echo "== $preset"
     build=build/${preset/bindings/release}
     builds+=("$build")
-    if ! { cmake --preset "${preset/bindings/release}" && cmake --build --preset "$preset" --parallel "$jobs"; }; then
+    if ! { cmake --preset "${preset/bindings/release}" "${options[@]}" && cmake --build --preset "$preset" --parallel "$jobs"; }; then
         failed=$((failed + 1))
         continue
     fi
