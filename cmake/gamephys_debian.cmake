@@ -58,7 +58,12 @@ file(
  -- @maintainer@  @date@
 "
   @ONLY)
-execute_process(COMMAND ${GZIP} -9nf ${generated}/changelog.Debian COMMAND_ERROR_IS_FATAL ANY)
+configure_file(cmake/gamephys.3.in ${generated}/gamephys.3 @ONLY)
+execute_process(COMMAND ${GZIP} -9nf ${generated}/changelog.Debian ${generated}/gamephys.3 COMMAND_ERROR_IS_FATAL ANY)
+install(
+  FILES ${generated}/gamephys.3.gz
+  DESTINATION share/man/man3
+  COMPONENT debian_development EXCLUDE_FROM_ALL)
 foreach(component runtime development)
   install(
     FILES ${generated}/copyright ${generated}/changelog.Debian.gz

@@ -76,6 +76,11 @@ function(gamephys_install libdir generated runtime development)
 endfunction()
 
 gamephys_install(${CMAKE_INSTALL_LIBDIR} ${PROJECT_BINARY_DIR} runtime development)
+configure_file(cmake/gamephys.3.in ${PROJECT_BINARY_DIR}/gamephys.3 @ONLY)
+install(
+  FILES ${PROJECT_BINARY_DIR}/gamephys.3
+  DESTINATION ${CMAKE_INSTALL_MANDIR}/man3
+  COMPONENT development)
 foreach(component runtime development)
   install(
     FILES LICENSE

@@ -228,7 +228,7 @@ done
 # The version in each place: in the sources, and in what is installed.
 tree() {
     local file
-    for file in include/gamephys_c.h bindings/{gamephys_api.json,rust/Cargo.toml,rust/Cargo.lock,javascript/package.json,go/README.md} CHANGELOG.md; do
+    for file in include/gamephys_c.h bindings/{gamephys_api.json,rust/Cargo.toml,rust/Cargo.lock,javascript/package.json,go/README.md} CHANGELOG.md packaging/vcpkg/vcpkg.json; do
         mkdir -p "tree/$(dirname "$file")"
         cp "$SOURCE/$file" "tree/$file"
     done
@@ -262,7 +262,7 @@ versions_at_run_time() {
     versions
 }
 other="s/${version//./\\.}/9.8.7/"
-for file in bindings/{gamephys_api.json,rust/Cargo.toml,rust/Cargo.lock,javascript/package.json,go/README.md} CHANGELOG.md; do
+for file in bindings/{gamephys_api.json,rust/Cargo.toml,rust/Cargo.lock,javascript/package.json,go/README.md} CHANGELOG.md packaging/vcpkg/vcpkg.json; do
     refused "version_$(basename "$file")" "$file states version 9.8.7" versions_with "tree/$file" "$other"
 done
 for file in share/gamephys/gamephys_api.json "$LIBDIR"/{cmake/gamephys/gamephysConfigVersion.cmake,pkgconfig/gamephys.pc}; do

@@ -382,7 +382,7 @@ def signatures_file(structs):
 def entry(api, back_end):
     return (HEAD + f"import {{ memory }} from './lib/{back_end}_memory.js';\nimport {{ objects }} from './lib/objects.js';\n\n"
             "export * from './lib/constants.js';\nexport const {\n" + "".join(f"    {n},\n" for n in names(api))
-            + f"}} = objects({'await ' if back_end == 'wasm' else ''}memory());\n")
+            + f"}} = objects({'' if back_end == 'native' else 'await '}memory());\n")
 
 
 def generate(api):
@@ -393,5 +393,6 @@ def generate(api):
         "javascript/lib/objects.js": objects_file(structs),
         "javascript/lib/signatures.js": signatures_file(structs),
         "javascript/native.js": entry(api, "native"),
+        "javascript/node.js": entry(api, "node"),
         "javascript/wasm.js": entry(api, "wasm"),
     }

@@ -9,7 +9,6 @@
 // a lock of yours.
 package gamephys
 
-// #cgo pkg-config: gamephys
 // #cgo CFLAGS: -Werror=implicit-function-declaration
 // #include "shims.h"
 import "C"

@@ -7,7 +7,8 @@ local declared_methods = require 'gamephys.methods'
 
 ffi.cdef(declared.declarations)
 local names = { OSX = 'libgamephys.1.dylib', Windows = 'gamephys.dll' }
-local C = ffi.load(os.getenv 'GAMEPHYS_LIBRARY' or names[ffi.os] or 'libgamephys.so.1')
+local packaged = package.searchpath('gamephys.native', package.cpath) -- in rocks of a platform
+local C = ffi.load(os.getenv 'GAMEPHYS_LIBRARY' or packaged or names[ffi.os] or 'libgamephys.so.1')
 
 local gp, runtime = {}, { C = C, classes = {} }
 for name, number in pairs(declared.constants) do gp[name] = number end

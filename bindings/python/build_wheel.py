@@ -34,9 +34,18 @@ def _library(folder):
                 for path in Path(folder).rglob(name))
 
 
+def _tag(library):
+    """The systems that the wheel runs on: on Linux, where the library needs nothing but glibc, all with the newest
+    version of glibc that it asks for (PEP 600); else those like this one."""
+    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    versions = [int(minor) for minor in re.findall(rb"\0GLIBC_2\.(\d+)\b", library)]
+    if platform.startswith("linux_") and versions and b"GLIBCXX_" not in library:
+        platform = f"manylinux_2_{max(versions)}_{platform.removeprefix('linux_')}"
+    return f"py3-none-{platform}"
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     version = _version()
-    tag = "py3-none-" + re.sub(r"[-.]", "_", sysconfig.get_platform())
     info = f"gamephys-{version}.dist-info"
     files = {f"gamephys/{path.name}": path.read_bytes() for path in sorted((HERE / "gamephys").glob("*.py"))}
     files["gamephys/py.typed"] = b""
@@ -44,6 +53,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         library = _library(folder)
         name = {".dll": "gamephys.dll", ".dylib": "libgamephys.1.dylib"}.get(library.suffix, "libgamephys.so.1")
         files[f"gamephys/{name}"] = library.read_bytes()
+    tag = _tag(files[f"gamephys/{name}"])
     files[f"{info}/METADATA"] = (f"Metadata-Version: 2.1\nName: gamephys\nVersion: {version}\n"
                                  "Requires-Python: >=3.9\nRequires-Dist: numpy\n").encode()
     files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: gamephys\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()

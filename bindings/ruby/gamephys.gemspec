@@ -6,7 +6,8 @@ Gem::Specification.new do |spec|
   spec.summary = '3D scene queries, camera and cloth, through the native library'
   spec.authors = ['The gamephys authors']
   spec.license = 'MIT'
-  spec.files = Dir.chdir(__dir__) { Dir['lib/**/*.rb', 'README.md'] }
+  spec.platform = Gem::Platform.local if Dir["#{__dir__}/lib/gamephys/*.{so.*,dylib,dll}"].any? # a library lies in it
+  spec.files = Dir.chdir(__dir__) { Dir['lib/**/*.{rb,so.*,dylib,dll}', 'README.md', 'LICENSE'] }
   spec.required_ruby_version = '>= 3.1'
   spec.add_runtime_dependency 'ffi', '~> 1.15'
 end

@@ -20,5 +20,5 @@ mv cmake/gamephys.symbols.new cmake/gamephys.symbols
 
 version=$(sed -n 's/^#define GPHYS_VERSION_[A-Z]* //p' $header | paste -sd.)
 sed -i "/^name = \"gamephys\"$/{n;s/^version = .*/version = \"$version\"/}" bindings/rust/Cargo.{toml,lock}
-sed -i "s/^  \"version\": .*/  \"version\": \"$version\",/" bindings/javascript/package.json
+sed -i "s/^  \"version\": .*/  \"version\": \"$version\",/" bindings/javascript/package.json packaging/vcpkg/vcpkg.json
 sed -i "s/^require gamephys v.*/require gamephys v$version/" bindings/go/README.md

@@ -16,7 +16,8 @@ SOURCES = {
     "bindings/rust/Cargo.lock": r'^name = "gamephys"\nversion = "',
     "bindings/javascript/package.json": r'^  "version": "',
     "bindings/go/README.md": r"^require gamephys v",
-    "CHANGELOG.md": r"\A# Changes\n(?:(?!## ).*\n)*## ",
+    "CHANGELOG.md": r"\A# Changelog\n(?:(?!## ).*\n)*## \[",
+    "packaging/vcpkg/vcpkg.json": r'^  "version": "',
 }
 INSTALLED = {
     "share/gamephys/gamephys_api.json": r'^ "version": "',

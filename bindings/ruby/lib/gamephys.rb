@@ -28,7 +28,9 @@ module Gamephys
   module Low
     extend FFI::Library
     names = { 'darwin' => 'libgamephys.1.dylib', 'windows' => 'gamephys.dll' }
-    ffi_lib ENV.fetch('GAMEPHYS_LIBRARY') { names.fetch(FFI::Platform::OS, 'libgamephys.so.1') }
+    name = names.fetch(FFI::Platform::OS, 'libgamephys.so.1')
+    packaged = "#{__dir__}/gamephys/#{name}" # in gems of a platform
+    ffi_lib ENV.fetch('GAMEPHYS_LIBRARY') { File.exist?(packaged) ? packaged : name }
   end
 end
 

@@ -13,7 +13,7 @@ final class Low extends LowFunctions {
 
     private Low() {}
 
-    /** Connects native methods to the library: $GAMEPHYS_LIBRARY, else the system's. */
+    /** Connects native methods to the library: $GAMEPHYS_LIBRARY, else the one in the jar, else the system's. */
     static void load(Class<?> functions) {
         String named = System.getenv("GAMEPHYS_LIBRARY");
         String system = System.getProperty("os.name").startsWith("Linux") ? "libgamephys.so.1" : "gamephys";

@@ -1,0 +1,4 @@
+package gamephys
+
+// #cgo pkg-config: gamephys
+import "C"

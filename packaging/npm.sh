@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# The npm tarball with the WebAssembly inside, SIMD on. It is installed into an empty project and used by Node, by a
+# page that a bundler made, and by a page without one, both in a headless browser.
+source "$(dirname "$0")/common.sh"
+export npm_config_update_notifier=false npm_config_fund=false npm_config_audit=false
+
+rm -f "$PACKAGES"/gamephys-*.tgz
+cp -r "$SOURCE/bindings/javascript/examples" .
+(cd "$SOURCE/bindings/javascript" && npm pack --silent --pack-destination "$PACKAGES") >/dev/null
+package=$PACKAGES/gamephys-$version.tgz
+
+mkdir client
+cd client
+printf '{"name": "client", "type": "module", "private": true}\n' >package.json
+npm install --silent --omit=optional "$package"
+npm install --silent --save-dev vite typescript
+cp "$SOURCE"/bindings/javascript/examples/{scene,step,pick}.js .
+for example in scene step pick; do
+    empty node $example.js                      # no native library: WebAssembly
+    empty node --conditions=browser $example.js # as bundlers resolve it
+done
+# A library that was asked for has to be there.
+! empty GAMEPHYS_LIBRARY=/nowhere/libgamephys.so node pick.js 2>/dev/null || fail "a missing GAMEPHYS_LIBRARY was not noticed"
+# Instructions of SIMD: 0xfd begins each. v128.load is 0xfd 0x00, and there are thousands.
+node -e '
+    const code = require("node:fs").readFileSync("node_modules/gamephys/gamephys.wasm");
+    let loads = 0;
+    for (let i = 0; i + 1 < code.length; ++i) if (code[i] === 0xfd && code[i + 1] === 0) ++loads;
+    console.log(`gamephys.wasm: ${code.length} bytes, ${require("node:zlib").gzipSync(code).length} compressed, ${loads} loads of SIMD`);
+    process.exit(loads > 1000 && WebAssembly.validate(code) ? 0 : 1);'
+
+cat >types.ts <<'END'
+import * as gp from 'gamephys';
+const scene = new gp.Scene();
+scene.add(gp.sphere([0, 0, 5], 1));
+const hit = scene.raycast({ origin: [0, 0, 0], direction: [0, 0, 1], t_max: 100 });
+export const t: number = hit!.t;
+// @ts-expect-error: a radius is a number
+gp.sphere([0, 0, 5], 'one');
+END
+node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext types.ts
+
+cat >main.js <<'END'
+import * as gp from 'gamephys';
+const scene = new gp.Scene();
+const ball = scene.add(gp.sphere([0, 0, 5], 1));
+const hit = scene.raycast({ origin: [0, 0, 0], direction: [0, 0, 1], t_max: 100 });
+document.title = hit.model === ball && hit.t === 4 ? 'the ball is met at 4' : 'wrong';
+END
+printf '<!doctype html><script type="module" src="/main.js"></script>\n' >index.html
+printf 'export default { build: { target: "esnext" }, base: "./" };\n' >vite.config.js
+node_modules/.bin/vite build --logLevel warn
+sed "s|'gamephys'|'./node_modules/gamephys/wasm.js'|" main.js >plain.js
+printf '<!doctype html><script type="module" src="/plain.js"></script>\n' >plain.html
+
+python3 -m http.server --bind 127.0.0.1 0 >server.log 2>&1 &
+server=$!
+trap 'kill $server' EXIT
+until port=$(sed -n 's/.*port \([0-9]*\).*/\1/p' server.log) && [ -n "$port" ]; do sleep 0.1; done
+for page in dist/index.html plain.html; do
+    chromium --headless --no-sandbox --disable-gpu --user-data-dir="$WORK/profile" --virtual-time-budget=20000 --dump-dom \
+        "http://127.0.0.1:$port/$page" >dom.html 2>chromium.log
+    grep -q '<title>the ball is met at 4</title>' dom.html || fail "$page: $(cat dom.html chromium.log)"
+    echo "$page: the ball is met"
+done
