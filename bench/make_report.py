@@ -71,6 +71,8 @@ def percent(share):
 
 
 def ordinary_panels(rows):
+    """The panels, and a row for each library that gave wrong answers. Work that only gamephys does right has no panel:
+    nothing would be compared there."""
     panels, wrong = [], []
     for title, cases in ORDINARY:
         points = []
@@ -85,10 +87,12 @@ def ordinary_panels(rows):
                     continue  # a loop of single calls, which the other case has
                 if row["error_unit"] in WRONG:
                     if row["error"]:
-                        wrong.append([title + (", " + how if how else ""), shown(name), f"{number(row['value'])} ns", percent(row["error"])])
+                        own = rows[case, n]["gamephys"]
+                        wrong.append([title + (", " + how if how else ""), shown(name), f"{number(row['value'])} ns", percent(row["error"]),
+                                      f"{number(own['value'])} ns", percent(own["error"]) if own["error_unit"] in WRONG else "0"])
                     continue
                 points.append((row["value"], row["median"], row["error"], name, shown(name) + (f", {how}" if how and len(cases) > 1 and name == "gamephys" else "")))
-        if points:
+        if any(not library.startswith("gamephys") for *_, library, _ in points):
             panels.append((f"{title} ({n:,})", points))
     return panels, wrong
 
@@ -157,7 +161,8 @@ def summary(rows):
         checked = own["error_unit"] != "unchecked"
         exact = own["error"] <= other["error"]
         verdict = ("🟢 faster" if ratio <= 0.98 else "⚪ as fast" if ratio < 1.02 else "🔴 slower")
-        verdict += (", " + ("no more error" if exact else "more error")) if checked else ""
+        if checked:
+            verdict += ", more exact" if own["error"] < other["error"] else ", as exact" if exact else ", less exact"
 
         def error(row):
             return "" if not checked else "0" if row["error"] == 0 else f"{row['error']:.2g}"
@@ -181,7 +186,7 @@ def price(rows):
         same = own["error"] == others[name]["error"]
         get = "the same share" if same else f"{percent(own['error'])} instead of {percent(others[name]['error'])}"
         lines.append([title, shown(name), number(ratio), get])
-    return table(["work", "fastest other", "our time / its time", "false answers"], lines)
+    return table(["work", "fastest other", "time of gamephys / its time", "false answers"], lines)
 
 
 PAGE = """# Report: speed against error
@@ -193,27 +198,26 @@ Written by `./bench.sh --report{quick}`: every number and figure on this page co
 
 ## How to read the figures
 
-To the left is faster, further down is more accurate. The grey line joins what nobody beats in both. The band at the bottom, behind the break of the axis, is *no error at all*. A bar to the right of a point reaches from the fastest repetition to the median one, where it is longer than the mark. All times are of one thread.
+Each panel is one kind of work. Further left is faster, further down is more exact; both axes are logarithmic. The grey line is the Pareto front: it joins the points that no other beats in both. The band at the bottom, below the break of the axis, is *no error at all*. A bar to the right of a point reaches from the fastest repetition to the median one. All times are of one thread.
 
 ## Ordinary work
 
-The largest relative error of the distance, of a sample that a loop in double precision answers, too. "0" says that each distance is the true one, rounded to float32. Libraries that gave wrong answers are not drawn; the table below has them.
+The error is the largest relative error of a distance, in a sample that a loop in double precision answers as well. "0" means that every distance is the true one, rounded to float32.
 
 ![Cost against error, ordinary work](images/report_ordinary.png)
 
-{wrong}
-## Hard cases
+{wrong}## Hard cases
 
-Here the share of false answers: a hit that is none, a miss that is a hit. The truth is known from whole numbers, or because no ray leaves a closed surface.
+Input on which formulas in floating point fail. The error is the share of false answers: a reported hit that is none, or a hit that is missed. The truth is known because the input is made of whole numbers, or because no ray leaves a closed surface.
 
 ![Cost against false answers, hard cases](images/report_hard.png)
 
-What one pays, and what one gets:
+What the exact answers cost, beside the fastest of the others:
 
 {price}
 ## The solver
 
-Largest strain of links that should not stretch, or distance from a reference, against the time of a frame of 1/60 s. The number behind a name is that of its substeps, or iterations (Bullet, Jakobsen).
+The error is the largest strain of rigid links, or the distance from a reference solution; the cost is the time of a frame of 1/60 s. The number behind a name is that of substeps a frame, for Bullet and Jakobsen of iterations.
 
 ![Cost against error, solver](images/report_solver.png)
 
@@ -223,10 +227,14 @@ Largest strain of links that should not stretch, or distance from a reference, a
 
 ## All kinds of work
 
-gamephys beside the fastest other library that gave no wrong answer. A ratio below 1: gamephys is faster.
+gamephys beside the fastest other library that gave no wrong answer. The ratio is the time of gamephys divided by that of the other: below 1 gamephys is faster. The error is as in *Ordinary work*; where there is none, the answers are not distances and were all right, or nothing is answered.
 
 {summary}
-The figures exist as SVG, too, beside the pictures. [benchmarks.md](benchmarks.md) says what each case is, [accuracy.md](accuracy.md) what is promised, [solver.md](solver.md) what the solver's cases are.
+Each figure is also there as SVG, beside the PNG. [benchmarks.md](benchmarks.md) says what each case is, [accuracy.md](accuracy.md) what is promised, [solver.md](solver.md) what the solver's cases are.
+"""
+
+WRONG_ANSWERS = """These libraries are not drawn, because some of their answers were wrong: another model was met first, or another number of models. Their errors of distance would not mean anything.
+
 """
 
 
@@ -249,7 +257,7 @@ def main():
     machine = (directory / "machine.txt").read_text().splitlines()
     quick = any(line.startswith("Work: a part") for line in machine)
     busy = ", so times are too long and ratios less certain: repeat it on a quiet machine" if load_average > 0.7 * os.cpu_count() else ""
-    wrong_table = table(["work", "library", "time", "wrong answers"], wrong) if wrong else ""
+    wrong_table = WRONG_ANSWERS + table(["work", "library", "time", "wrong answers", "gamephys", "wrong answers"], wrong) + "\n" if wrong else ""
     page.write_text(PAGE.format(machine="  \n".join(machine) + "  ", minutes=math.ceil(seconds / 60), load=load_average, busy=busy,
                                 quick=" --quick" if quick else "", wrong=wrong_table, price=price(rows), summary=summary(rows)))
 
