@@ -14,7 +14,7 @@ from links import without_code, FENCE, LINK, INNER
 from reference import Reference
 
 GUIDE = ["first_scene", "queries", "camera", "batches", "large_worlds", "threads", "solver", "saving", "engine", "web",
-         "robot"]
+         "robot", "cluster"]
 COMING_FROM = ["bullet", "jolt", "box3d", "embree", "three_raycaster", "trimesh", "cookbook"]
 CHAPTERS = [
     ("Guide", [f"docs/guide/{page}" for page in GUIDE]),
