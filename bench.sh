@@ -5,6 +5,8 @@
 #                                  goes on where it was; --quick is a part of the work, in five minutes.
 #   ./bench.sh SUITE...            of scene mesh query update accuracy batches solver: build/bench/<suite>.csv with a
 #                                  plot beside each, the machine's description and ratios.md
+#   ./bench.sh energy              energy over a million steps, beside the book's integrators: build/bench/energy.csv and
+#                                  the figure docs/images/energy, which is the same on every machine
 # and with suites: --peers measures Embree, Bullet, FCL and nanoflann in the same run (a report always does); --quick is
 # a few seconds of smaller work; --docs puts the results into docs/benchmarks.md and the README, those of the accuracy
 # suite into docs/accuracy.md, those of the solver into docs/solver_figures.md. The batches suite fails if a batch of
@@ -13,7 +15,18 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-usage="usage: ./bench.sh [--report] [--quick], or ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]"
+if [ "${1:-}" = energy ] && [ $# -eq 1 ]; then
+    source cmake/install_packages.sh
+    install_packages g++ cmake ninja-build libbenchmark-dev python3 python3-matplotlib
+    cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DGAMEPHYS_BENCH=ON
+    cmake --build build/release --target gamephys_bench_energy
+    mkdir -p build/bench
+    build/release/bench/gamephys_bench_energy build/bench/energy.csv
+    /usr/bin/python3 bench/figures/energy.py build/bench/energy.csv docs/images/energy
+    exit
+fi
+
+usage="usage: ./bench.sh [--report] [--quick], ./bench.sh energy, or ./bench.sh [scene mesh query update accuracy batches solver] [--peers] [--quick] [--docs]"
 report=
 [ $# -gt 0 ] || report=build/bench/report.md
 peers=OFF
