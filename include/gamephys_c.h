@@ -14,7 +14,7 @@
  *            camera's handedness are settings.
  * Origin     Float coordinates count from the origin of their scene, camera or solver: a point of the
  *            world in double precision, (0, 0, 0) until gphys_scene_set_origin and its likes move
- *            it. Wherever that is, a float k metres from it tells places 6e-8 k metres apart.
+ *            it. A float k metres from it resolves 6e-8 k metres, wherever it is.
  * Matrices   16 floats; element (row, column) is m[4 * column + row] for column vectors. This is
  *            the memory order of OpenGL's column-major and DirectX's row-major, so both take it.
  * Pixels     (0, 0) is the top-left corner of the viewport; the centre of the first pixel is
@@ -485,7 +485,7 @@ GPHYS_API gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shap
  *          GPHYS_ERROR_UNSUPPORTED for rays, segments and frusta, and for other types that move
  *  Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1 ulp of
  *  depth; by 2^-32 where the centre or axis of what is round is less than that away from the other shape.
- *  Rounded to floats, the translation may leave as much overlap as they tell positions apart.
+ *  Added to float positions, the translation may leave an overlap of the spacing of floats there.
  *  Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk 1996), what
  *  is round by the distance of its core (Gilbert, Johnson, Keerthi 1988). */
 GPHYS_API gphys_status gphys_shape_penetration(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
@@ -649,7 +649,7 @@ typedef struct gphys_scene_desc {
     uint32_t reserved;     /* must be 0 */
 } gphys_scene_desc;
 
-/** Fill a desc with the defaults of gphys_scene_create, which stand beside its fields.
+/** Fill a desc with the defaults of gphys_scene_create, which are stated beside its fields.
  *  @param size  sizeof(gphys_scene_desc) of the caller; no byte beyond is written
  *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
  *  Cost: O(1). */
@@ -658,7 +658,7 @@ GPHYS_API gphys_status gphys_scene_desc_init(gphys_scene_desc* desc, uint32_t si
  *  With a worker_count of n, all batch queries of the scene (gphys_camera_pick_batch too), and
  *  adding and moving many models, share their work among n threads; the results have the same bits
  *  for every n. Without a task_runner n - 1 threads are started here and joined when
- *  the scene is destroyed. They serve one call at a time: others that come meanwhile do their own
+ *  the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
  *  work. They take no signals but faults, and the floating-point settings of the thread that
  *  created them. In a child of fork they are gone: calls there run on one thread, as they do on a
  *  platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
@@ -692,7 +692,7 @@ typedef struct gphys_model_desc {
     uint32_t tag;          /* any number of the caller's, returned with each hit; 0 */
 } gphys_model_desc;
 
-/** Fill a desc with the defaults of gphys_scene_add, which stand beside its fields.
+/** Fill a desc with the defaults of gphys_scene_add, which are stated beside its fields.
  *  @param size  sizeof(gphys_model_desc) of the caller; no byte beyond is written
  *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
  *  Cost: O(1). */
@@ -726,7 +726,7 @@ GPHYS_API gphys_status gphys_scene_add_batch(gphys_scene* scene, gphys_shape_typ
  *  Cost: O(log n) amortised, and O(1) a child. */
 GPHYS_API gphys_status gphys_scene_remove(gphys_scene* scene, gphys_model_id model);
 /** Remove models, all or none.
- *  @param models  count ids; one that stands twice is GPHYS_ERROR_INVALID_ID
+ *  @param models  count ids; an id that appears twice is GPHYS_ERROR_INVALID_ID
  *  Cost: that of count calls of gphys_scene_remove. */
 GPHYS_API gphys_status gphys_scene_remove_batch(gphys_scene* scene, const gphys_model_id* models, uint32_t count);
 /** Remove a model and all its descendants. Cost: O(log n) amortised for each. */
@@ -812,7 +812,7 @@ GPHYS_API gphys_status gphys_scene_set_parent(gphys_scene* scene, gphys_model_id
  *  Cost: O(log n) for each model that moves. */
 GPHYS_API gphys_status gphys_scene_set_transform(gphys_scene* scene, gphys_model_id model,
                                                  const gphys_transform* transform);
-/** Set the local transforms of many models, all or none; a model that stands twice gets the last.
+/** Set the local transforms of many models, all or none; a model that appears twice gets the last.
  *  Descendants follow.
  *  @param models      count ids
  *  @param transforms  as in gphys_scene_set_transform; a stride of 0 gives all the same
@@ -821,14 +821,14 @@ GPHYS_API gphys_status gphys_scene_set_transforms(gphys_scene* scene, const gphy
                                                   const gphys_transform* transforms, uint32_t transform_stride,
                                                   uint32_t count);
 /** Local transforms of count models, as they were set: relative to the parent.
- *  @param models          count ids; one may stand twice
+ *  @param models          count ids; an id may appear twice
  *  @param out_transforms  count elements
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_scene_get_transforms(const gphys_scene* scene, const gphys_model_id* models,
                                                   uint32_t count, gphys_transform* out_transforms, uint32_t out_stride);
 /** World transforms of count models: those of all ancestors applied, rounded to float32. What queries
  *  answer is exact with respect to these.
- *  @param models          count ids; one may stand twice
+ *  @param models          count ids; an id may appear twice
  *  @param out_transforms  count elements
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_scene_get_world_transforms(const gphys_scene* scene, const gphys_model_id* models,
@@ -873,12 +873,12 @@ GPHYS_API gphys_status gphys_scene_raycast_any_batch(const gphys_scene* scene, c
  *  the first. Cost: O(log n + k log k) expected. */
 GPHYS_API gphys_status gphys_scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, uint32_t layers,
                                                gphys_hit* out_hits, uint32_t capacity, uint32_t* out_total);
-/** Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i stand at
+/** Every model that each of count rays meets, as gphys_scene_raycast_all: the hits of ray i are at
  *  out_hits[out_offsets[i]] up to out_offsets[i + 1].
  *  @param rays         a stride of 0 casts one ray count times
  *  @param out_offsets  count + 1 numbers, always complete, so that a second call can have enough
  *                      room. Where a ray's range crosses capacity, its first hits are written.
- *  What stands in out_hits behind the last hit afterwards is unspecified.
+ *  The contents of out_hits behind the last hit are unspecified.
  *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity
  *  Cost: that of count single calls; shared among workers. */
 GPHYS_API gphys_status gphys_scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* rays,
@@ -908,7 +908,7 @@ GPHYS_API gphys_status gphys_scene_overlap(const gphys_scene* scene, gphys_shape
                                            uint32_t layers, gphys_model_id* out_models, uint32_t capacity,
                                            uint32_t* out_total);
 /** Ids of all models that each of count shapes of one type overlaps, as gphys_scene_overlap: those of shape
- *  i stand at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
+ *  i are at out_models[out_offsets[i]] up to out_offsets[i + 1], as in gphys_scene_raycast_all_batch.
  *  @param shapes       a stride of 0 asks for one shape count times
  *  @param out_offsets  count + 1 numbers, always complete
  *  @return GPHYS_OK, or GPHYS_INCOMPLETE if out_offsets[count] > capacity; GPHYS_ERROR_UNSUPPORTED as there
@@ -1016,7 +1016,7 @@ typedef struct gphys_query_filter_desc {
     uint32_t reserved;                    /* must be 0 */
 } gphys_query_filter_desc;
 
-/** Fill a desc with the defaults of the filtered queries, which stand beside its fields: all is seen.
+/** Fill a desc with the defaults of the filtered queries, which are stated beside its fields: all is seen.
  *  @param size  sizeof(gphys_query_filter_desc) of the caller; no byte beyond is written
  *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.1, or beyond 65536
  *  Cost: O(1). */
@@ -1242,12 +1242,12 @@ typedef struct gphys_camera_desc {
     uint32_t reserved; /* not read: a client of release 1.0 has padding here */
 } gphys_camera_desc;
 
-/** Fill a desc with the defaults of gphys_camera_create, which stand beside its fields.
+/** Fill a desc with the defaults of gphys_camera_create, which are stated beside its fields.
  *  @param size  sizeof(gphys_camera_desc) of the caller; no byte beyond is written
  *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_desc_init(gphys_camera_desc* desc, uint32_t size);
-/** Create a camera that stands at the origin, with the projection and the viewport of its desc.
+/** Create a camera at the origin, with the projection and the viewport of its desc.
  *  @param desc  NULL: the defaults
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_create(const gphys_camera_desc* desc, gphys_camera** out_camera);
@@ -1322,7 +1322,7 @@ GPHYS_API gphys_status gphys_camera_set_world_matrix(gphys_camera* camera, const
 GPHYS_API gphys_status gphys_camera_look_at(gphys_camera* camera, const gphys_vec3* eye, const gphys_vec3* target,
                                             const gphys_vec3* up);
 
-/** Where the camera stands, in metres, and how it is turned, rounded to float32. Cost: O(1). */
+/** The camera's position, in metres, and its rotation, rounded to float32. Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_transform(const gphys_camera* camera, gphys_vec3* out_position,
                                                   gphys_quat* out_rotation);
 /** The matrix from camera to world. Cost: O(1). */
@@ -1366,7 +1366,7 @@ GPHYS_API gphys_status gphys_camera_get_orbit(const gphys_camera* camera, gphys_
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float units_x, float units_y);
-/** Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+/** Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
  *  @param units  finite, any size
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
@@ -1533,7 +1533,7 @@ typedef struct gphys_solver_desc {
     uint32_t reserved;     /* must be 0 */
 } gphys_solver_desc;
 
-/** Fill a desc with the defaults of gphys_solver_create, which stand beside its fields.
+/** Fill a desc with the defaults of gphys_solver_create, which are stated beside its fields.
  *  @param size  sizeof(gphys_solver_desc) of the caller; no byte beyond is written
  *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
  *  Cost: O(1). */
@@ -1604,7 +1604,7 @@ typedef struct gphys_body_desc {
  * step are moved by one thread, and fall asleep and wake together. Cost: some 2 microseconds for each
  * particle and substep, and 700 bytes for each particle. */
 
-/** Fill a desc with the defaults of the gphys_solver_add_... functions, which stand beside its fields.
+/** Fill a desc with the defaults of the gphys_solver_add_... functions, which are stated beside its fields.
  *  @param size  sizeof(gphys_body_desc) of the caller; no byte beyond is written
  *  @return GPHYS_ERROR_STRUCT_SIZE for a size below that of release 1.0, or beyond 65536
  *  Cost: O(1). */
@@ -1679,8 +1679,8 @@ typedef int32_t gphys_solve_method;
 enum {
     GPHYS_SOLVE_FREE = 0,   /* no constraints: exact flight */
     GPHYS_SOLVE_DIRECT = 1, /* chains and trees: Newton on the whole body at once */
-    GPHYS_SOLVE_GRAPH = 2   /* what has rings, volume, or a particle with more than 64 constraints: chain families,
-                               then the rest, then reach limits */
+    GPHYS_SOLVE_GRAPH = 2   /* what has rings, volume, or a particle with more than 64 constraints: coloured
+                               batches of chains, then the rest, then reach limits */
 };
 
 /** Frozen. */
