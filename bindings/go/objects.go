@@ -233,10 +233,10 @@ type Scene struct {
 // Create a scene without models. With a worker_count of n, all batch queries of the scene
 // (Camera.PickBatch too), and adding and moving many models, share their work among n threads; the
 // results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-// joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
-// their own work. They take no signals but faults, and the floating-point settings of the thread that
-// created them. In a child of fork they are gone: calls there run on one thread, as they do on a
-// platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
+// work. They take no signals but faults, and the floating-point settings of the thread that created
+// them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
+// without threads (WebAssembly, unless built for shared memory), whatever is asked for.
 //   - desc: nil: the defaults
 // The error is ErrOutOfMemory also if the threads cannot be started.
 // The error is ErrCapacity if reserve_models is above 2^24 - 1.
@@ -376,7 +376,7 @@ func (o *Scene) Remove(model ModelID) (err error) {
 }
 
 // Remove models, all or none.
-//   - models: the ids; one that stands twice is ErrInvalidID
+//   - models: the ids; an id that appears twice is ErrInvalidID
 // Cost: that of as many calls of Scene.Remove.
 func (o *Scene) RemoveBatch(models []ModelID) (err error) {
 	self, err := o.open()
@@ -602,7 +602,7 @@ func (o *Scene) SetTransform(model ModelID, transform Transform) (err error) {
 	return
 }
 
-// Set the local transforms of many models, all or none; a model that stands twice gets the last.
+// Set the local transforms of many models, all or none; a model that appears twice gets the last.
 // Descendants follow.
 //   - models: the ids
 //   - transforms: as in Scene.SetTransform
@@ -623,7 +623,7 @@ func (o *Scene) SetTransforms(models []ModelID, transforms []Transform) (err err
 }
 
 // Local transforms of the models, as they were set: relative to the parent.
-//   - models: the ids; one may stand twice
+//   - models: the ids; an id may appear twice
 // Cost: O(elements).
 func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
@@ -645,7 +645,7 @@ func (o *Scene) Transforms(models []ModelID, transforms []Transform) (err error)
 
 // World transforms of the models: those of all ancestors applied, rounded to float32. What queries
 // answer is exact with respect to these.
-//   - models: the ids; one may stand twice
+//   - models: the ids; an id may appear twice
 // Cost: O(elements).
 func (o *Scene) WorldTransforms(models []ModelID, transforms []Transform) (err error) {
 	self, err := o.open()
@@ -755,8 +755,9 @@ func (o *Scene) RaycastAll(ray Ray, layers uint32) (result []Hit, err error) {
 	return
 }
 
-// Every model that each of the rays meets, as Scene.RaycastAll: the hits of ray i stand at
+// Every model that each of the rays meets, as Scene.RaycastAll: the hits of ray i are at
 // hits[offsets[i]] up to offsets[i + 1].
+// The contents of hits behind the last hit are unspecified.
 // Cost: that of as many single calls; shared among workers.
 func (o *Scene) RaycastAllBatch(rays []Ray, layers uint32) (result Ragged[Hit], err error) {
 	self, err := o.open()
@@ -837,7 +838,7 @@ func (o *Scene) Overlap(shape Shape, layers uint32) (result []ModelID, err error
 }
 
 // Ids of all models that each of the shapes of one type overlaps, as Scene.Overlap: those of shape i
-// stand at models[offsets[i]] up to offsets[i + 1], as in Scene.RaycastAllBatch.
+// are at models[offsets[i]] up to offsets[i + 1], as in Scene.RaycastAllBatch.
 // The error is ErrUnsupported as there.
 // Cost: at most that of as many single calls; shared among workers.
 func (o *Scene) OverlapBatch(shapes Shapes, layers uint32) (result Ragged[ModelID], err error) {
@@ -1482,7 +1483,7 @@ type Camera struct {
 	handle unsafe.Pointer
 }
 
-// Create a camera that stands at the origin, with the projection and the viewport of its desc.
+// Create a camera at the origin, with the projection and the viewport of its desc.
 //   - desc: nil: the defaults
 // Cost: O(1).
 func NewCamera(desc *CameraDesc) (o *Camera, err error) {
@@ -1695,7 +1696,7 @@ func (o *Camera) LookAt(eye Vec3, target Vec3, up Vec3) (err error) {
 	return
 }
 
-// Where the camera stands, in metres, and how it is turned, rounded to float32.
+// The camera's position, in metres, and its rotation, rounded to float32.
 // Cost: O(1).
 func (o *Camera) Transform() (position Vec3, rotation Quat, err error) {
 	self, err := o.open()
@@ -1823,7 +1824,7 @@ func (o *Camera) OrbitRotate(unitsX float32, unitsY float32) (err error) {
 	return
 }
 
-// Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+// Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
 //   - units: finite, any size
 // The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
@@ -3440,8 +3441,8 @@ func Sweep(shape Shape, moving Shape, displacement Vec3) (hit Hit, found bool, e
 // translations of their own.
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 // ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-// other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
-// apart.
+// other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
+// there.
 // Result: depth and normal of the translation, which is their product; of several that are as short
 // one, always the same. The point of the solid that gets furthest in is point - depth * normal. found
 // is false if nothing is found.

@@ -145,8 +145,8 @@ const (
 	SolveFree SolveMethod = 0
 	// chains and trees: Newton on the whole body at once
 	SolveDirect SolveMethod = 1
-	// what has rings, volume, or a particle with more than 64 constraints: chain families,
-	// then the rest, then reach limits
+	// what has rings, volume, or a particle with more than 64 constraints: coloured
+	// batches of chains, then the rest, then reach limits
 	SolveGraph SolveMethod = 2
 )
 

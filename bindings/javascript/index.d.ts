@@ -522,10 +522,10 @@ export class Mesh {
 /** Create a scene without models. With a worker_count of n, all batch queries of the scene
  * (Camera.pickBatch too), and adding and moving many models, share their work among n threads; the
  * results have the same bits for every n. Without a task_runner n - 1 threads are started here and
- * joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
- * their own work. They take no signals but faults, and the floating-point settings of the thread that
- * created them. In a child of fork they are gone: calls there run on one thread, as they do on a
- * platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+ * joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
+ * work. They take no signals but faults, and the floating-point settings of the thread that created
+ * them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
+ * without threads (WebAssembly, unless built for shared memory), whatever is asked for.
  *   - desc: null: the defaults
  * Throws GamephysError with ERROR_OUT_OF_MEMORY also if the threads cannot be started.
  * Throws GamephysError with ERROR_CAPACITY if reserve_models is above 2^24 - 1.
@@ -570,7 +570,7 @@ export class Scene {
     remove(model: number): void;
     /** Remove models, all or none.
      * Cost: that of as many calls of Scene.remove.
-     * @param models - the ids; one that stands twice is ERROR_INVALID_ID */
+     * @param models - the ids; an id that appears twice is ERROR_INVALID_ID */
     removeBatch(models: Elements): void;
     /** Remove a model and all its descendants.
      * Cost: O(log n) amortised for each. */
@@ -635,7 +635,7 @@ export class Scene {
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if it, or a descendant, would leave the range
      *     of the world */
     setTransform(model: number, transform: Given<Transform>): void;
-    /** Set the local transforms of many models, all or none; a model that stands twice gets the last.
+    /** Set the local transforms of many models, all or none; a model that appears twice gets the last.
      * Descendants follow.
      * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
      * @param models - the ids
@@ -643,12 +643,12 @@ export class Scene {
     setTransforms(models: Elements, transforms: Elements): void;
     /** Local transforms of the models, as they were set: relative to the parent.
      * Cost: O(elements).
-     * @param models - the ids; one may stand twice */
+     * @param models - the ids; an id may appear twice */
     getTransforms(models: Elements, out?: Elements): Records<Transform>;
     /** World transforms of the models: those of all ancestors applied, rounded to float32. What queries
      * answer is exact with respect to these.
      * Cost: O(elements).
-     * @param models - the ids; one may stand twice */
+     * @param models - the ids; an id may appear twice */
     getWorldTransforms(models: Elements, out?: Elements): Records<Transform>;
     /** Closest model on a ray; the fields are exact as in raycast.
      * Cost: O(log n) expected; no allocation.
@@ -667,8 +667,9 @@ export class Scene {
     /** Every model that a ray meets, each once with its first hit, by t, then id.
      * Cost: O(log n + k log k) expected. */
     raycastAll(ray: Given<Ray>, layers?: number): Records<Hit>;
-    /** Every model that each of the rays meets, as Scene.raycastAll: the hits of ray i stand at
+    /** Every model that each of the rays meets, as Scene.raycastAll: the hits of ray i are at
      * hits[offsets[i]] up to offsets[i + 1].
+     * The contents of hits behind the last hit are unspecified.
      * Cost: that of as many single calls; shared among workers. */
     raycastAllBatch(rays: Elements, layers?: number): { values: Records<Hit>; offsets: Uint32Array };
     /** Closest model along a segment from a to b, both included; t in 0..1. Fields as in segmentTest.
@@ -685,7 +686,7 @@ export class Scene {
      * @throws {GamephysError} ERROR_UNSUPPORTED: for other types of shapes */
     overlap(shape: AnyShape, layers?: number): Records<number>;
     /** Ids of all models that each of the shapes of one type overlaps, as Scene.overlap: those of shape i
-     * stand at models[offsets[i]] up to offsets[i + 1], as in Scene.raycastAllBatch.
+     * are at models[offsets[i]] up to offsets[i + 1], as in Scene.raycastAllBatch.
      * Cost: at most that of as many single calls; shared among workers.
      * @throws {GamephysError} ERROR_UNSUPPORTED: as there */
     overlapBatch(shapes: Shapes | AnyShape, layers?: number): { values: Records<number>; offsets: Uint32Array };
@@ -850,7 +851,7 @@ export class Scene {
     /** The shape of a model, in its own coordinates; not of a mesh. */
     getShape(model: number): Shape;
 }
-/** Create a camera that stands at the origin, with the projection and the viewport of its desc.
+/** Create a camera at the origin, with the projection and the viewport of its desc.
  *   - desc: null: the defaults
  * Cost: O(1). */
 export class Camera {
@@ -920,7 +921,7 @@ export class Camera {
      * Cost: O(1).
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if eye equals target or up is zero */
     lookAt(eye: Given<number[]>, target: Given<number[]>, up: Given<number[]>): void;
-    /** Where the camera stands, in metres, and how it is turned, rounded to float32.
+    /** The camera's position, in metres, and its rotation, rounded to float32.
      * Cost: O(1). */
     getTransform(): [number[], number[]];
     /** The matrix from camera to world.
@@ -950,7 +951,7 @@ export class Camera {
      * @param units_y - finite, any size
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitRotate(units_x: number, units_y: number): void;
-    /** Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+    /** Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
      * Cost: O(1).
      * @param units - finite, any size
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
@@ -1458,8 +1459,8 @@ export function sweep(shape: AnyShape, moving: AnyShape, displacement: Given<num
  * translations of their own.
  * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
  * ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
- * other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
- * apart.
+ * other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
+ * there.
  * Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
  * 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
  * @returns depth and normal of the translation, which is their product; of several that are as short

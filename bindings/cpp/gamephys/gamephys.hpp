@@ -212,10 +212,10 @@ public:
     // Create a scene without models. With a worker_count of n, all batch queries of the scene
     // (Camera::pick_batch too), and adding and moving many models, share their work among n threads; the
     // results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-    // joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
-    // their own work. They take no signals but faults, and the floating-point settings of the thread that
-    // created them. In a child of fork they are gone: calls there run on one thread, as they do on a
-    // platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+    // joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
+    // work. They take no signals but faults, and the floating-point settings of the thread that created
+    // them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
+    // without threads (WebAssembly, unless built for shared memory), whatever is asked for.
     //   - desc: nullptr: the defaults
     // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY also if the threads cannot be started.
     // Throws Error with GPHYS_ERROR_CAPACITY if reserve_models is above 2^24 - 1.
@@ -282,7 +282,7 @@ public:
     }
 
     // Remove models, all or none.
-    //   - models: the ids; one that stands twice is GPHYS_ERROR_INVALID_ID
+    //   - models: the ids; an id that appears twice is GPHYS_ERROR_INVALID_ID
     // Cost: that of as many calls of Scene::remove.
     void remove_batch(Span<const gphys_model_id> models) {
         const uint32_t count = common_size({models.sizes()});
@@ -400,7 +400,7 @@ public:
         check(gphys_scene_set_transform(handle(), model, &transform));
     }
 
-    // Set the local transforms of many models, all or none; a model that stands twice gets the last.
+    // Set the local transforms of many models, all or none; a model that appears twice gets the last.
     // Descendants follow.
     //   - models: the ids
     //   - transforms: as in Scene::set_transform
@@ -411,7 +411,7 @@ public:
     }
 
     // Local transforms of the models, as they were set: relative to the parent.
-    //   - models: the ids; one may stand twice
+    //   - models: the ids; an id may appear twice
     // Cost: O(elements).
     void get_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
         const uint32_t count = common_size({models.sizes()});
@@ -421,7 +421,7 @@ public:
 
     // World transforms of the models: those of all ancestors applied, rounded to float32. What queries
     // answer is exact with respect to these.
-    //   - models: the ids; one may stand twice
+    //   - models: the ids; an id may appear twice
     // Cost: O(elements).
     void get_world_transforms(Span<const gphys_model_id> models, Span<Transform> out_transforms) const {
         const uint32_t count = common_size({models.sizes()});
@@ -469,8 +469,9 @@ public:
         return list<Hit>([&](Hit* out_hits, uint32_t capacity, uint32_t* total) { return gphys_scene_raycast_all(handle(), &ray, layers, out_hits, capacity, total); });
     }
 
-    // Every model that each of the rays meets, as Scene::raycast_all: the hits of ray i stand at
+    // Every model that each of the rays meets, as Scene::raycast_all: the hits of ray i are at
     // hits[offsets[i]] up to offsets[i + 1].
+    // The contents of hits behind the last hit are unspecified.
     // Cost: that of as many single calls; shared among workers.
     Ragged<Hit> raycast_all_batch(Span<const Ray> rays, uint32_t layers = GPHYS_ALL_LAYERS) const {
         const uint32_t count = common_size({rays.sizes()});
@@ -505,7 +506,7 @@ public:
     }
 
     // Ids of all models that each of the shapes of one type overlaps, as Scene::overlap: those of shape i
-    // stand at models[offsets[i]] up to offsets[i + 1], as in Scene::raycast_all_batch.
+    // are at models[offsets[i]] up to offsets[i + 1], as in Scene::raycast_all_batch.
     // Throws Error with GPHYS_ERROR_UNSUPPORTED as there.
     // Cost: at most that of as many single calls; shared among workers.
     Ragged<gphys_model_id> overlap_batch(ShapeSpan shapes, uint32_t layers = GPHYS_ALL_LAYERS) const {
@@ -812,7 +813,7 @@ public:
 
 class Camera : public Object<gphys_camera, gphys_camera_destroy> {
 public:
-    // Create a camera that stands at the origin, with the projection and the viewport of its desc.
+    // Create a camera at the origin, with the projection and the viewport of its desc.
     //   - desc: nullptr: the defaults
     // Cost: O(1).
     explicit Camera(const CameraDesc* desc = nullptr) {
@@ -925,7 +926,7 @@ public:
         check(gphys_camera_look_at(handle(), &eye, &target, &up));
     }
 
-    // Where the camera stands, in metres, and how it is turned, rounded to float32.
+    // The camera's position, in metres, and its rotation, rounded to float32.
     // Cost: O(1).
     std::tuple<Vec3, Quat> get_transform() const {
         Vec3 out_position{};
@@ -991,7 +992,7 @@ public:
         check(gphys_camera_orbit_rotate(handle(), units_x, units_y));
     }
 
-    // Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+    // Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
     //   - units: finite, any size
     // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
@@ -1819,8 +1820,8 @@ inline std::optional<Hit> sweep(ShapeRef shape, ShapeRef moving, const Vec3& dis
 // translations of their own.
 // Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 // ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-// other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
-// apart.
+// other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
+// there.
 // Result: depth and normal of the translation, which is their product; of several that are as short
 // one, always the same. The point of the solid that gets furthest in is point - depth * normal.
 // std::nullopt if nothing is found.

@@ -153,10 +153,10 @@ public sealed partial class Scene : IDisposable {
     /// <summary>Create a scene without models. With a worker_count of n, all batch queries of the scene
     /// (Camera.PickBatch too), and adding and moving many models, share their work among n threads; the
     /// results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-    /// joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
-    /// their own work. They take no signals but faults, and the floating-point settings of the thread that
-    /// created them. In a child of fork they are gone: calls there run on one thread, as they do on a
-    /// platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+    /// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
+    /// work. They take no signals but faults, and the floating-point settings of the thread that created
+    /// them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
+    /// without threads (WebAssembly, unless built for shared memory), whatever is asked for.
     /// Cost: O(reserve_models), and that of starting the threads.</summary>
     /// <param name="desc">null: the defaults</param>
     /// <exception cref="GamephysException">Status.ErrorOutOfMemory: also if the threads cannot be
@@ -247,7 +247,7 @@ public sealed partial class Scene : IDisposable {
 
     /// <summary>Remove models, all or none.
     /// Cost: that of as many calls of Scene.Remove.</summary>
-    /// <param name="models">the ids; one that stands twice is Status.ErrorInvalidId</param>
+    /// <param name="models">the ids; an id that appears twice is Status.ErrorInvalidId</param>
     public unsafe void RemoveBatch(ReadOnlySpan<uint> models) {
         var count = CommonLength(models.Length, 1);
         fixed (uint* models_ = &MemoryMarshal.GetReference(models))
@@ -401,7 +401,7 @@ public sealed partial class Scene : IDisposable {
         Check(Low.gphys_scene_set_transform(Handle, model, &transform));
     }
 
-    /// <summary>Set the local transforms of many models, all or none; a model that stands twice gets the last.
+    /// <summary>Set the local transforms of many models, all or none; a model that appears twice gets the last.
     /// Descendants follow.
     /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.</summary>
     /// <param name="models">the ids</param>
@@ -415,7 +415,7 @@ public sealed partial class Scene : IDisposable {
 
     /// <summary>Local transforms of the models, as they were set: relative to the parent.
     /// Cost: O(elements).</summary>
-    /// <param name="models">the ids; one may stand twice</param>
+    /// <param name="models">the ids; an id may appear twice</param>
     public unsafe void GetTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
         var count = CommonLength(models.Length, 1);
         RequireLength(transforms.Length, count);
@@ -427,7 +427,7 @@ public sealed partial class Scene : IDisposable {
     /// <summary>World transforms of the models: those of all ancestors applied, rounded to float32. What queries
     /// answer is exact with respect to these.
     /// Cost: O(elements).</summary>
-    /// <param name="models">the ids; one may stand twice</param>
+    /// <param name="models">the ids; an id may appear twice</param>
     public unsafe void GetWorldTransforms(ReadOnlySpan<uint> models, Span<Transform> transforms) {
         var count = CommonLength(models.Length, 1);
         RequireLength(transforms.Length, count);
@@ -492,8 +492,9 @@ public sealed partial class Scene : IDisposable {
         }
     }
 
-    /// <summary>Every model that each of the rays meets, as Scene.RaycastAll: the hits of ray i stand at
+    /// <summary>Every model that each of the rays meets, as Scene.RaycastAll: the hits of ray i are at
     /// hits[offsets[i]] up to offsets[i + 1].
+    /// The contents of hits behind the last hit are unspecified.
     /// Cost: that of as many single calls; shared among workers.</summary>
     public unsafe Ragged<Hit> RaycastAllBatch(ReadOnlySpan<Ray> rays, uint layers = Constants.AllLayers) {
         var count = CommonLength(-1, rays.Length);
@@ -559,7 +560,7 @@ public sealed partial class Scene : IDisposable {
     }
 
     /// <summary>Ids of all models that each of the shapes of one type overlaps, as Scene.Overlap: those of shape i
-    /// stand at models[offsets[i]] up to offsets[i + 1], as in Scene.RaycastAllBatch.
+    /// are at models[offsets[i]] up to offsets[i + 1], as in Scene.RaycastAllBatch.
     /// Cost: at most that of as many single calls; shared among workers.</summary>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: as there</exception>
     public unsafe Ragged<uint> OverlapBatch(Shapes shapes, uint layers = Constants.AllLayers) {
@@ -1053,7 +1054,7 @@ public sealed partial class Scene : IDisposable {
 public sealed partial class Camera : IDisposable {
     internal readonly CameraHandle Handle;
 
-    /// <summary>Create a camera that stands at the origin, with the projection and the viewport of its desc.
+    /// <summary>Create a camera at the origin, with the projection and the viewport of its desc.
     /// Cost: O(1).</summary>
     /// <param name="desc">null: the defaults</param>
     public unsafe Camera(CameraDesc? desc = null) {
@@ -1178,7 +1179,7 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_look_at(Handle, &eye, &target, &up));
     }
 
-    /// <summary>Where the camera stands, in metres, and how it is turned, rounded to float32.
+    /// <summary>The camera's position, in metres, and its rotation, rounded to float32.
     /// Cost: O(1).</summary>
     public unsafe (Vec3 Position, Quat Rotation) GetTransform() {
         var position = default(Vec3);
@@ -1247,7 +1248,7 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_orbit_rotate(Handle, unitsX, unitsY));
     }
 
-    /// <summary>Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+    /// <summary>Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
     /// Cost: O(1).</summary>
     /// <param name="units">finite, any size</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
@@ -2366,8 +2367,8 @@ public static partial class Geometry {
     /// translations of their own.
     /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
     /// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-    /// other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
-    /// apart.
+    /// other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
+    /// there.
     /// Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
     /// 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).</summary>
     /// <returns>depth and normal of the translation, which is their product; of several that are as short

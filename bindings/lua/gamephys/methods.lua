@@ -130,10 +130,10 @@ local Scene = runtime.class 'scene'
 --- Create a scene without models. With a worker_count of n, all batch queries of the scene
 --- (Camera:pick_batch too), and adding and moving many models, share their work among n threads; the
 --- results have the same bits for every n. Without a task_runner n - 1 threads are started here and
---- joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
---- their own work. They take no signals but faults, and the floating-point settings of the thread that
---- created them. In a child of fork they are gone: calls there run on one thread, as they do on a
---- platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+--- joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
+--- work. They take no signals but faults, and the floating-point settings of the thread that created
+--- them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
+--- without threads (WebAssembly, unless built for shared memory), whatever is asked for.
 --- Cost: O(reserve_models), and that of starting the threads.
 --- @param desc nil: the defaults
 --- @raise status ERROR_OUT_OF_MEMORY: also if the threads cannot be started
@@ -206,7 +206,7 @@ end
 
 --- Remove models, all or none.
 --- Cost: that of as many calls of Scene:remove.
---- @param models the ids; one that stands twice is ERROR_INVALID_ID
+--- @param models the ids; an id that appears twice is ERROR_INVALID_ID
 function Scene:remove_batch(models)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local count = common(models_count)
@@ -328,7 +328,7 @@ function Scene:set_transform(model, transform)
     check(C.gphys_scene_set_transform(opened(self), model, to_value(Transform, transform)))
 end
 
---- Set the local transforms of many models, all or none; a model that stands twice gets the last.
+--- Set the local transforms of many models, all or none; a model that appears twice gets the last.
 --- Descendants follow.
 --- Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
 --- @param models the ids
@@ -342,7 +342,7 @@ end
 
 --- Local transforms of the models, as they were set: relative to the parent.
 --- Cost: O(elements).
---- @param models the ids; one may stand twice
+--- @param models the ids; an id may appear twice
 function Scene:get_transforms(models, out)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local count = common(models_count)
@@ -354,7 +354,7 @@ end
 --- World transforms of the models: those of all ancestors applied, rounded to float32. What queries
 --- answer is exact with respect to these.
 --- Cost: O(elements).
---- @param models the ids; one may stand twice
+--- @param models the ids; an id may appear twice
 function Scene:get_world_transforms(models, out)
     local models, models_count, models_stride = to_array(uint32_t, models)
     local count = common(models_count)
@@ -410,8 +410,9 @@ function Scene:raycast_all(ray, layers)
     end)
 end
 
---- Every model that each of the rays meets, as Scene:raycast_all: the hits of ray i stand at
+--- Every model that each of the rays meets, as Scene:raycast_all: the hits of ray i are at
 --- hits[offsets[i]] up to offsets[i + 1].
+--- The contents of hits behind the last hit are unspecified.
 --- Cost: that of as many single calls; shared among workers.
 function Scene:raycast_all_batch(rays, layers)
     local rays, rays_count, rays_stride = to_array(Ray, rays)
@@ -451,7 +452,7 @@ function Scene:overlap(shape, layers)
 end
 
 --- Ids of all models that each of the shapes of one type overlaps, as Scene:overlap: those of shape i
---- stand at models[offsets[i]] up to offsets[i + 1], as in Scene:raycast_all_batch.
+--- are at models[offsets[i]] up to offsets[i + 1], as in Scene:raycast_all_batch.
 --- Cost: at most that of as many single calls; shared among workers.
 --- @raise status ERROR_UNSUPPORTED: as there
 function Scene:overlap_batch(shapes, layers)
@@ -784,7 +785,7 @@ function Scene:validate()
 end
 
 local Camera = runtime.class 'camera'
---- Create a camera that stands at the origin, with the projection and the viewport of its desc.
+--- Create a camera at the origin, with the projection and the viewport of its desc.
 --- Cost: O(1).
 --- @param desc nil: the defaults
 function gp.Camera(desc)
@@ -902,7 +903,7 @@ function Camera:look_at(eye, target, up)
     check(C.gphys_camera_look_at(opened(self), to_value(Vec3, eye), to_value(Vec3, target), to_value(Vec3, up)))
 end
 
---- Where the camera stands, in metres, and how it is turned, rounded to float32.
+--- The camera's position, in metres, and its rotation, rounded to float32.
 --- Cost: O(1).
 function Camera:get_transform()
     local out_position = Vec3.new()
@@ -969,7 +970,7 @@ function Camera:orbit_rotate(units_x, units_y)
     check(C.gphys_camera_orbit_rotate(opened(self), units_x, units_y))
 end
 
---- Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+--- Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
 --- Cost: O(1).
 --- @param units finite, any size
 --- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
@@ -1881,8 +1882,8 @@ end
 --- translations of their own.
 --- Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 --- ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
---- other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
---- apart.
+--- other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
+--- there.
 --- Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
 --- 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
 --- @return depth and normal of the translation, which is their product; of several that are as short

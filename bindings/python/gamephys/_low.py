@@ -68,7 +68,7 @@ BODY_CLOTH = 3
 
 SOLVE_FREE = 0  # no constraints: exact flight
 SOLVE_DIRECT = 1  # chains and trees: Newton on the whole body at once
-SOLVE_GRAPH = 2  # what has rings, volume, or a particle with more than 64 constraints: chain families, then the rest, then reach limits
+SOLVE_GRAPH = 2  # what has rings, volume, or a particle with more than 64 constraints: coloured batches of chains, then the rest, then reach limits
 
 VERSION_MAJOR = 1
 VERSION_MINOR = 1

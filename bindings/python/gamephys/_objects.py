@@ -90,11 +90,11 @@ class Scene(Models):
     """Create a scene without models. With a worker_count of n, all batch queries of the scene
     (Camera.pick_batch too), and adding and moving many models, share their work among n threads;
     the results have the same bits for every n. Without a task_runner n - 1 threads are started here
-    and joined when the scene is destroyed. They serve one call at a time: others that come
-    meanwhile do their own work. They take no signals but faults, and the floating-point settings of
-    the thread that created them. In a child of fork they are gone: calls there run on one thread,
-    as they do on a platform without threads (WebAssembly, unless built for shared memory), whatever
-    is asked for.
+    and joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do
+    their own work. They take no signals but faults, and the floating-point settings of the thread
+    that created them. In a child of fork they are gone: calls there run on one thread, as they do
+    on a platform without threads (WebAssembly, unless built for shared memory), whatever is asked
+    for.
     Cost: O(reserve_models), and that of starting the threads.
 
     Args:
@@ -185,7 +185,7 @@ class Scene(Models):
         Cost: that of as many calls of Scene.remove.
 
         Args:
-            models: the ids; one that stands twice is ERROR_INVALID_ID"""
+            models: the ids; an id that appears twice is ERROR_INVALID_ID"""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         check(low.gphys_scene_remove_batch(self._handle, models_.address, count))
@@ -307,7 +307,7 @@ class Scene(Models):
         check(low.gphys_scene_set_transform(self._handle, model, transform_.address))
 
     def set_transforms(self, models: ArrayLike, transforms: ArrayLike | None = None) -> None:
-        """Set the local transforms of many models, all or none; a model that stands twice gets the last.
+        """Set the local transforms of many models, all or none; a model that appears twice gets the last.
         Descendants follow.
         Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
 
@@ -324,7 +324,7 @@ class Scene(Models):
         Cost: O(elements).
 
         Args:
-            models: the ids; one may stand twice"""
+            models: the ids; an id may appear twice"""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
@@ -337,7 +337,7 @@ class Scene(Models):
         Cost: O(elements).
 
         Args:
-            models: the ids; one may stand twice"""
+            models: the ids; an id may appear twice"""
         models_ = array_of(models, "<u4")
         count = common_length(models_)
         out_ = result_array(out, count, low.transform_dtype)
@@ -388,8 +388,9 @@ class Scene(Models):
         return list_of(low.gphys_scene_raycast_all, (self._handle, ray_.address, layers,), low.hit_dtype)
 
     def raycast_all_batch(self, rays: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
-        """Every model that each of the rays meets, as Scene.raycast_all: the hits of ray i stand at
+        """Every model that each of the rays meets, as Scene.raycast_all: the hits of ray i are at
         hits[offsets[i]] up to offsets[i + 1].
+        The contents of hits behind the last hit are unspecified.
         Cost: that of as many single calls; shared among workers."""
         rays_ = array_of(rays, low.ray_dtype)
         count = common_length(rays_)
@@ -428,7 +429,7 @@ class Scene(Models):
 
     def overlap_batch(self, shapes: ArrayLike, layers: int = low.ALL_LAYERS) -> tuple[np.ndarray, np.ndarray]:
         """Ids of all models that each of the shapes of one type overlaps, as Scene.overlap: those of shape
-        i stand at models[offsets[i]] up to offsets[i + 1], as in Scene.raycast_all_batch.
+        i are at models[offsets[i]] up to offsets[i + 1], as in Scene.raycast_all_batch.
         Cost: at most that of as many single calls; shared among workers.
 
         Raises:
@@ -834,7 +835,7 @@ class Scene(Models):
 
 
 class Camera(Object):
-    """Create a camera that stands at the origin, with the projection and the viewport of its desc.
+    """Create a camera at the origin, with the projection and the viewport of its desc.
     Cost: O(1).
 
     Args:
@@ -966,7 +967,7 @@ class Camera(Object):
         check(low.gphys_camera_look_at(self._handle, eye_.address, target_.address, up_.address))
 
     def get_transform(self) -> tuple[low.Vec3, low.Quat]:
-        """Where the camera stands, in metres, and how it is turned, rounded to float32.
+        """The camera's position, in metres, and its rotation, rounded to float32.
         Cost: O(1)."""
         out_position = low.Vec3()
         out_rotation = low.Quat()
@@ -1031,7 +1032,7 @@ class Camera(Object):
         check(low.gphys_camera_orbit_rotate(self._handle, units_x, units_y))
 
     def orbit_zoom(self, units: float) -> None:
-        """Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+        """Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
         Cost: O(1).
 
         Args:
@@ -2057,8 +2058,8 @@ def penetration(shape: Shape, moving: Shape) -> low.Penetration | None:
     have translations of their own.
     Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and
     1 ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from
-    the other shape. Rounded to floats, the translation may leave as much overlap as they tell
-    positions apart.
+    the other shape. Added to float positions, the translation may leave an overlap of the spacing
+    of floats there.
     Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
     1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
 

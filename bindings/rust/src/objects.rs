@@ -284,10 +284,10 @@ impl Scene {
     /// Create a scene without models. With a worker_count of n, all batch queries of the scene
     /// (`Camera::pick_batch` too), and adding and moving many models, share their work among n threads; the
     /// results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-    /// joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
-    /// their own work. They take no signals but faults, and the floating-point settings of the thread that
-    /// created them. In a child of fork they are gone: calls there run on one thread, as they do on a
-    /// platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+    /// joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
+    /// work. They take no signals but faults, and the floating-point settings of the thread that created
+    /// them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
+    /// without threads (WebAssembly, unless built for shared memory), whatever is asked for.
     ///
     /// Cost: O(reserve_models), and that of starting the threads.
     ///
@@ -376,7 +376,7 @@ impl Scene {
     ///
     /// Cost: that of as many calls of `Scene::remove`.
     ///
-    /// * `models`: the ids; one that stands twice is `Status::ERROR_INVALID_ID`
+    /// * `models`: the ids; an id that appears twice is `Status::ERROR_INVALID_ID`
     pub fn remove_batch(&mut self, models: &[ModelId]) -> Result<()> {
         let models = Batch::from(models);
         let count = common_length(&[models.length])?;
@@ -511,7 +511,7 @@ impl Scene {
         check(unsafe { sys::gphys_scene_set_transform(self.handle.as_ptr(), model, transform) })
     }
 
-    /// Set the local transforms of many models, all or none; a model that stands twice gets the last.
+    /// Set the local transforms of many models, all or none; a model that appears twice gets the last.
     /// Descendants follow.
     ///
     /// Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
@@ -529,7 +529,7 @@ impl Scene {
     ///
     /// Cost: O(elements).
     ///
-    /// * `models`: the ids; one may stand twice
+    /// * `models`: the ids; an id may appear twice
     pub fn get_transforms<'a>(&self, models: &[ModelId], out_transforms: impl Into<BatchMut<'a, Transform>>) -> Result<()> {
         let models = Batch::from(models);
         let out_transforms = out_transforms.into();
@@ -543,7 +543,7 @@ impl Scene {
     ///
     /// Cost: O(elements).
     ///
-    /// * `models`: the ids; one may stand twice
+    /// * `models`: the ids; an id may appear twice
     pub fn get_world_transforms<'a>(&self, models: &[ModelId], out_transforms: impl Into<BatchMut<'a, Transform>>) -> Result<()> {
         let models = Batch::from(models);
         let out_transforms = out_transforms.into();
@@ -601,8 +601,9 @@ impl Scene {
         list(|out_hits, capacity, total| unsafe { sys::gphys_scene_raycast_all(self.handle.as_ptr(), ray, layers, out_hits, capacity, total) })
     }
 
-    /// Every model that each of the rays meets, as `Scene::raycast_all`: the hits of ray i stand at
+    /// Every model that each of the rays meets, as `Scene::raycast_all`: the hits of ray i are at
     /// `hits[offsets[i]]` up to offsets[i + 1].
+    /// The contents of hits behind the last hit are unspecified.
     ///
     /// Cost: that of as many single calls; shared among workers.
     pub fn raycast_all_batch<'a>(&self, rays: impl Into<Batch<'a, Ray>>, layers: u32) -> Result<Ragged<Hit>> {
@@ -645,7 +646,7 @@ impl Scene {
     }
 
     /// Ids of all models that each of the shapes of one type overlaps, as `Scene::overlap`: those of shape
-    /// i stand at `models[offsets[i]]` up to offsets[i + 1], as in `Scene::raycast_all_batch`.
+    /// i are at `models[offsets[i]]` up to offsets[i + 1], as in `Scene::raycast_all_batch`.
     ///
     /// Cost: at most that of as many single calls; shared among workers.
     ///
@@ -1065,7 +1066,7 @@ impl Drop for Camera {
 }
 
 impl Camera {
-    /// Create a camera that stands at the origin, with the projection and the viewport of its desc.
+    /// Create a camera at the origin, with the projection and the viewport of its desc.
     ///
     /// Cost: O(1).
     ///
@@ -1207,7 +1208,7 @@ impl Camera {
         check(unsafe { sys::gphys_camera_look_at(self.handle.as_ptr(), eye, target, up) })
     }
 
-    /// Where the camera stands, in metres, and how it is turned, rounded to float32.
+    /// The camera's position, in metres, and its rotation, rounded to float32.
     ///
     /// Cost: O(1).
     pub fn get_transform(&self) -> Result<(Vec3, Quat)> {
@@ -1286,7 +1287,7 @@ impl Camera {
         check(unsafe { sys::gphys_camera_orbit_rotate(self.handle.as_ptr(), units_x, units_y) })
     }
 
-    /// Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+    /// Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
     ///
     /// Cost: O(1).
     ///
@@ -2366,8 +2367,8 @@ pub fn sweep(shape: &dyn Shape, moving: &dyn Shape, displacement: impl Into<Vec3
 ///
 /// Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
 /// ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-/// other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
-/// apart.
+/// other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
+/// there.
 ///
 /// Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
 /// 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).

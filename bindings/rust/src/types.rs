@@ -148,8 +148,8 @@ impl SolveMethod {
     pub const FREE: SolveMethod = SolveMethod(0);
     /// chains and trees: Newton on the whole body at once
     pub const DIRECT: SolveMethod = SolveMethod(1);
-    /// what has rings, volume, or a particle with more than 64 constraints: chain families,
-    /// then the rest, then reach limits
+    /// what has rings, volume, or a particle with more than 64 constraints: coloured
+    /// batches of chains, then the rest, then reach limits
     pub const GRAPH: SolveMethod = SolveMethod(2);
 }
 

@@ -85,10 +85,10 @@ module Gamephys
     # Create a scene without models. With a worker_count of n, all batch queries of the scene
     # (Camera#pick_batch too), and adding and moving many models, share their work among n threads; the
     # results have the same bits for every n. Without a task_runner n - 1 threads are started here and
-    # joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
-    # their own work. They take no signals but faults, and the floating-point settings of the thread that
-    # created them. In a child of fork they are gone: calls there run on one thread, as they do on a
-    # platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+    # joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
+    # work. They take no signals but faults, and the floating-point settings of the thread that created
+    # them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
+    # without threads (WebAssembly, unless built for shared memory), whatever is asked for.
     # Cost: O(reserve_models), and that of starting the threads.
     # @param desc nil: the defaults
     # @raise [OutOfMemory] also if the threads cannot be started
@@ -159,7 +159,7 @@ module Gamephys
 
     # Remove models, all or none.
     # Cost: that of as many calls of Scene#remove.
-    # @param models the ids; one that stands twice is ERROR_INVALID_ID
+    # @param models the ids; an id that appears twice is ERROR_INVALID_ID
     def remove_batch(models)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -282,7 +282,7 @@ module Gamephys
       nil
     end
 
-    # Set the local transforms of many models, all or none; a model that stands twice gets the last.
+    # Set the local transforms of many models, all or none; a model that appears twice gets the last.
     # Descendants follow.
     # Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
     # @param models the ids
@@ -297,7 +297,7 @@ module Gamephys
 
     # Local transforms of the models, as they were set: relative to the parent.
     # Cost: O(elements).
-    # @param models the ids; one may stand twice
+    # @param models the ids; an id may appear twice
     def get_transforms(models, out: nil)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -309,7 +309,7 @@ module Gamephys
     # World transforms of the models: those of all ancestors applied, rounded to float32. What queries
     # answer is exact with respect to these.
     # Cost: O(elements).
-    # @param models the ids; one may stand twice
+    # @param models the ids; an id may appear twice
     def get_world_transforms(models, out: nil)
       models = Low.array(UInt32, models)
       count = Low.common(models)
@@ -361,8 +361,9 @@ module Gamephys
       Low.list(Hit) { |out, capacity, total| Low.gphys_scene_raycast_all(opened, Ray.pack(ray), layers, out, capacity, total) }
     end
 
-    # Every model that each of the rays meets, as Scene#raycast_all: the hits of ray i stand at
+    # Every model that each of the rays meets, as Scene#raycast_all: the hits of ray i are at
     # hits[offsets[i]] up to offsets[i + 1].
+    # The contents of hits behind the last hit are unspecified.
     # Cost: that of as many single calls; shared among workers.
     def raycast_all_batch(rays, layers: ALL_LAYERS)
       rays = Low.array(Ray, rays)
@@ -399,7 +400,7 @@ module Gamephys
     end
 
     # Ids of all models that each of the shapes of one type overlaps, as Scene#overlap: those of shape i
-    # stand at models[offsets[i]] up to offsets[i + 1], as in Scene#raycast_all_batch.
+    # are at models[offsets[i]] up to offsets[i + 1], as in Scene#raycast_all_batch.
     # Cost: at most that of as many single calls; shared among workers.
     # @raise [Error] as there (ERROR_UNSUPPORTED)
     def overlap_batch(shapes, layers: ALL_LAYERS)
@@ -715,7 +716,7 @@ module Gamephys
       def self.release(pointer) = Low.gphys_camera_destroy(pointer)
     end
 
-    # Create a camera that stands at the origin, with the projection and the viewport of its desc.
+    # Create a camera at the origin, with the projection and the viewport of its desc.
     # Cost: O(1).
     # @param desc nil: the defaults
     def initialize(**desc)
@@ -835,7 +836,7 @@ module Gamephys
       nil
     end
 
-    # Where the camera stands, in metres, and how it is turned, rounded to float32.
+    # The camera's position, in metres, and its rotation, rounded to float32.
     # Cost: O(1).
     def get_transform
       out_position = Vec3.room
@@ -904,7 +905,7 @@ module Gamephys
       nil
     end
 
-    # Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+    # Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
     # Cost: O(1).
     # @param units finite, any size
     # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
@@ -1788,8 +1789,8 @@ module Gamephys
   # translations of their own.
   # Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
   # ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-  # other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
-  # apart.
+  # other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
+  # there.
   # Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
   # 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
   # @return depth and normal of the translation, which is their product; of several that are as short

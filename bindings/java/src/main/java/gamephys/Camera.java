@@ -6,7 +6,7 @@ import java.util.Optional;
 
 /**
  * <pre>
- * Create a camera that stands at the origin, with the projection and the viewport of its desc.
+ * Create a camera at the origin, with the projection and the viewport of its desc.
  *   - desc: null: the defaults
  * Cost: O(1).
  * </pre>
@@ -185,7 +185,7 @@ public final class Camera extends Owned {
     public record TransformResult(Vec3 position, Quat rotation) {}
 
     /**
-     * Where the camera stands, in metres, and how it is turned, rounded to float32.
+     * The camera's position, in metres, and its rotation, rounded to float32.
      * Cost: O(1).
      */
     public TransformResult getTransform() {
@@ -284,7 +284,7 @@ public final class Camera extends Owned {
     }
 
     /**
-     * Add input to the orbit: come closer by units times metres_per_unit (go back if negative).
+     * Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
      * Cost: O(1).
      * @param units finite, any size
      * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit

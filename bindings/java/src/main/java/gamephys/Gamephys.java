@@ -358,8 +358,8 @@ public final class Gamephys extends GamephysBase {
      * translations of their own.
      * Error: as if the shape were larger or smaller by 2^-40 of the largest coordinate difference, and 1
      * ulp of depth; by 2^-32 where the centre or axis of what is round is less than that away from the
-     * other shape. Rounded to floats, the translation may leave as much overlap as they tell positions
-     * apart.
+     * other shape. Added to float positions, the translation may leave an overlap of the spacing of floats
+     * there.
      * Cost: O(1), 0.1 to 1 us; O(log n + k) expected for a mesh. Boxes by separating axes (Gottschalk
      * 1996), what is round by the distance of its core (Gilbert, Johnson, Keerthi 1988).
      * @return depth and normal of the translation, which is their product; of several that are as short

@@ -9,10 +9,10 @@ import java.util.Optional;
  * Create a scene without models. With a worker_count of n, all batch queries of the scene
  * (Camera.pickBatch too), and adding and moving many models, share their work among n threads; the
  * results have the same bits for every n. Without a task_runner n - 1 threads are started here and
- * joined when the scene is destroyed. They serve one call at a time: others that come meanwhile do
- * their own work. They take no signals but faults, and the floating-point settings of the thread that
- * created them. In a child of fork they are gone: calls there run on one thread, as they do on a
- * platform without threads (WebAssembly, unless built for shared memory), whatever is asked for.
+ * joined when the scene is destroyed. They serve one call at a time: calls made meanwhile do their own
+ * work. They take no signals but faults, and the floating-point settings of the thread that created
+ * them. In a child of fork they are gone: calls there run on one thread, as they do on a platform
+ * without threads (WebAssembly, unless built for shared memory), whatever is asked for.
  *   - desc: null: the defaults
  * Throws GamephysException with ERROR_OUT_OF_MEMORY also if the threads cannot be started.
  * Throws GamephysException with ERROR_CAPACITY if reserve_models is above 2^24 - 1.
@@ -138,7 +138,7 @@ public final class Scene extends SceneBase {
     /**
      * Remove models, all or none.
      * Cost: that of as many calls of Scene.remove.
-     * @param models the ids; one that stands twice is ERROR_INVALID_ID
+     * @param models the ids; an id that appears twice is ERROR_INVALID_ID
      */
     public void removeBatch(Batch<Integer> models) {
         int count = Low.common(models.common());
@@ -327,7 +327,7 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * Set the local transforms of many models, all or none; a model that stands twice gets the last.
+     * Set the local transforms of many models, all or none; a model that appears twice gets the last.
      * Descendants follow.
      * Cost: O(log n) for each model that moves when few move, O(n) when many do; less with workers.
      * @param models the ids
@@ -348,7 +348,7 @@ public final class Scene extends SceneBase {
     /**
      * Local transforms of the models, as they were set: relative to the parent.
      * Cost: O(elements).
-     * @param models the ids; one may stand twice
+     * @param models the ids; an id may appear twice
      */
     public Batch<Transform> getTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
@@ -368,7 +368,7 @@ public final class Scene extends SceneBase {
      * World transforms of the models: those of all ancestors applied, rounded to float32. What queries
      * answer is exact with respect to these.
      * Cost: O(elements).
-     * @param models the ids; one may stand twice
+     * @param models the ids; an id may appear twice
      */
     public Batch<Transform> getWorldTransforms(Batch<Integer> models, Batch<Transform> out) {
         int count = Low.common(models.common());
@@ -484,8 +484,9 @@ public final class Scene extends SceneBase {
     }
 
     /**
-     * Every model that each of the rays meets, as Scene.raycastAll: the hits of ray i stand at
+     * Every model that each of the rays meets, as Scene.raycastAll: the hits of ray i are at
      * hits[offsets[i]] up to offsets[i + 1].
+     * The contents of hits behind the last hit are unspecified.
      * Cost: that of as many single calls; shared among workers.
      */
     public Ragged<Hit> raycastAllBatch(Batch<Ray> rays, int layers) {
@@ -566,7 +567,7 @@ public final class Scene extends SceneBase {
 
     /**
      * Ids of all models that each of the shapes of one type overlaps, as Scene.overlap: those of shape i
-     * stand at models[offsets[i]] up to offsets[i + 1], as in Scene.raycastAllBatch.
+     * are at models[offsets[i]] up to offsets[i + 1], as in Scene.raycastAllBatch.
      * Cost: at most that of as many single calls; shared among workers.
      * @throws GamephysException with ERROR_UNSUPPORTED: as there
      */
