@@ -26,7 +26,6 @@ struct Session {
     bool exceptions = false;  // valid calls must not raise floating-point exceptions that hosts may trap
     int rounding = 0;         // of the host, inside calls
     bool flush = false;       // the host flushes denormal numbers to zero
-    bool answers = true;      // are checked; else only what holds in every mode of the host
     bool print = false;       // statuses, and what programs draw
 };
 Session& session();
@@ -34,20 +33,12 @@ Session& session();
 /// For the time while a defect is known: a program in which this check does not hold ends without being reported.
 /// The environment variable GAMEPHYS_FUZZ_IGNORE names more of them, one a line.
 void ignore(const std::string& check);
-enum class Modes { as_promised, all };
 /// The check does not hold.
-[[noreturn]] void found(const char* check, Modes holds_in = Modes::as_promised);
+[[noreturn]] void found(const char* check);
 
 #define FUZZ_CHECK(condition, name)          \
     do {                                     \
         if (!(condition)) fuzz::found(name); \
-    } while (0)
-
-/// What holds whatever rounding the host has: no answer, but that calls return, with a status of the header, change
-/// nothing when they fail, and leave no memory behind.
-#define FUZZ_CHECK_IN_ALL_MODES(condition, name)               \
-    do {                                                       \
-        if (!(condition)) fuzz::found(name, fuzz::Modes::all); \
     } while (0)
 
 template <class T>
@@ -127,7 +118,7 @@ struct Output {
     bool untouched() const { return same_bits(value, before); }
     /// What every function promises: written on success, untouched on an error.
     const T& after(gphys_status status) const {
-        FUZZ_CHECK_IN_ALL_MODES(status >= 0 || untouched(), "an error leaves outputs untouched");
+        FUZZ_CHECK(status >= 0 || untouched(), "an error leaves outputs untouched");
         if (status == GPHYS_OK || status == GPHYS_INCOMPLETE) note(value);
         return value;
     }

@@ -231,17 +231,17 @@ void run(Program& p) {
             const MayRaise made_up;
             const gphys_status status =
                 call(gphys_solver_restore, target.get(), words.data(), static_cast<uint32_t>(words.size()));
-            FUZZ_CHECK_IN_ALL_MODES(status == GPHYS_OK || status == GPHYS_ERROR_INVALID_ARGUMENT,
-                                    "words are restored or refused as an argument");
+            FUZZ_CHECK(status == GPHYS_OK || status == GPHYS_ERROR_INVALID_ARGUMENT,
+                       "words are restored or refused as an argument");
             if (status != GPHYS_OK) {
-                FUZZ_CHECK_IN_ALL_MODES(target.hash() == before, "a solver that refuses words is as before");
+                FUZZ_CHECK(target.hash() == before, "a solver that refuses words is as before");
                 continue;
             }
             FUZZ_CHECK(target.snapshot() == words, "a state that was restored gives its words again");
             use(p, target, scene);
         }
     }
-    FUZZ_CHECK_IN_ALL_MODES(memory.live_bytes() == 0, "solvers that are destroyed give back their memory");
+    FUZZ_CHECK(memory.live_bytes() == 0, "solvers that are destroyed give back their memory");
 }
 
 }  // namespace fuzz

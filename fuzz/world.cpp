@@ -77,7 +77,7 @@ void World::run() {
     twin_ = nullptr;
     call(gphys_camera_destroy, camera_);
     camera_ = nullptr;
-    FUZZ_CHECK_IN_ALL_MODES(memory_.live_bytes() == 0, "objects that are destroyed give back their memory");
+    FUZZ_CHECK(memory_.live_bytes() == 0, "objects that are destroyed give back their memory");
 }
 
 void run(Program& p) {

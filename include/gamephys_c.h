@@ -66,10 +66,10 @@
  *            desc asks for it (gphys_scene_create and gphys_solver_create say which calls its workers
  *            share). Callbacks come on the thread that called the library, never on a worker. A call
  *            takes at most 96 KiB of stack on each thread at work, besides its callbacks.
- * Host       Rounding is to nearest and denormal numbers are kept (on x86: neither FTZ nor DAZ), as
- *            programs start: in the thread that calls, and in the one that created an object with
- *            workers. In other modes calls return, and what is said of statuses, errors and memory
- *            holds, but answers and states may be others and valid input may be refused.
+ * Host       Each call computes in the standard floating-point modes, whatever the thread has set, and
+ *            leaves the thread in its own: rounding to nearest, denormal numbers kept (on x86 neither
+ *            FTZ nor DAZ). So does each task of a task_runner. Callbacks run in the standard modes.
+ *            Floating-point exceptions stay raised.
  */
 #ifndef GAMEPHYS_C_H
 #define GAMEPHYS_C_H

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <new>
 
+#include "foundation/host_modes.h"
 #include "foundation/math.h"
 #include "foundation/status.h"
 #include "foundation/strided.h"
@@ -16,10 +17,11 @@ namespace gphys {
 
 inline gphys_status invalid(const char* message) noexcept { return fail(GPHYS_ERROR_INVALID_ARGUMENT, message); }
 
-/// The whole of an entry point (tests_package/entry_points.py sees to it): whatever its body throws becomes a
-/// status, or ends here if it returns none.
+/// The whole of an entry point (tests_package/entry_points.py sees to it): its body runs in the standard
+/// floating-point modes, and whatever it throws becomes a status, or ends here if it returns none.
 template <class Body>
 auto guarded(Body&& body) noexcept -> decltype(body()) {
+    const StandardModes modes;
     try {
         return body();
     } catch (const std::bad_alloc&) {

@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "foundation/host_modes.h"
+
 #if defined(__unix__) || defined(__APPLE__)
 #include <signal.h>
 #include <unistd.h>
@@ -93,6 +95,7 @@ bool Workers::in_forked_child() const { return process_ != this_process(); }
 void Workers::share(Job& job) const noexcept {
     if (runner_.run) {
         const auto take_part = [](void* context, uint32_t) {
+            const StandardModes modes;  // on a thread of the host
             Job& shared = *static_cast<Job*>(context);
             shared.taking_part.fetch_add(1, std::memory_order_relaxed);
             shared.drain();
