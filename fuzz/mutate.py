@@ -34,7 +34,7 @@ files = [source / name for name in sys.argv[4:]] or sorted(default)
 
 # Folder: the files of tests_cpp, and the fuzz targets.
 concerned = {
-    "intersect": (["raycast", "raycast_triangle", "overlap", "closest", "classify", "sweep"], ["shapes", "mesh"]),
+    "geometry": (["raycast", "raycast_triangle", "overlap", "closest", "classify", "sweep"], ["shapes", "mesh"]),
     "octree": (["octree", "octree_update", "mesh", "scene", "scene_queries", "scene_transforms", "workers"], ["mesh", "world"]),
     "mesh": (["mesh", "mesh_instance", "near_parts", "triangle_packet", "scene_queries", "hit_kernels"], ["mesh", "world"]),
     "snapshot": (["snapshot_check", "solver_snapshot"], ["snapshot", "world"]),
