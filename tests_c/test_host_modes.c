@@ -11,7 +11,7 @@
 #include <xmmintrin.h>
 #endif
 
-enum { MODELS = 60, RAYS = 1000, STEPS = 60 };
+enum { MODELS = 60, RAYS = 400, STEPS = 24 };
 
 typedef struct mode {
     const char* name;
