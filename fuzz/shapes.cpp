@@ -372,10 +372,24 @@ void frusta(Program& p) {
     if (status == GPHYS_OK) {
         for (const gphys_vec3& corner : corners.value.corner) FUZZ_CHECK(is_finite(corner), "corners are finite");
     }
+    gphys_plane planes[3] = {frustum.planes[0], frustum.planes[2], frustum.planes[4]};
+    Output<gphys_vec3> point;
+    const gphys_status met = call(gphys_planes_intersection, &planes[0], &planes[1], &planes[2], &point.value);
+    point.after(met);
+    FUZZ_CHECK(met != GPHYS_OK || is_valid(point.value), "planes meet in range");
+    gphys_vec3 swapped{INFINITY, INFINITY, INFINITY};
+    const gphys_status again =
+        call(gphys_planes_intersection_batch, &planes[2], 0u, &planes[0], 0u, &planes[1], 0u, 1u, &swapped, 12u);
+    FUZZ_CHECK((met < 0) == (again < 0) && (met == GPHYS_OK) == is_finite(swapped), "planes meet whatever their order");
     gphys_mat4 matrix{};
     for (float& element : matrix.m) element = p.one_in(3) ? p.number() : 0;
     if (p.one_in(3)) matrix.m[0] = matrix.m[5] = 1, matrix.m[10] = 1.5f, matrix.m[11] = 1, matrix.m[14] = -1;
     p.spoil(matrix, 30);
+    Output<float> deviation;
+    const gphys_status told = call(gphys_mat4_orthonormality, &matrix, &deviation.value);
+    deviation.after(told);
+    FUZZ_CHECK(told != GPHYS_OK || (deviation.value >= 0 && std::isfinite(deviation.value)),
+               "a matrix is some way from orthonormal");
     Output<gphys_frustum> from_matrix;
     const int32_t range = static_cast<int32_t>(p.below(3)), reverse = static_cast<int32_t>(p.below(2));
     const gphys_status made = call(gphys_frustum_from_matrix, &matrix, range, reverse, &from_matrix.value);

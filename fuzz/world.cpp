@@ -46,7 +46,7 @@ void World::run() {
         &World::filtered_queries, &World::filtered_batches, &World::sweep_solid,   &World::ways_out};
     constexpr Op views[] = {&World::create_camera,  &World::place_camera, &World::project_camera, &World::orbit,
                             &World::inspect_camera, &World::project,      &World::pick,           &World::pick_lists,
-                            &World::place_camera,   &World::pick};
+                            &World::place_camera,   &World::pick,         &World::view_camera,    &World::rectangles};
     constexpr Op motions[] = {&World::create_solver, &World::add_body,  &World::add_body,       &World::remove_body,
                               &World::set_state,     &World::set_state, &World::constrain,      &World::join,
                               &World::attach,        &World::volume,    &World::settings,       &World::step,

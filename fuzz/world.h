@@ -88,6 +88,8 @@ private:
     void place_camera();
     void project_camera();
     void orbit();
+    void view_camera();
+    void rectangles();
     void inspect_camera();
     void project();
     void pick();

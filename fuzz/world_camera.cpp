@@ -156,6 +156,74 @@ void World::project_camera() {
     }
 }
 
+void World::view_camera() {
+    if (!camera_) return create_camera();
+    const float from = p_.one_in(8) ? p_.hostile() : 0.01f + p_.size(), to = from + 0.1f + p_.size() * 8;
+    const float width = p_.one_in(8) ? p_.hostile() : 0.1f + p_.size(), height = 0.1f + p_.size();
+    gphys_status set = GPHYS_NO_HIT;
+    float aspect = 0, image_width = 0, image_height = 0, x = 0, y = 0;
+    int32_t fixed = -1;
+    switch (p_.below(5)) {
+        case 0:
+            change(camera_,
+                   [&] { return set = call(gphys_camera_set_perspective_aspect, camera_, height, width, from, to); });
+            call(gphys_camera_get_aspect, camera_, &aspect, &fixed);
+            FUZZ_CHECK(set != GPHYS_OK || (aspect == width && fixed == 1), "an aspect is read as it was set");
+            return;
+        case 1:
+            change(camera_,
+                   [&] { return set = call(gphys_camera_set_orthographic_size, camera_, width, height, from, to); });
+            call(gphys_camera_get_image_size, camera_, &image_width, &image_height);
+            FUZZ_CHECK(set != GPHYS_OK || (image_width == width && image_height == height),
+                       "what an orthographic camera sees is as large as it was set");
+            return;
+        case 2:
+            change(camera_, [&] { return set = call(gphys_camera_set_viewport_origin, camera_, width, from); });
+            call(gphys_camera_get_viewport_origin, camera_, &x, &y);
+            FUZZ_CHECK(set != GPHYS_OK || (x == width && y == from), "a viewport's place is read as it was set");
+            return;
+        case 3: {
+            gphys_pick_start start = static_cast<gphys_pick_start>(p_.below(3)), now = -1;
+            set = call(gphys_camera_set_pick_start, camera_, start);
+            call(gphys_camera_get_pick_start, camera_, &now);
+            FUZZ_CHECK((set == GPHYS_OK) == (start < 2) && (set != GPHYS_OK || now == start),
+                       "where sight begins is read as it was set");
+            return;
+        }
+        default: {
+            gphys_mat4 view, world;
+            call(gphys_camera_get_view_matrix, camera_, &view);
+            if (p_.one_in(3)) view.m[p_.below(16)] = p_.number();
+            p_.spoil(view, 12);
+            if (change(camera_, [&] { return call(gphys_camera_set_view_matrix, camera_, &view); }) != GPHYS_OK) return;
+            float deviation = 1;
+            call(gphys_camera_get_world_matrix, camera_, &world);
+            call(gphys_mat4_orthonormality, &world, &deviation);
+            FUZZ_CHECK(deviation < 0x1p-22f, "a camera's axes are orthonormal");
+        }
+    }
+}
+
+void World::rectangles() {
+    if (!camera_) return create_camera();
+    const float x0 = p_.one_in(8) ? p_.hostile() : p_.number(), y0 = p_.number();
+    const float x1 = x0 + p_.number(), y1 = y0 + p_.number();
+    Output<gphys_frustum> frustum;
+    const gphys_status seen = call(gphys_camera_get_rectangle_frustum, camera_, x0, y0, x1, y1, &frustum.value);
+    frustum.after(seen);
+    FUZZ_CHECK(seen != GPHYS_OK || is_valid(AnyShape::of(GPHYS_SHAPE_FRUSTUM, frustum.value)),
+               "a rectangle's frustum is one that shapes are compared with");
+    struct Corners {
+        gphys_vec3 corner[8];
+    };
+    Output<Corners> corners;
+    const gphys_status found = call(gphys_camera_get_rectangle_corners, camera_, x0, y0, x1, y1, corners.value.corner);
+    corners.after(found);
+    for (const gphys_vec3& corner : corners.value.corner) {
+        FUZZ_CHECK(found != GPHYS_OK || is_finite(corner), "a rectangle's corners are finite");
+    }
+}
+
 void World::orbit() {
     if (!camera_) return create_camera();
     gphys_orbit orbit;
@@ -172,6 +240,13 @@ void World::orbit() {
     present.after(known);
     FUZZ_CHECK(status != GPHYS_OK || known == GPHYS_OK, "an orbit that was set is known");
     if (known != GPHYS_OK) return;
+    if (p_.one_in(4)) {
+        gphys_orbit_speeds speeds{p_.number(), p_.number(), p_.number(), p_.number(), p_.number()}, now;
+        p_.spoil(speeds, 8);
+        const gphys_status set = call(gphys_camera_set_orbit_speeds, camera_, &speeds);
+        call(gphys_camera_get_orbit_speeds, camera_, &now);
+        FUZZ_CHECK(set != GPHYS_OK || same_bits(now, speeds), "an orbit's speeds are read as they were set");
+    }
     for (int i = 0; i < 3; ++i) {
         const float a = p_.one_in(8) ? p_.hostile() : p_.number(), b = p_.number();
         call(gphys_camera_orbit_rotate, camera_, a, b);

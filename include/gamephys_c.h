@@ -498,6 +498,27 @@ GPHYS_API gphys_status gphys_shape_penetration(gphys_shape_type type, const void
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_frustum_corners(const gphys_frustum* frustum, gphys_vec3 out_corners[8]);
 
+/** The point that three planes have in common, within an ulp of each coordinate.
+ *  @return GPHYS_NO_HIT if the planes have no single point in common, which is decided exactly, or one beyond
+ *          GPHYS_MAX_COORDINATE
+ *  Cost: O(1).  Source: Cramer's rule.  Since 1.1. */
+GPHYS_API gphys_status gphys_planes_intersection(const gphys_plane* a, const gphys_plane* b, const gphys_plane* c,
+                                                 gphys_vec3* out_point);
+/** The points of count triples of planes, as gphys_planes_intersection; one without gets x = y = z = INFINITY.
+ *  @param a, b, c     count planes each; a stride of 0 takes one for all
+ *  @param out_points  count elements
+ *  Cost: that of count single calls.  Since 1.1. */
+GPHYS_API gphys_status gphys_planes_intersection_batch(const gphys_plane* a, uint32_t a_stride, const gphys_plane* b,
+                                                       uint32_t b_stride, const gphys_plane* c, uint32_t c_stride,
+                                                       uint32_t count, gphys_vec3* out_points, uint32_t out_stride);
+
+/** How far the axes of a matrix (its first three columns without the last row) are from orthonormal: the largest
+ *  |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22 for the matrices that a
+ *  camera gives, about 2e for axes that are too long by a share of e.
+ *  @param matrix  elements within GPHYS_MAX_COORDINATE
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_mat4_orthonormality(const gphys_mat4* matrix, float* out_deviation);
+
 /** Depth range of clip space. */
 typedef int32_t gphys_depth_range;
 enum {
@@ -516,7 +537,8 @@ GPHYS_API gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projecti
 
 /* ------------------------------------------------------------------------------------------
  * Mesh: a triangle surface with its own tree. Immutable, so one mesh can serve many models,
- * scenes and threads. It is a shape: gphys_shape_* functions take it as GPHYS_SHAPE_MESH.
+ * scenes and threads; one that is deformable takes other vertices for the same triangles. It is a
+ * shape: gphys_shape_* functions take it as GPHYS_SHAPE_MESH.
  * ------------------------------------------------------------------------------------------ */
 
 /** What is in a triangle array. Frozen. */
@@ -544,6 +566,8 @@ GPHYS_API gphys_status gphys_mesh_check(const float* vertices, uint32_t vertex_s
 typedef struct gphys_mesh_desc {
     uint32_t struct_size;
     const gphys_allocator* allocator; /* NULL: the C++ runtime's */
+    int32_t deformable;               /* 1: gphys_mesh_set_vertices will be called; 12 bytes a vertex more. Since 1.1 */
+    uint32_t reserved;                /* 0 */
 } gphys_mesh_desc;
 
 /** Fill a desc with the defaults of gphys_mesh_create.
@@ -562,13 +586,29 @@ GPHYS_API gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const floa
                                          uint32_t vertex_count, const uint32_t* indices, uint32_t index_count,
                                          gphys_mesh** out_mesh);
 
+/** Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+ *  gphys_solver_get_positions writes it. All models of the mesh have the new form from then on, in every scene, and all
+ *  answers have the bits of those of a mesh created of the new vertices. What fails leaves the mesh and the scenes as
+ *  they were. A solver sees the new form at its next step, as a surface that stands still.
+ *  @param vertices       vertex_count elements of 3 floats, metres; copied
+ *  @param vertex_stride  bytes between vertices, at least 12
+ *  @param vertex_count   as at creation
+ *  @return GPHYS_ERROR_UNSUPPORTED if the mesh is not deformable; GPHYS_ERROR_INVALID_ARGUMENT for a vertex that is not
+ *          finite or too large, or if a model of the mesh would reach beyond the range of coordinates
+ *  Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on these.
+ *  Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is refitted, and built
+ *  again by parts where it has degraded. If the triangles have come apart so that their groups of eight have boxes of
+ *  twice the area, once that of a creation.  Since 1.1. */
+GPHYS_API gphys_status gphys_mesh_set_vertices(gphys_mesh* mesh, const float* vertices, uint32_t vertex_stride,
+                                               uint32_t vertex_count);
+
 /** Release the caller's reference to a mesh; NULL does nothing. The handle is invalid from then on. Models
  *  that use the mesh keep it alive as long as they exist.
  *  Cost: O(1); O(n) to free a mesh that no model uses. */
 GPHYS_API void gphys_mesh_destroy(gphys_mesh* mesh);
 
 /** What the mesh was built from: the report that gphys_mesh_check makes of its arrays.
- *  Cost: O(1). */
+ *  Cost: O(1); O(triangles) for a deformable mesh. */
 GPHYS_API gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report);
 /** Copy the vertices out, in metres and in their original order. Kept when too many: the first.
  *  Cost: O(vertices). */
@@ -1231,6 +1271,13 @@ enum {
     GPHYS_RIGHT_HANDED = 1 /* looks along its own -Z */
 };
 
+/** Where the rays of a perspective camera begin. */
+typedef int32_t gphys_pick_start;
+enum {
+    GPHYS_PICK_FROM_NEAR_PLANE = 0, /* what is drawn can be picked, and nothing before it */
+    GPHYS_PICK_FROM_CENTRE = 1      /* at the camera's position: what is between it and the near plane, too */
+};
+
 typedef struct gphys_camera_desc {
     uint32_t struct_size;
     const gphys_allocator* allocator; /* NULL: the C++ runtime's */
@@ -1284,15 +1331,36 @@ GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float
  *          the matrix is for another depth range, or one lies beyond GPHYS_MAX_COORDINATE
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const gphys_mat4* projection);
+/** As gphys_camera_set_perspective, with an aspect of its own: the viewport stretches the image, as one of
+ *  pixels that are not square, and does not change what is seen.
+ *  @param aspect  width over height of what is seen, 1e-6 .. 1e6
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_set_perspective_aspect(gphys_camera* camera, float fov_y, float aspect,
+                                                           float near_distance, float far_distance);
+/** As gphys_camera_set_orthographic, with a width of its own, which the viewport does not change.
+ *  @param width, height  metres seen from left to right and from top to bottom, >= 1e-6
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_set_orthographic_size(gphys_camera* camera, float width, float height,
+                                                          float near_distance, float far_distance);
 /** The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
  *  makes the width more than twice GPHYS_MAX_COORDINATE.
  *  @param width, height  pixels, 1e-3 .. 1e6
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float height);
+/** Where the viewport is in its window, as one of several of a split screen: pixels of all functions count from
+ *  the window's top left corner. (0, 0) at creation.
+ *  @param x, y  pixels of the window, of the viewport's top left corner
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_set_viewport_origin(gphys_camera* camera, float x, float y);
+/** Where the rays of a perspective begin, for all functions that pick. From the near plane at creation; rays of
+ *  other projections always begin there.
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_set_pick_start(gphys_camera* camera, gphys_pick_start start);
 
 /** How the camera projects, as it was set.
  *  @param out_kind  what of the following was called last: gphys_camera_set_perspective, as at creation,
- *                   gphys_camera_set_orthographic or gphys_camera_set_projection
+ *                   gphys_camera_set_orthographic (or those with a width of their own), or
+ *                   gphys_camera_set_projection
  *  @param out_size  the vertical field of view in radians of a perspective, the height in metres of an
  *                   orthographic projection, 0 of a matrix
  *  @param out_near, out_far  metres; INFINITY without a far plane; 0 of a matrix
@@ -1302,6 +1370,20 @@ GPHYS_API gphys_status gphys_camera_get_projection(const gphys_camera* camera, g
 /** The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the image.
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_viewport(const gphys_camera* camera, float* out_width, float* out_height);
+/** Where the viewport is in its window, in pixels, as it was set. Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_get_viewport_origin(const gphys_camera* camera, float* out_x, float* out_y);
+/** Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+ *  @param out_is_fixed  1 if gphys_camera_set_perspective_aspect or gphys_camera_set_orthographic_size was the last
+ *                    to set the projection; 0 if it follows the viewport
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_get_aspect(const gphys_camera* camera, float* out_aspect, int32_t* out_is_fixed);
+/** Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice the tangents
+ *  of half the angles; over the viewport's size, what a pixel spans there), at any distance by an orthographic
+ *  projection, in metres as they were set; 0 by a matrix.
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_get_image_size(const gphys_camera* camera, float* out_width, float* out_height);
+/** Where the rays of a perspective begin, as it was set. Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_get_pick_start(const gphys_camera* camera, gphys_pick_start* out_start);
 
 /** Place the camera.
  *  @param position  metres, of its centre
@@ -1315,6 +1397,13 @@ GPHYS_API gphys_status gphys_camera_set_transform(gphys_camera* camera, const gp
  *          they mirror or the last row is not 0 0 0 1
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_set_world_matrix(gphys_camera* camera, const gphys_mat4* world);
+/** Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+ *  gphys_camera_set_world_matrix. That of gphys_camera_get_view_matrix puts a camera back within 2^-22 of its
+ *  distance from the origin and 2^-22 rad.
+ *  @return GPHYS_ERROR_SINGULAR if the axes do not span space, GPHYS_ERROR_INVALID_ARGUMENT if they
+ *          mirror, the last row is not 0 0 0 1, or the camera would be beyond GPHYS_MAX_COORDINATE
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_set_view_matrix(gphys_camera* camera, const gphys_mat4* view);
 /** Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
  *  chosen in its place, always the same for the same input.
  *  @return GPHYS_ERROR_INVALID_ARGUMENT if eye equals target or up is zero
@@ -1361,18 +1450,34 @@ GPHYS_API gphys_status gphys_camera_set_orbit(gphys_camera* camera, const gphys_
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_orbit(const gphys_camera* camera, gphys_orbit* out_orbit);
-/** Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+/** What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1. */
+typedef struct gphys_orbit_speeds {
+    float rotate_x, rotate_y; /* radians a unit, of yaw and pitch */
+    float zoom;               /* metres a unit */
+    float pan_x, pan_y;       /* metres a unit, to the right and up */
+} gphys_orbit_speeds;
+
+/** Set a speed for each input of the orbit, in place of the two of gphys_orbit, which gphys_camera_set_orbit
+ *  starts from. Input since the last update counts by the new ones.
+ *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_set_orbit_speeds(gphys_camera* camera, const gphys_orbit_speeds* speeds);
+/** The present speeds of the orbit's inputs.
+ *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_get_orbit_speeds(const gphys_camera* camera, gphys_orbit_speeds* out_speeds);
+/** Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit or the speeds that were set.
  *  @param units_x, units_y  finite, any size
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float units_x, float units_y);
-/** Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+/** Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or away if negative.
  *  @param units  finite, any size
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_orbit_zoom(gphys_camera* camera, float units);
 /** Add input to the orbit: move the target to the camera's right and up, as the last update left them,
- *  by units times metres_per_unit.
+ *  by units times metres_per_unit or the speeds that were set.
  *  @param units_right, units_up  finite, any size
  *  @return GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit
  *  Cost: O(1). */
@@ -1392,6 +1497,19 @@ GPHYS_API gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphy
  *  @return GPHYS_UNBOUNDED with an infinite far plane, or a corner beyond the largest float
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_camera_get_corners(const gphys_camera* camera, gphys_vec3 out_corners[8]);
+/** What is seen in a rectangle of pixels, as gphys_camera_get_frustum: of a tile, a marquee, a portal.
+ *  @param x0, y0, x1, y1  pixels, opposite corners in any order; may lie outside the viewport
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area, or a side of what a matrix shows in it lies
+ *          at infinity or beyond GPHYS_MAX_COORDINATE
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_get_rectangle_frustum(const gphys_camera* camera, float x0, float y0, float x1,
+                                                          float y1, gphys_frustum* out_frustum);
+/** World positions of the corners of what is seen in a rectangle of pixels, as gphys_camera_get_corners.
+ *  @param x0, y0, x1, y1  as gphys_camera_get_rectangle_frustum
+ *  @return GPHYS_UNBOUNDED as gphys_camera_get_corners
+ *  Cost: O(1).  Since 1.1. */
+GPHYS_API gphys_status gphys_camera_get_rectangle_corners(const gphys_camera* camera, float x0, float y0, float x1,
+                                                          float y1, gphys_vec3 out_corners[8]);
 
 /** World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the viewport;
  *  z is the depth in the camera's range.
@@ -1422,11 +1540,12 @@ GPHYS_API gphys_status gphys_camera_unproject_batch(const gphys_camera* camera, 
                                                     uint32_t pixel_stride, uint32_t count, gphys_vec3* out_points,
                                                     uint32_t out_stride);
 
-/** The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
- *  on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
+/** The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane (INFINITY
+ *  without one). With GPHYS_PICK_FROM_CENTRE that of a perspective starts at the camera's position.
  *  Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
- *  near as half an ulp of a direction can be; gphys_camera_pick is not so limited.
- *  For perspective the stretch before the near plane is part of the ray.
+ *  near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which moves it by
+ *  half an ulp of the coordinates (not from the camera's position, which is one of floats);
+ *  gphys_camera_pick is not so limited.
  *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
  *  @return GPHYS_UNBOUNDED if the line of sight does not meet the near plane (user projections), or would
  *          begin beyond GPHYS_MAX_COORDINATE
@@ -1442,7 +1561,7 @@ GPHYS_API gphys_status gphys_camera_pick_rays(const gphys_camera* camera, uint32
                                               uint32_t height, gphys_ray* out_rays, uint32_t out_stride);
 
 /** The model under a pixel: the first hit of gphys_camera_pick_ray, before that is rounded to
- *  float32; t is in metres.
+ *  float32; t is in metres from where it starts.
  *  @param pixel_x, pixel_y  pixels; may lie outside the viewport
  *  @return GPHYS_OK or GPHYS_NO_HIT
  *  Cost: O(log n) expected. */

@@ -450,7 +450,8 @@ static void pick_rays_are_pick_ray_at_pixel_centres(void** state) {
                 assert_int_equal(gphys_camera_pick_ray(camera, x, y, &one), GPHYS_OK);
                 assert_memory_equal(ray, &one, sizeof one);
                 assert_true(fabs(length - 1) < 4.0 / 16777216);
-                assert_true(flat ? one.origin.z == 0.5f && one.t_max == 69.5f : one.origin.z == 0 && one.t_max >= 1000);
+                assert_true(flat ? one.origin.z == 0.5f && one.t_max == 69.5f
+                                 : one.origin.z == 0.1f && one.t_max >= 999.9f);
             }
         }
     }
@@ -470,6 +471,9 @@ static void a_ray_beyond_the_range_of_float_is_infinite(void** state) {
     (void)state;
     assert_int_equal(gphys_camera_set_perspective(camera, 3.1415925f, 1, 1e15f), GPHYS_OK);
     assert_int_equal(gphys_camera_set_viewport(camera, 1e6f, 1e-3f), GPHYS_OK);
+    /* On the near plane, such a pixel is beyond all coordinates. */
+    assert_int_equal(gphys_camera_pick_ray(camera, 1e15f, 1e15f, &ray), GPHYS_UNBOUNDED);
+    assert_int_equal(gphys_camera_set_pick_start(camera, GPHYS_PICK_FROM_CENTRE), GPHYS_OK);
     assert_int_equal(gphys_camera_pick_ray(camera, 1e15f, 1e15f, &ray), GPHYS_OK);
     assert_true(ray.t_max == INFINITY);
     assert_true(isfinite(ray.direction.x) && isfinite(ray.direction.y) && isfinite(ray.direction.z));

@@ -20,8 +20,8 @@ static const struct golden {
     {"cloth", 0x7a02f851, 0x7c9d4efc},
     {"joints", 0x45b6c712, 0xf1c59768},
     {"moving_models", 0xc059a03b, 0xac9f23d4},
-    {"cameras", 0xbe75667a, 0xa4f12f08},
-    {"orbits", 0xb7408586, 0x2b5a75b0},
+    {"cameras", 0xf3b8b092, 0x13040e63},
+    {"orbits", 0x62b53876, 0x7d2e2ab7},
     {"queries", 0x0825934e, 0x151790c5},
     {"shapes", 0x67a709b4, 0x62fe01be},
 };

@@ -290,7 +290,25 @@ TEST_CASE("project, unproject and pick ray hold 1e-3 pixel at any distance from 
 
                 Ray ray;
                 REQUIRE(camera.pick_ray(pixel.x, pixel.y, ray));
-                REQUIRE(ray.origin == widen(pose.position));
+                // It starts on the near plane, but for the rounding of a double of the size of the position.
+                const Wide start{static_cast<long double>(ray.origin.x) - pose.position.x,
+                                 static_cast<long double>(ray.origin.y) - pose.position.y,
+                                 static_cast<long double>(ray.origin.z) - pose.position.z};
+                const double slack = 0x1p-51 * (extent + lens.n * 4);
+                REQUIRE(std::fabs(static_cast<double>(dot(start, pose.forward()) - lens.n)) <= slack);
+                const Wide across = start - unit(Wide{ray.direction.x, ray.direction.y, ray.direction.z}) *
+                                                std::sqrt(dot(start, start));
+                REQUIRE(static_cast<double>(std::sqrt(dot(across, across))) <= 2 * slack);
+                camera.set_pick_start(GPHYS_PICK_FROM_CENTRE);
+                Ray from_centre;
+                REQUIRE(camera.pick_ray(pixel.x, pixel.y, from_centre));
+                REQUIRE(from_centre.origin == widen(pose.position));
+                REQUIRE(from_centre.direction == ray.direction);
+                const double before = static_cast<double>(std::sqrt(dot(start, start)));
+                REQUIRE((lens.f == INFINITY
+                             ? ray.t_max == infinity && from_centre.t_max == infinity
+                             : std::fabs(from_centre.t_max - before - ray.t_max) <= slack + 1e-15 * from_centre.t_max));
+                camera.set_pick_start(GPHYS_PICK_FROM_NEAR_PLANE);
                 const Vec3 direction = widen(narrow(ray.direction));
                 const Wide wide_direction{direction.x, direction.y, direction.z};
                 const long double ahead = dot(wide_direction, pose.forward());

@@ -158,7 +158,11 @@ static highlight pick(const world* w, const gphys_camera* camera, const options*
         const uint32_t kind = TAG_KIND(hit.tag);
         printf("picked      %s", kinds[kind]);
         if (kind == KIND_COPY || kind == KIND_POST) printf(" %u", TAG_NUMBER(hit.tag));
-        printf(" at pixel (%.0f, %.0f), %.3f m away", o->pick_x, o->pick_y, hit.t);
+        gphys_vec3 eye;
+        gphys_quat turn;
+        check(gphys_camera_get_transform(camera, &eye, &turn), "camera");
+        const double x = (double)hit.point.x - eye.x, y = (double)hit.point.y - eye.y, z = (double)hit.point.z - eye.z;
+        printf(" at pixel (%.0f, %.0f), %.3f m away", o->pick_x, o->pick_y, sqrt(x * x + y * y + z * z));
         if (hit.triangle != GPHYS_NO_TRIANGLE) printf(", triangle %u", hit.triangle);
         printf("\n");
         if (TAG_KIND(hit.tag) != KIND_GROUND) marks.picked = hit.model;

@@ -15,6 +15,7 @@ constexpr size_t first_desc_size = offsetof(gphys_camera_desc, reserved);
 // element of a matrix leaves the range of float.
 constexpr float smallest_fov = 1e-6f;
 constexpr float smallest_extent = 1e-6f;  // metres
+constexpr float smallest_aspect = 1e-6f, largest_aspect = 1e6f;
 constexpr float smallest_viewport = 1e-3f, largest_viewport = 1e6f;
 
 gphys_camera_desc default_desc() {
@@ -27,12 +28,44 @@ gphys_camera_desc default_desc() {
 }
 
 bool is_coordinate(float value) { return std::fabs(value) <= GPHYS_MAX_COORDINATE; }
+bool is_extent(float metres) { return metres >= smallest_extent && is_coordinate(metres); }
 bool is_viewport(float pixels) { return pixels >= smallest_viewport && pixels <= largest_viewport; }
 bool is_pitch(float angle) { return std::fabs(angle) <= static_cast<float>(pi / 2); }
 
 const char* defect(const gphys_mat4& matrix) {
     for (float element : matrix.m) {
         if (!is_coordinate(element)) return "matrix: an element is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+    }
+    return nullptr;
+}
+
+const char* defect_of_perspective(float fov_y, float near_distance, float far_distance) {
+    if (!(fov_y >= smallest_fov && fov_y < pi)) return "fov_y: must be at least 1e-6 and below pi";
+    if (!(near_distance > 0) || !is_coordinate(near_distance)) return "near_distance: must be above 0 and in range";
+    if (!(far_distance > near_distance) || !(is_coordinate(far_distance) || std::isinf(far_distance)))
+        return "far_distance: must be above near_distance, and in range or INFINITY";
+    return nullptr;
+}
+
+const char* defect_of_orthographic(float height, float near_distance, float far_distance) {
+    if (!is_extent(height)) return "height: must be at least 1e-6 and in range";
+    if (!is_coordinate(near_distance) || !is_coordinate(far_distance))
+        return "near_distance or far_distance is not finite or out of range";
+    if (!(static_cast<double>(far_distance) - near_distance >= smallest_extent))
+        return "far_distance: must be at least 1e-6 above near_distance";
+    return nullptr;
+}
+
+const char* defect_of_rectangle(float x0, float y0, float x1, float y1) {
+    for (float pixel : {x0, y0, x1, y1}) {
+        if (!is_coordinate(pixel)) return "rectangle: not finite or out of range";
+    }
+    return x0 == x1 || y0 == y1 ? "rectangle: has no area" : nullptr;
+}
+
+const char* defect(const gphys_orbit_speeds& speeds) {
+    for (float speed : {speeds.rotate_x, speeds.rotate_y, speeds.zoom, speeds.pan_x, speeds.pan_y}) {
+        if (!is_coordinate(speed)) return "speeds: one is not finite or out of range";
     }
     return nullptr;
 }
@@ -60,6 +93,14 @@ const char* defect(const gphys_orbit& orbit) {
 gphys_ray narrow_ray(const Ray& ray) {
     const bool fits = ray.t_max <= static_cast<double>(std::numeric_limits<float>::max());
     return {narrow(ray.origin), narrow(ray.direction), fits ? static_cast<float>(ray.t_max) : INFINITY};
+}
+
+gphys_frustum narrow_frustum(const Frustum& seen) {
+    gphys_frustum out{narrow(seen.origin), {}};
+    for (int i = 0; i < 6; ++i) {
+        out.planes[i] = {narrow(seen.planes[i].normal), static_cast<float>(seen.planes[i].distance)};
+    }
+    return out;
 }
 
 constexpr gphys_vec3 nowhere{INFINITY, INFINITY, INFINITY};
@@ -151,10 +192,7 @@ gphys_status gphys_camera_get_origin(const gphys_camera* camera, double out_orig
 gphys_status gphys_camera_set_perspective(gphys_camera* camera, float fov_y, float near_distance, float far_distance) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(camera, "camera is null");
-        GPHYS_REQUIRE(fov_y >= smallest_fov && fov_y < pi, "fov_y: must be at least 1e-6 and below pi");
-        GPHYS_REQUIRE(near_distance > 0 && is_coordinate(near_distance), "near_distance: must be above 0 and in range");
-        GPHYS_REQUIRE(far_distance > near_distance && (is_coordinate(far_distance) || std::isinf(far_distance)),
-                      "far_distance: must be above near_distance, and in range or INFINITY");
+        if (const char* wrong = defect_of_perspective(fov_y, near_distance, far_distance)) return invalid(wrong);
         unwrap(camera)->set_perspective(fov_y, near_distance, far_distance);
         return GPHYS_OK;
     });
@@ -164,13 +202,31 @@ gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float height, f
                                            float far_distance) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(camera, "camera is null");
-        GPHYS_REQUIRE(height >= smallest_extent && is_coordinate(height), "height: must be at least 1e-6 and in range");
-        GPHYS_REQUIRE(is_coordinate(near_distance) && is_coordinate(far_distance),
-                      "near_distance or far_distance is not finite or out of range");
-        GPHYS_REQUIRE(static_cast<double>(far_distance) - near_distance >= smallest_extent,
-                      "far_distance: must be at least 1e-6 above near_distance");
+        if (const char* wrong = defect_of_orthographic(height, near_distance, far_distance)) return invalid(wrong);
         GPHYS_REQUIRE(unwrap(camera)->set_orthographic(height, near_distance, far_distance),
                       "height: with this viewport, the width is beyond twice GPHYS_MAX_COORDINATE");
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_set_perspective_aspect(gphys_camera* camera, float fov_y, float aspect, float near_distance,
+                                                 float far_distance) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera, "camera is null");
+        if (const char* wrong = defect_of_perspective(fov_y, near_distance, far_distance)) return invalid(wrong);
+        GPHYS_REQUIRE(aspect >= smallest_aspect && aspect <= largest_aspect, "aspect: must be 1e-6 .. 1e6");
+        unwrap(camera)->set_perspective(fov_y, near_distance, far_distance, aspect);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_set_orthographic_size(gphys_camera* camera, float width, float height, float near_distance,
+                                                float far_distance) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera, "camera is null");
+        if (const char* wrong = defect_of_orthographic(height, near_distance, far_distance)) return invalid(wrong);
+        GPHYS_REQUIRE(is_extent(width), "width: must be at least 1e-6 and in range");
+        unwrap(camera)->set_orthographic(height, near_distance, far_distance, width);
         return GPHYS_OK;
     });
 }
@@ -189,6 +245,24 @@ gphys_status gphys_camera_set_viewport(gphys_camera* camera, float width, float 
         GPHYS_REQUIRE(is_viewport(width) && is_viewport(height), "viewport sizes must be 1e-3 .. 1e6");
         GPHYS_REQUIRE(unwrap(camera)->set_viewport(width, height),
                       "width: what the orthographic camera sees would be wider than twice GPHYS_MAX_COORDINATE");
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_set_viewport_origin(gphys_camera* camera, float x, float y) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera, "camera is null");
+        GPHYS_REQUIRE(is_coordinate(x) && is_coordinate(y), "viewport origin: not finite or out of range");
+        unwrap(camera)->set_viewport_origin(x, y);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_set_pick_start(gphys_camera* camera, gphys_pick_start start) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera, "camera is null");
+        GPHYS_REQUIRE(start == GPHYS_PICK_FROM_NEAR_PLANE || start == GPHYS_PICK_FROM_CENTRE, "start: unknown");
+        unwrap(camera)->set_pick_start(start);
         return GPHYS_OK;
     });
 }
@@ -217,6 +291,43 @@ gphys_status gphys_camera_get_viewport(const gphys_camera* camera, float* out_wi
     });
 }
 
+gphys_status gphys_camera_get_viewport_origin(const gphys_camera* camera, float* out_x, float* out_y) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && out_x && out_y, "camera, out_x or out_y is null");
+        *out_x = static_cast<float>(unwrap(camera)->viewport_left());
+        *out_y = static_cast<float>(unwrap(camera)->viewport_top());
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_get_aspect(const gphys_camera* camera, float* out_aspect, int32_t* out_is_fixed) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && out_aspect && out_is_fixed, "camera, out_aspect or out_is_fixed is null");
+        *out_aspect = static_cast<float>(unwrap(camera)->aspect());
+        *out_is_fixed = unwrap(camera)->has_own_aspect();
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_get_image_size(const gphys_camera* camera, float* out_width, float* out_height) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && out_width && out_height, "camera, out_width or out_height is null");
+        double width, height;
+        unwrap(camera)->image_size(width, height);
+        *out_width = static_cast<float>(width);
+        *out_height = static_cast<float>(height);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_get_pick_start(const gphys_camera* camera, gphys_pick_start* out_start) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && out_start, "camera or out_start is null");
+        *out_start = unwrap(camera)->pick_start();
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_camera_set_transform(gphys_camera* camera, const gphys_vec3* position, const gphys_quat* rotation) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(camera && position && rotation, "camera, position or rotation is null");
@@ -234,6 +345,16 @@ gphys_status gphys_camera_set_world_matrix(gphys_camera* camera, const gphys_mat
         GPHYS_REQUIRE(world->m[3] == 0 && world->m[7] == 0 && world->m[11] == 0 && world->m[15] == 1,
                       "world: the last row must be 0 0 0 1");
         return unwrap(camera)->set_world_matrix(widen(*world));
+    });
+}
+
+gphys_status gphys_camera_set_view_matrix(gphys_camera* camera, const gphys_mat4* view) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && view, "camera or view is null");
+        if (const char* wrong = defect(*view)) return invalid(wrong);
+        GPHYS_REQUIRE(view->m[3] == 0 && view->m[7] == 0 && view->m[11] == 0 && view->m[15] == 1,
+                      "view: the last row must be 0 0 0 1");
+        return unwrap(camera)->set_view_matrix(widen(*view));
     });
 }
 
@@ -322,6 +443,24 @@ gphys_status gphys_camera_get_orbit(const gphys_camera* camera, gphys_orbit* out
     });
 }
 
+gphys_status gphys_camera_set_orbit_speeds(gphys_camera* camera, const gphys_orbit_speeds* speeds) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && speeds, "camera or speeds is null");
+        if (const char* wrong = defect(*speeds)) return invalid(wrong);
+        return orbit_input(camera, 0, 0, [&](Orbit& orbit) { orbit.set_speeds(*speeds); });
+    });
+}
+
+gphys_status gphys_camera_get_orbit_speeds(const gphys_camera* camera, gphys_orbit_speeds* out_speeds) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && out_speeds, "camera or out_speeds is null");
+        const Orbit* orbit = unwrap(camera)->orbit();
+        if (!orbit) return fail(GPHYS_ERROR_UNSUPPORTED, "camera was never set to orbit");
+        *out_speeds = orbit->speeds();
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_camera_orbit_rotate(gphys_camera* camera, float units_x, float units_y) {
     return guarded([&]() -> gphys_status {
         return orbit_input(camera, units_x, units_y, [&](Orbit& orbit) { orbit.rotate(units_x, units_y); });
@@ -351,11 +490,7 @@ gphys_status gphys_camera_orbit_update(gphys_camera* camera) {
 gphys_status gphys_camera_get_frustum(const gphys_camera* camera, gphys_frustum* out_frustum) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(camera && out_frustum, "camera or out_frustum is null");
-        const Frustum seen = unwrap(camera)->frustum();
-        out_frustum->origin = narrow(seen.origin);
-        for (int i = 0; i < 6; ++i) {
-            out_frustum->planes[i] = {narrow(seen.planes[i].normal), static_cast<float>(seen.planes[i].distance)};
-        }
+        *out_frustum = narrow_frustum(unwrap(camera)->frustum());
         return GPHYS_OK;
     });
 }
@@ -365,6 +500,31 @@ gphys_status gphys_camera_get_corners(const gphys_camera* camera, gphys_vec3 out
         GPHYS_REQUIRE(camera && out_corners, "camera or out_corners is null");
         Vec3 corners[8];
         if (!unwrap(camera)->corners(corners)) return GPHYS_UNBOUNDED;
+        std::transform(corners, corners + 8, out_corners, [](Vec3 corner) { return narrow(corner); });
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_get_rectangle_frustum(const gphys_camera* camera, float x0, float y0, float x1, float y1,
+                                                gphys_frustum* out_frustum) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && out_frustum, "camera or out_frustum is null");
+        if (const char* wrong = defect_of_rectangle(x0, y0, x1, y1)) return invalid(wrong);
+        const gphys_frustum seen = narrow_frustum(unwrap(camera)->frustum_of_pixels(x0, y0, x1, y1));
+        GPHYS_REQUIRE_VALID(seen);
+        *out_frustum = seen;
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_camera_get_rectangle_corners(const gphys_camera* camera, float x0, float y0, float x1, float y1,
+                                                gphys_vec3 out_corners[8]) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(camera && out_corners, "camera or out_corners is null");
+        if (const char* wrong = defect_of_rectangle(x0, y0, x1, y1)) return invalid(wrong);
+        const Camera& seen = *unwrap(camera);
+        Vec3 corners[8];
+        if (!seen.corners(corners, seen.window_of_pixels(x0, y0, x1, y1))) return GPHYS_UNBOUNDED;
         std::transform(corners, corners + 8, out_corners, [](Vec3 corner) { return narrow(corner); });
         return GPHYS_OK;
     });

@@ -123,6 +123,67 @@ gphys_status gphys_frustum_corners(const gphys_frustum* frustum, gphys_vec3 out_
     });
 }
 
+namespace {
+
+bool intersection(const gphys_plane& a, const gphys_plane& b, const gphys_plane& c, gphys_vec3& out) {
+    Vec3 point;
+    if (!common_point(widen(a), widen(b), widen(c), point)) return false;
+    if (max_component(abs(point)) > GPHYS_MAX_COORDINATE) return false;
+    out = narrow(point);
+    return true;
+}
+
+}  // namespace
+
+gphys_status gphys_planes_intersection(const gphys_plane* a, const gphys_plane* b, const gphys_plane* c,
+                                       gphys_vec3* out_point) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(a && b && c && out_point, "a, b, c or out_point is null");
+        GPHYS_REQUIRE_VALID(*a);
+        GPHYS_REQUIRE_VALID(*b);
+        GPHYS_REQUIRE_VALID(*c);
+        return intersection(*a, *b, *c, *out_point) ? GPHYS_OK : GPHYS_NO_HIT;
+    });
+}
+
+gphys_status gphys_planes_intersection_batch(const gphys_plane* a, uint32_t a_stride, const gphys_plane* b,
+                                             uint32_t b_stride, const gphys_plane* c, uint32_t c_stride, uint32_t count,
+                                             gphys_vec3* out_points, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        if (count == 0) return GPHYS_OK;
+        GPHYS_REQUIRE(a && b && c && out_points, "a, b, c or out_points is null");
+        GPHYS_TRY(check_stride("a_stride", a_stride, sizeof *a));
+        GPHYS_TRY(check_stride("b_stride", b_stride, sizeof *b));
+        GPHYS_TRY(check_stride("c_stride", c_stride, sizeof *c));
+        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_points));
+        const Strided<gphys_plane> all_a(a, a_stride), all_b(b, b_stride), all_c(c, c_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            GPHYS_REQUIRE_VALID(all_a[i]);
+            GPHYS_REQUIRE_VALID(all_b[i]);
+            GPHYS_REQUIRE_VALID(all_c[i]);
+        }
+        const StridedOut<gphys_vec3> out(out_points, out_stride);
+        for (uint32_t i = 0; i < count; ++i) {
+            gphys_vec3 point{INFINITY, INFINITY, INFINITY};
+            intersection(all_a[i], all_b[i], all_c[i], point);
+            out[i] = point;
+        }
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_mat4_orthonormality(const gphys_mat4* matrix, float* out_deviation) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(matrix && out_deviation, "matrix or out_deviation is null");
+        for (float element : matrix->m) {
+            GPHYS_REQUIRE(std::islessequal(std::fabs(element), GPHYS_MAX_COORDINATE),
+                          "matrix: an element is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
+        }
+        *out_deviation = static_cast<float>(orthonormality(widen(*matrix)));
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_depth_range depth_range,
                                        int32_t reverse_z, gphys_frustum* out_frustum) {
     return guarded([&]() -> gphys_status {

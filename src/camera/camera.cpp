@@ -39,15 +39,17 @@ Camera::Camera(const gphys_allocator* hooks, const gphys_camera_desc& desc)
     set_transform({}, {});
 }
 
-void Camera::set_perspective(double fov_y, double near_distance, double far_distance) {
+void Camera::set_perspective(double fov_y, double near_distance, double far_distance, double aspect) {
     const double half_height = tan(0.5 * fov_y);
     fov_y_ = fov_y;
-    projection_ = Perspective{half_height * aspect(), half_height, near_distance, far_distance};
+    aspect_ = aspect;
+    projection_ = Perspective{half_height * this->aspect(), half_height, near_distance, far_distance};
 }
 
-bool Camera::set_orthographic(double height, double near_distance, double far_distance) {
-    const double half_width = 0.5 * height * aspect();
+bool Camera::set_orthographic(double height, double near_distance, double far_distance, double width) {
+    const double half_width = 0.5 * (width > 0 ? width : height * (width_ / height_));
     if (half_width > GPHYS_MAX_COORDINATE) return false;
+    aspect_ = width / height;
     projection_ = Orthographic{half_width, 0.5 * height, near_distance, far_distance};
     return true;
 }
@@ -68,6 +70,7 @@ gphys_status Camera::set_projection(const Mat4& projection) {
             return fail(GPHYS_ERROR_INVALID_ARGUMENT, "projection: a plane lies beyond GPHYS_MAX_COORDINATE");
         }
     }
+    aspect_ = 0;
     projection_ = user;
     return GPHYS_OK;
 }
@@ -84,14 +87,29 @@ Camera::ProjectionSettings Camera::projection_settings() const {
 
 bool Camera::set_viewport(double width, double height) {
     auto* const orthographic = std::get_if<Orthographic>(&projection_);
-    if (orthographic && orthographic->half_height * (width / height) > GPHYS_MAX_COORDINATE) return false;
+    if (orthographic && !has_own_aspect() && orthographic->half_height * (width / height) > GPHYS_MAX_COORDINATE) {
+        return false;
+    }
     width_ = width;
     height_ = height;
+    if (has_own_aspect()) return true;
     if (orthographic) orthographic->half_width = orthographic->half_height * aspect();
     if (auto* perspective = std::get_if<Perspective>(&projection_)) {
         perspective->half_width = perspective->half_height * aspect();
     }
     return true;
+}
+
+void Camera::image_size(double& width, double& height) const {
+    width = height = 0;
+    std::visit(
+        [&](const auto& kind) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(kind)>, UserProjection>) {
+                width = 2 * kind.half_width;
+                height = 2 * kind.half_height;
+            }
+        },
+        projection_);
 }
 
 // The position is rounded to float here, once, so that matrices, frustum, rays and
@@ -124,6 +142,17 @@ gphys_status Camera::set_world_matrix(const Mat4& world) {
     perpendicular_part(y, forward, up);  // never parallel: the volume would be 0
     place({world(0, 3), world(1, 3), world(2, 3)}, {right_of(up, forward, z_sign()), up, forward});
     return GPHYS_OK;
+}
+
+// The world matrix is the inverse of the view's axes, not their transpose: a view that drifted shows space as its
+// matrix says, and is corrected as a world matrix is.
+gphys_status Camera::set_view_matrix(const Mat4& view) {
+    Mat4 world;
+    if (!inverse(view, world)) return fail(GPHYS_ERROR_SINGULAR, "view has no inverse");
+    if (max_component(abs(Vec3{world(0, 3), world(1, 3), world(2, 3)})) > GPHYS_MAX_COORDINATE) {
+        return fail(GPHYS_ERROR_INVALID_ARGUMENT, "view: the camera would be beyond GPHYS_MAX_COORDINATE");
+    }
+    return set_world_matrix(world);
 }
 
 void Camera::look_at(Vec3 eye, Vec3 target, Vec3 up) {
@@ -196,14 +225,19 @@ Frustum Camera::frustum(const Window& window) const {
     return seen;
 }
 
-Frustum Camera::frustum_of_pixels(double x0, double y0, double x1, double y1) const {
+Window Camera::window_of_pixels(double x0, double y0, double x1, double y1) const {
     const Vec3 left_bottom = to_image({std::min(x0, x1), std::max(y0, y1), 0});
     const Vec3 right_top = to_image({std::max(x0, x1), std::min(y0, y1), 0});
-    return frustum({left_bottom.x, right_top.x, left_bottom.y, right_top.y});
+    return {left_bottom.x, right_top.x, left_bottom.y, right_top.y};
 }
 
-bool Camera::corners(Vec3 out[8]) const {
-    constexpr double x[4] = {-1, 1, 1, -1}, y[4] = {-1, -1, 1, 1};
+Frustum Camera::frustum_of_pixels(double x0, double y0, double x1, double y1) const {
+    return frustum(window_of_pixels(x0, y0, x1, y1));
+}
+
+bool Camera::corners(Vec3 out[8], const Window& window) const {
+    const double x[4] = {window.left, window.right, window.right, window.left};
+    const double y[4] = {window.bottom, window.bottom, window.top, window.top};
     Vec3 lens_corners[8];
     for (int i = 0; i < 8; ++i) {
         const Vec3 image{x[i % 4], y[i % 4], i < 4 ? depth_range_.near_depth : depth_range_.far_depth};
@@ -225,7 +259,7 @@ bool Camera::project(Vec3 point, Vec3& pixel) const {
     const bool in_front =
         std::visit([&](const auto& kind) { return kind.project(depth_range_, lens_point, image); }, projection_);
     if (!in_front) return false;
-    const Vec3 found{0.5 * (1 + image.x) * width_, 0.5 * (1 - image.y) * height_, image.z};
+    const Vec3 found{left_ + 0.5 * (1 + image.x) * width_, top_ + 0.5 * (1 - image.y) * height_, image.z};
     if (max_component(abs(found)) > GPHYS_MAX_COORDINATE) return false;
     pixel = found;
     return true;
@@ -244,10 +278,14 @@ bool Camera::unproject(Vec3 pixel, Vec3& point) const {
 
 bool Camera::pick_ray(double pixel_x, double pixel_y, Ray& ray) const {
     const Vec3 image = to_image({pixel_x, pixel_y, 0});
+    const auto* const perspective = std::get_if<Perspective>(&projection_);
     Ray lens_ray;
-    const bool starts =
-        std::visit([&](const auto& kind) { return kind.cast(depth_range_, image.x, image.y, lens_ray); }, projection_);
-    if (!starts) return false;
+    if (perspective && pick_start_ == GPHYS_PICK_FROM_CENTRE) {
+        lens_ray = perspective->cast_from_centre(image.x, image.y);
+    } else if (!std::visit([&](const auto& kind) { return kind.cast(depth_range_, image.x, image.y, lens_ray); },
+                           projection_)) {
+        return false;
+    }
     ray = {to_world(lens_ray.origin), axes_ * lens_ray.direction, lens_ray.t_max};
     // A camera at the border of the range may see what lies beyond it, where nothing can be asked.
     return max_component(abs(ray.origin)) <= GPHYS_MAX_COORDINATE && length_squared(ray.direction) > 0;

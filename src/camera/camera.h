@@ -18,13 +18,17 @@ public:
 
     Memory memory;
 
-    void set_perspective(double fov_y, double near_distance, double far_distance);
-    /// False if it would see further than GPHYS_MAX_COORDINATE to the side.
-    bool set_orthographic(double height, double near_distance, double far_distance);
+    /// An aspect or a width of 0 follows the viewport. False if it would see further than GPHYS_MAX_COORDINATE to the
+    /// side, as only an orthographic camera can.
+    void set_perspective(double fov_y, double near_distance, double far_distance, double aspect = 0);
+    bool set_orthographic(double height, double near_distance, double far_distance, double width = 0);
     /// From the camera's own axes to clip space.
     gphys_status set_projection(const Mat4& projection);
     /// False as set_orthographic.
     bool set_viewport(double width, double height);
+    /// The viewport's top left corner, in pixels of the window.
+    void set_viewport_origin(double x, double y) { left_ = x, top_ = y; }
+    void set_pick_start(gphys_pick_start start) { pick_start_ = start; }
 
     /// As they were set: radians or metres, 0 of a matrix, which has no distances either.
     struct ProjectionSettings {
@@ -34,10 +38,19 @@ public:
     ProjectionSettings projection_settings() const;
     double viewport_width() const { return width_; }
     double viewport_height() const { return height_; }
+    double viewport_left() const { return left_; }
+    double viewport_top() const { return top_; }
+    gphys_pick_start pick_start() const { return pick_start_; }
+    /// Width over height of what is seen.
+    double aspect() const { return aspect_ > 0 ? aspect_ : width_ / height_; }
+    bool has_own_aspect() const { return aspect_ > 0; }
+    /// What is seen, across: at distance 1 of a perspective, in metres of an orthographic projection, 0 of a matrix.
+    void image_size(double& width, double& height) const;
 
     /// The rotation takes the camera's own axes to the world's.
     void set_transform(Vec3 position, const Mat3& rotation);
     gphys_status set_world_matrix(const Mat4& world);
+    gphys_status set_view_matrix(const Mat4& view);
     void look_at(Vec3 eye, Vec3 target, Vec3 up);
 
     void set_orbit(const gphys_orbit& settings);
@@ -64,7 +77,9 @@ public:
     /// What is seen in a rectangle of pixels whose corners come in any order.
     Frustum frustum_of_pixels(double x0, double y0, double x1, double y1) const;
     /// In the order of gphys_frustum_corners; false with an infinite far plane, or a corner beyond all floats.
-    bool corners(Vec3 out[8]) const;
+    bool corners(Vec3 out[8], const Window& window = {}) const;
+    /// The rectangle of pixels whose corners come in any order.
+    Window window_of_pixels(double x0, double y0, double x1, double y1) const;
 
     /// Pixels are (x, y, depth). False if the point has no image, or no finite one.
     bool project(Vec3 point, Vec3& pixel) const;
@@ -75,15 +90,19 @@ public:
 private:
     /// 1 if the camera's own z axis is its view direction, -1 if it is the opposite.
     double z_sign() const { return handedness_ == GPHYS_LEFT_HANDED ? 1 : -1; }
-    double aspect() const { return width_ / height_; }
     Vec3 to_world(Vec3 lens_point) const { return position_ + axes_ * lens_point; }
-    Vec3 to_image(Vec3 pixel) const { return {2 * pixel.x / width_ - 1, 1 - 2 * pixel.y / height_, pixel.z}; }
+    Vec3 to_image(Vec3 pixel) const {
+        return {2 * (pixel.x - left_) / width_ - 1, 1 - 2 * (pixel.y - top_) / height_, pixel.z};
+    }
     void place(Vec3 position, const Mat3& axes);
 
     gphys_handedness handedness_;
     DepthRange depth_range_;
-    double width_, height_;  // pixels
-    double fov_y_;           // of a perspective, which keeps its tangent only
+    double width_, height_;      // pixels
+    double left_ = 0, top_ = 0;  // pixels
+    double aspect_ = 0;          // 0: the viewport's
+    double fov_y_;               // of a perspective, which keeps its tangent only
+    gphys_pick_start pick_start_ = GPHYS_PICK_FROM_NEAR_PLANE;
     std::variant<Perspective, Orthographic, UserProjection> projection_;
     Vec3 origin_;       // in the world, of the position
     WorldPlace world_;  // of the position

@@ -32,6 +32,18 @@ gphys_mat4 narrow(const Mat4& matrix) {
     return out;
 }
 
+double orthonormality(const Mat4& matrix) {
+    double error = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            double product = i == j ? -1 : 0;
+            for (int row = 0; row < 3; ++row) product += matrix(row, i) * matrix(row, j);
+            error = std::max(error, std::fabs(product));
+        }
+    }
+    return error;
+}
+
 namespace {
 
 /// The power of two that brings the largest of four magnitudes into 1..2; 0 if all are zero.

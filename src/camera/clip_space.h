@@ -22,6 +22,9 @@ Mat4 operator*(const Mat4& a, const Mat4& b);
 Mat4 widen(const gphys_mat4& matrix);
 gphys_mat4 narrow(const Mat4& matrix);
 
+/// The largest difference between the products of its axes and those of orthonormal ones.
+double orthonormality(const Mat4& matrix);
+
 /// False if the matrix is singular, or so nearly that double precision cannot tell.
 bool inverse(const Mat4& matrix, Mat4& out);
 

@@ -6,6 +6,8 @@ namespace gphys {
 
 Orbit::Orbit(const gphys_orbit& settings, double right_sign)
     : settings_(settings),
+      speeds_{settings.radians_per_unit, settings.radians_per_unit, settings.metres_per_unit, settings.metres_per_unit,
+              settings.metres_per_unit},
       up_(normalized(widen(settings.up))),
       yaw_zero_(cross(perpendicular(up_), up_)),
       yaw_quarter_(cross(up_, yaw_zero_) * right_sign),
@@ -31,10 +33,10 @@ void Orbit::pan(double units_right, double units_up) {
 // Panning goes first: the input was given to the picture as the last update had left it.
 void Orbit::update() {
     const Mat3 seen = axes();
-    target_ += (seen.x * pending_right_ + seen.y * pending_up_) * settings_.metres_per_unit;
-    yaw_ += pending_yaw_ * settings_.radians_per_unit;
-    pitch_ += pending_pitch_ * settings_.radians_per_unit;
-    distance_ -= pending_zoom_ * settings_.metres_per_unit;
+    target_ += seen.x * (pending_right_ * speeds_.pan_x) + seen.y * (pending_up_ * speeds_.pan_y);
+    yaw_ += pending_yaw_ * speeds_.rotate_x;
+    pitch_ += pending_pitch_ * speeds_.rotate_y;
+    distance_ -= pending_zoom_ * speeds_.zoom;
     pending_yaw_ = pending_pitch_ = pending_zoom_ = pending_right_ = pending_up_ = 0;
     limit();
 }

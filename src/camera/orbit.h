@@ -16,6 +16,8 @@ public:
     void zoom(double units);
     void pan(double units_right, double units_up);
     void update();
+    void set_speeds(const gphys_orbit_speeds& speeds) { speeds_ = speeds; }
+    const gphys_orbit_speeds& speeds() const { return speeds_; }
     /// Move the target with everything else.
     void shift(Vec3 offset) { target_ += offset; }
 
@@ -28,6 +30,7 @@ private:
     void limit();
 
     gphys_orbit settings_;
+    gphys_orbit_speeds speeds_;
     Vec3 up_, yaw_zero_, yaw_quarter_;  // orthonormal: the view at yaw 0 and at yaw pi / 2
     Vec3 target_;
     double yaw_, pitch_, distance_;

@@ -48,10 +48,16 @@ bool Perspective::unproject(const DepthRange& depth_range, Vec3 image, Vec3& poi
     return true;
 }
 
+Ray Perspective::cast_from_centre(double x, double y) const {
+    const Vec3 at_distance_one{x * half_width, y * half_height, 1};
+    const double stretch = length(at_distance_one);
+    return {{}, at_distance_one / stretch, far_distance * stretch};
+}
+
 bool Perspective::cast(const DepthRange&, double x, double y, Ray& ray) const {
     const Vec3 at_distance_one{x * half_width, y * half_height, 1};
     const double stretch = length(at_distance_one);
-    ray = {{}, at_distance_one / stretch, far_distance * stretch};
+    ray = {at_distance_one * near_distance, at_distance_one / stretch, (far_distance - near_distance) * stretch};
     return true;
 }
 

@@ -5,7 +5,8 @@
 //   matrix     lens to clip space
 //   project    where is the image of a point? False if the point is not in front of the camera.
 //   unproject  which point has this image? False if it would be at infinity or beyond.
-//   cast       the ray that has its image in (x, y), of unit direction. False if it has no start.
+//   cast       the ray from the near plane to the far one that has its image in (x, y), of unit direction. False if
+//              it has no start.
 //   planes     the half spaces of the volume seen in a window, in the order of gphys_frustum
 #pragma once
 
@@ -22,6 +23,8 @@ struct Perspective {
     bool project(const DepthRange& depth_range, Vec3 point, Vec3& image) const;
     bool unproject(const DepthRange& depth_range, Vec3 image, Vec3& point) const;
     bool cast(const DepthRange& depth_range, double x, double y, Ray& ray) const;
+    /// The same ray from the camera's position on.
+    Ray cast_from_centre(double x, double y) const;
     void planes(const DepthRange& depth_range, const Window& window, Plane out[6]) const;
 };
 

@@ -13,6 +13,7 @@ struct Lens {
     float fov_or_height, near_distance, far_distance;
     gphys_vec3 position;
     gphys_quat rotation;
+    gphys_pick_start start;
 
     explicit Lens(Cases& c) {
         gphys_camera_desc_init(&desc, sizeof desc);
@@ -29,6 +30,7 @@ struct Lens {
         if (perspective && c.one_in(3)) far_distance = INFINITY;
         position = narrow(c.random.direction() * std::pow(10.0, c.random.uniform(-2, 7)));
         rotation = c.rotation();
+        start = c.one_in(2) ? GPHYS_PICK_FROM_NEAR_PLANE : GPHYS_PICK_FROM_CENTRE;
     }
 
     gphys_camera* make() const {
@@ -37,6 +39,7 @@ struct Lens {
         REQUIRE((perspective ? gphys_camera_set_perspective : gphys_camera_set_orthographic)(
                     camera, fov_or_height, near_distance, far_distance) == GPHYS_OK);
         REQUIRE(gphys_camera_set_transform(camera, &position, &rotation) == GPHYS_OK);
+        REQUIRE(gphys_camera_set_pick_start(camera, start) == GPHYS_OK);
         return camera;
     }
 
@@ -73,6 +76,14 @@ struct Lens {
         if (perspective && !endless) at_near = at_near * n / p.z;
         pixel.z = depth_of(at_near, 1 - at_near);
         return true;
+    }
+    bool starts_near() const { return !perspective || start == GPHYS_PICK_FROM_NEAR_PLANE; }
+    /// Where the line of sight of a pixel starts in the world.
+    BigVec start_of_sight(double x, double y) const {
+        if (!starts_near()) return BigVec(position);
+        if (perspective) return out(direction(x, y) * Big(near_distance));
+        return out({(2 * Big(x) / desc.viewport_width - 1) * half_width(),
+                    (1 - 2 * Big(y) / desc.viewport_height) * half_height(), near_distance});
     }
     BigVec direction(double x, double y) const {
         if (!perspective) return {0, 0, 1};
@@ -213,6 +224,16 @@ TEST_CASE("the ray of a pixel has its image there, to a thousandth of a pixel or
             const float y = c.random.uniform_float(0, lens.desc.viewport_height);
             gphys_ray ray{};
             score.answer(cast(camera, x, y, &ray) == GPHYS_OK, true, lens.position);
+            // Where it starts is rounded once: half an ulp, and what doubles of the size of the position lose.
+            const BigVec from = lens.start_of_sight(x, y);
+            const BigVec offset = from - BigVec(lens.position);
+            const double lost = 0x1p-50 * (largest(widen(lens.position)) + rounded(sqrt(dot(offset, offset))));
+            const float coordinates[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+            const Big expected[3] = {from.x, from.y, from.z};
+            for (int k = 0; k < 3; ++k) {
+                const double bound = .5 * ulp_of(coordinates[k]) + lost;
+                score.error(error_of(coordinates[k], expected[k]) / bound, lens.position, lens.rotation);
+            }
             if (lens.perspective) {
                 // The image of the direction.
                 const Rotation r(lens.rotation);
@@ -246,22 +267,17 @@ namespace {
 struct Sight {
     BigVec from, along;  // along: unit
     Big length;          // to the far plane
-    double slack = 0;    // of where it starts: in orthographic views that is rounded
+    double slack = 0;    // of where it starts: a near plane's point is rounded
     bool endless;
 
     Sight(const Lens& lens, double x, double y) : endless(std::isinf(lens.far_distance)) {
-        const BigVec zero(0, 0, 0);
-        BigVec start(0, 0, 0), way = lens.direction(x, y);
-        if (!lens.perspective) {
-            start = {(2 * Big(x) / lens.desc.viewport_width - 1) * lens.half_width(),
-                     (1 - 2 * Big(y) / lens.desc.viewport_height) * lens.half_height(), lens.near_distance};
-        }
+        const BigVec zero(0, 0, 0), way = lens.direction(x, y);
         const Big size = sqrt(dot(way, way));
-        from = lens.out(start);
-        if (!lens.perspective) slack = 0x1p-50 * (largest(widen(lens.position)) + rounded(sqrt(dot(start, start))));
+        from = lens.start_of_sight(x, y);
+        const BigVec start = from - BigVec(lens.position);
+        if (lens.starts_near()) slack = 0x1p-50 * (largest(widen(lens.position)) + rounded(sqrt(dot(start, start))));
         along = (lens.out(way) - lens.out(zero)) * (1 / size);
-        if (!endless)
-            length = lens.perspective ? lens.far_distance * size : Big(lens.far_distance) - lens.near_distance;
+        if (!endless) length = (Big(lens.far_distance) - (lens.starts_near() ? lens.near_distance : 0)) * size;
     }
 };
 
