@@ -246,6 +246,18 @@ public:
         return true;
     }
 
+    bool load_deformable(const Triangles& mesh) override { return load(mesh); }
+
+    bool deform(const std::vector<gphys_vec3>& vertices) override {
+        RTCGeometry geometry = rtcGetGeometry(scene_, 0);
+        std::copy(vertices.begin(), vertices.end(),
+                  static_cast<gphys_vec3*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0)));
+        rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+        rtcCommitGeometry(geometry);
+        rtcCommitScene(scene_);
+        return true;
+    }
+
     bool load(const Triangles& mesh, const std::vector<gphys_transform>& placements) override {
         start();
         inner_ = rtcNewScene(device_);

@@ -82,6 +82,18 @@ public:
         return true;
     }
 
+    bool load_deformable(const Triangles& mesh) override {
+        clear();
+        create_mesh(mesh, 1);
+        return true;
+    }
+
+    bool deform(const std::vector<gphys_vec3>& vertices) override {
+        check(
+            gphys_mesh_set_vertices(mesh_, &vertices[0].x, sizeof vertices[0], static_cast<uint32_t>(vertices.size())));
+        return true;
+    }
+
     uint64_t memory() const override { return heap_.now(); }
     uint64_t peak_memory() const override { return heap_.peak(); }
 
@@ -227,10 +239,11 @@ private:
         for (size_t i = 0; i < boxes.size(); ++i) transforms_[i] = {boxes[i].center, boxes[i].rotation, 1};
     }
 
-    void create_mesh(const Triangles& mesh) {
+    void create_mesh(const Triangles& mesh, int32_t deformable = 0) {
         gphys_mesh_desc desc;
         check(gphys_mesh_desc_init(&desc, sizeof desc));
         desc.allocator = &allocator_;
+        desc.deformable = deformable;
         check(gphys_mesh_create(&desc, &mesh.vertices[0].x, sizeof mesh.vertices[0],
                                 static_cast<uint32_t>(mesh.vertices.size()), mesh.indices.data(),
                                 static_cast<uint32_t>(mesh.indices.size()), &mesh_));

@@ -43,6 +43,9 @@ public:
     virtual bool load(const std::vector<gphys_vec3>&) { return false; }
     virtual bool load(const Triangles&) { return false; }
     virtual bool load(const Triangles&, const std::vector<gphys_transform>&) { return false; }
+    /// Triangles that will move, and where their vertices go.
+    virtual bool load_deformable(const Triangles&) { return false; }
+    virtual bool deform(const std::vector<gphys_vec3>&) { return false; }
     /// Takes rays in packets, of which only those of a camera have any use.
     virtual bool wants_packets() const { return false; }
     /// So slow that a part of the rays must do.

@@ -398,6 +398,45 @@ void scene_suite(Bench& bench) {
     }
 }
 
+/// Meshes that move: a limb that bends, cloth in the wind. What a new form costs against building, and rays after a
+/// thousand of them against rays at a mesh that was built of the last.
+void moving_meshes(Bench& bench) {
+    struct Motion {
+        std::string name;
+        Triangles rest;
+        std::vector<gphys_vec3> (*at)(const Triangles&, double phase);
+    };
+    const bool quick = bench.sizes().back() < 100000;
+    for (const Motion& motion : {Motion{"skin", tube(quick ? 51 : 251, quick ? 100 : 200), bent},
+                                 Motion{"cloth", sheet(quick ? 72 : 225), waving}}) {
+        const uint32_t n = motion.rest.count();
+        if (!bench.wants(n)) continue;
+        std::vector<std::vector<gphys_vec3>> frames;
+        for (int frame = 0; frame < 50; ++frame) frames.push_back(motion.at(motion.rest, 0.1257 * frame));
+        std::vector<Entry> entries = everybody(true);
+        bench.measure(
+            "mesh", "build_" + motion.name, n, entries,
+            [&](Implementation& i) { return i.load_deformable(motion.rest) ? n : 0; }, unchecked);
+        size_t next = 0;
+        bench.measure(
+            "mesh", "refit_" + motion.name, n, entries,
+            [&](Implementation& i) { return i.deform(frames[next++ % frames.size()]) ? n : 0; }, unchecked);
+        for (Entry& entry : entries) {
+            for (int frame = 0; entry.implementation && frame < 1000; ++frame) {
+                if (!entry.implementation->deform(frames[static_cast<size_t>(frame + 17) % frames.size()])) break;
+            }
+        }
+        Triangles last = motion.rest;
+        last.vertices = frames[(999 + 17) % frames.size()];
+        std::vector<Entry> fresh = everybody();
+        load(fresh, last);
+        for (Entry& entry : fresh) entries.push_back({entry.name + "_fresh", std::move(entry.implementation)});
+        const std::vector<gphys_ray> rays = random_rays(1.1f, bench.ray_count(n));
+        const RaySample sample(rays, n, [&](const gphys_ray& r) { return reference(last, r); });
+        bench.measure("mesh", "ray_at_moved_" + motion.name, n, entries, closest_hits(rays), closest_right(sample));
+    }
+}
+
 void mesh_suite(Bench& bench) {
     for (const int level : bench.sizes().size() > 2 ? std::vector<int>{6, 8} : std::vector<int>{5}) {
         const Triangles mesh = bumpy_sphere(level);
@@ -415,6 +454,7 @@ void mesh_suite(Bench& bench) {
         entries.front().implementation->load(mesh, one);
         ray_cases(bench, "mesh", "mesh_model", mesh.count(), 1.1f, entries, mesh.count(), truth, true);
     }
+    moving_meshes(bench);
 }
 
 /// All implementations must count the same; the first is taken as right. Of 100000 pairs one may be

@@ -239,4 +239,63 @@ Triangles bumpy_sphere(int level) {
     return m;
 }
 
+namespace {
+
+void add_grid(Triangles& m, uint32_t rows, uint32_t columns, uint32_t width) {
+    for (uint32_t i = 0; i + 1 < rows; ++i) {
+        for (uint32_t k = 0; k < columns; ++k) {
+            const uint32_t next = (k + 1) % width;
+            const uint32_t a = i * width + k, b = a + width, c = i * width + next, d = c + width;
+            m.indices.insert(m.indices.end(), {a, b, c, c, b, d});
+        }
+    }
+}
+
+}  // namespace
+
+Triangles tube(uint32_t rings, uint32_t around) {
+    Triangles m;
+    for (uint32_t i = 0; i < rings; ++i) {
+        for (uint32_t k = 0; k < around; ++k) {
+            const double angle = 2 * 3.14159265358979 * k / around;
+            m.vertices.push_back({2.0f * static_cast<float>(i) / static_cast<float>(rings) - 1,
+                                  static_cast<float>(0.2 * std::cos(angle)),
+                                  static_cast<float>(0.2 * std::sin(angle))});
+        }
+    }
+    add_grid(m, rings, around, around);
+    return m;
+}
+
+Triangles sheet(uint32_t side) {
+    Triangles m;
+    for (uint32_t i = 0; i < side; ++i) {
+        for (uint32_t k = 0; k < side; ++k) {
+            const float scale = 2.0f / static_cast<float>(side - 1);
+            m.vertices.push_back({static_cast<float>(i) * scale - 1, 0, static_cast<float>(k) * scale - 1});
+        }
+    }
+    add_grid(m, side, side - 1, side);
+    return m;
+}
+
+std::vector<gphys_vec3> bent(const Triangles& tube, double phase) {
+    std::vector<gphys_vec3> vertices = tube.vertices;
+    const double angle = 1.2 * std::sin(phase) + 1.3;  // half of the way round at the most
+    for (gphys_vec3& v : vertices) {
+        const double turn = angle * v.x, radius = 1 / angle - v.y;
+        v = {static_cast<float>(radius * std::sin(turn)), static_cast<float>(1 / angle - radius * std::cos(turn)), v.z};
+    }
+    return vertices;
+}
+
+std::vector<gphys_vec3> waving(const Triangles& sheet, double phase) {
+    std::vector<gphys_vec3> vertices = sheet.vertices;
+    for (gphys_vec3& v : vertices) {
+        v.y = static_cast<float>(0.15 * std::sin(7 * v.x + phase) * std::cos(5 * v.z - 0.7 * phase));
+        v.x += static_cast<float>(0.05 * std::sin(3 * v.z + phase));
+    }
+    return vertices;
+}
+
 }  // namespace bench

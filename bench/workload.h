@@ -58,4 +58,11 @@ gphys_frustum view(float half_side);
 /// A sphere of radius about 1 with hills, 20 * 4^level triangles, closed.
 Triangles bumpy_sphere(int level);
 
+/// Surfaces that take other forms, at rest: a tube, as the skin of a limb, and a sheet, as cloth.
+Triangles tube(uint32_t rings, uint32_t around);
+Triangles sheet(uint32_t side);
+/// What becomes of the vertices: the limb bends to and fro, waves run through the cloth.
+std::vector<gphys_vec3> bent(const Triangles& tube, double phase);
+std::vector<gphys_vec3> waving(const Triangles& sheet, double phase);
+
 }  // namespace bench

@@ -377,6 +377,53 @@ private:
 };
 
 /// Arrays that may be spoiled: examined, then refused or taken as the examination says.
+/// A deformable mesh takes other vertices, with the answers of one made of them.
+void deform(Program& p, const Arrays& a) {
+    const uint32_t vertex_count = static_cast<uint32_t>(a.vertices.size());
+    const uint32_t index_count = static_cast<uint32_t>(a.indices.size());
+    const auto make = [&](const std::vector<gphys_vec3>& vertices, int32_t deformable) {
+        gphys_mesh_desc desc;
+        call(gphys_mesh_desc_init, &desc, uint32_t{sizeof desc});
+        desc.deformable = deformable;
+        gphys_mesh* mesh = nullptr;
+        call(gphys_mesh_create, &desc, reinterpret_cast<const float*>(vertices.data()), 12u, vertex_count,
+             a.indices.data(), index_count, &mesh);
+        return mesh;
+    };
+    gphys_mesh* const mesh = make(a.vertices, 1);
+    std::vector<gphys_vec3> vertices = a.vertices, wanted = a.vertices;
+    for (int i = 0; i < 4 && !p.done(); ++i) {
+        for (gphys_vec3& v : wanted) {
+            if (p.one_in(2)) v = p.point();
+        }
+        if (!wanted.empty()) p.spoil(wanted[p.below(vertex_count)], 12);
+        const bool valid = std::all_of(wanted.begin(), wanted.end(), [](const gphys_vec3& v) { return is_valid(v); });
+        const gphys_status set =
+            call(gphys_mesh_set_vertices, mesh, reinterpret_cast<const float*>(wanted.data()), 12u, vertex_count);
+        FUZZ_CHECK((set == GPHYS_OK) == valid, "a mesh takes valid vertices");
+        valid ? vertices = wanted : wanted = vertices;
+        gphys_mesh* const fresh = make(vertices, 0);
+        const gphys_ray ray = p.ray();
+        gphys_hit hits[2] = {}, all[2][8] = {};
+        uint32_t counts[2] = {};
+        gphys_nearest near[2] = {};
+        const gphys_vec3 point = p.point();
+        gphys_status answers[2][3];
+        for (int k = 0; k < 2; ++k) {
+            gphys_mesh* const asked = k == 0 ? mesh : fresh;
+            answers[k][0] = call(gphys_shape_raycast, gphys_shape_type{GPHYS_SHAPE_MESH}, asked, &ray, &hits[k]);
+            answers[k][1] =
+                call(gphys_shape_closest_point, gphys_shape_type{GPHYS_SHAPE_MESH}, asked, &point, &near[k]);
+            answers[k][2] = call(gphys_mesh_raycast_all, asked, &ray, all[k], 8u, &counts[k]);
+        }
+        FUZZ_CHECK(same_bits(answers[0], answers[1]) && same_bits(hits[0], hits[1]) && same_bits(near[0], near[1]) &&
+                       same_bits(all[0], all[1]) && counts[0] == counts[1],
+                   "a mesh that was deformed answers as one of the same vertices");
+        call(gphys_mesh_destroy, fresh);
+    }
+    call(gphys_mesh_destroy, mesh);
+}
+
 void build(Program& p) {
     Arrays a = arrays(p);
     if (!a.vertices.empty() && p.one_in(4)) p.spoil(a.vertices[p.below(static_cast<uint32_t>(a.vertices.size()))], 1);
@@ -413,6 +460,7 @@ void build(Program& p) {
     FUZZ_CHECK((made == GPHYS_OK) == sound, "a mesh is built exactly of what its examination finds no fault with");
     FUZZ_CHECK((mesh != nullptr) == (made == GPHYS_OK), "a mesh that is refused is not there");
     call(gphys_mesh_destroy, mesh);
+    if (sound) deform(p, a);
 }
 
 }  // namespace

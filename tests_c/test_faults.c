@@ -208,6 +208,7 @@ static gphys_status make_mesh(session* s) {
     }
     gphys_mesh_desc_init(&desc, sizeof desc);
     desc.allocator = &s->hooks;
+    desc.deformable = 1;
     return gphys_mesh_create(&desc, vertices, 12, 81, indices, n, &s->mesh);
 }
 
@@ -259,6 +260,7 @@ static void shapes_and_scene(session* s) {
     gphys_nearest nearest[64];
     gphys_vec3 points[64];
     gphys_model_id touched[64];
+    gphys_vec3 vertices[81];
     uint32_t offsets[65], total;
     gphys_frustum frustum;
     DO(make_mesh(s));
@@ -285,6 +287,9 @@ static void shapes_and_scene(session* s) {
     DO(gphys_scene_set_transforms(s->scene, s->models, places + 8, sizeof *places, 50));
     DO(gphys_scene_set_layers(s->scene, s->models[3], 6));
     DO(gphys_scene_set_tag(s->scene, s->models[3], 7));
+    DO(gphys_mesh_get_vertices(s->mesh, vertices, 81, &total));
+    for (i = 0; i < 81; ++i) vertices[i].y *= (float)(i % 3);
+    DO(gphys_mesh_set_vertices(s->mesh, &vertices[0].x, sizeof *vertices, 81));
     DO(gphys_scene_set_shape(s->scene, s->models[4], GPHYS_SHAPE_PLANE, &floor));
     DO(gphys_scene_set_shape(s->scene, s->models[41], GPHYS_SHAPE_TRIANGLE, &triangle));
     DO(gphys_scene_set_shape(s->scene, s->models[4], GPHYS_SHAPE_MESH, s->mesh));

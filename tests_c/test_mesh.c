@@ -331,6 +331,65 @@ static void test_running_out_of_memory(void** state) {
     }
 }
 
+static void a_deformable_mesh_takes_other_vertices(void** state) {
+    float moved[5 * 4];
+    const float vertices[4 * 3] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const uint32_t indices[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    gphys_mesh *mesh = NULL, *rigid = NULL;
+    gphys_mesh_desc desc;
+    gphys_mesh_report report;
+    gphys_scene* scene;
+    gphys_model_id model;
+    gphys_aabb bounds;
+    gphys_ray ray = {{0.1f, 0.1f, -5}, {0, 0, 1}, INFINITY};
+    gphys_hit hit;
+    uint32_t i;
+    (void)state;
+    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
+    assert_true(desc.deformable == 0 && desc.reserved == 0);
+    desc.deformable = 2;
+    assert_int_equal(gphys_mesh_create(&desc, vertices, 12, 4, indices, 12, &mesh), GPHYS_ERROR_INVALID_ARGUMENT);
+    desc.deformable = 1;
+    desc.reserved = 1;
+    assert_int_equal(gphys_mesh_create(&desc, vertices, 12, 4, indices, 12, &mesh), GPHYS_ERROR_INVALID_ARGUMENT);
+    desc.reserved = 0;
+    assert_int_equal(gphys_mesh_create(&desc, vertices, 12, 4, indices, 12, &mesh), GPHYS_OK);
+    assert_int_equal(gphys_mesh_create(NULL, vertices, 12, 4, indices, 12, &rigid), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_MESH, mesh, NULL, NULL, &model), GPHYS_OK);
+
+    for (i = 0; i < 20; ++i) moved[i] = i % 5 < 3 ? vertices[i / 5 * 3 + i % 5] + (i % 5 == 2 ? 10.0f : 0.0f) : NAN;
+    assert_int_equal(gphys_mesh_set_vertices(mesh, moved, 20, 4), GPHYS_OK);
+    assert_int_equal(gphys_scene_raycast(scene, &ray, GPHYS_ALL_LAYERS, &hit), GPHYS_OK);
+    assert_true(hit.model == model && hit.t == 15);
+    assert_int_equal(gphys_scene_get_bounds(scene, model, &bounds), GPHYS_OK);
+    assert_true(bounds.min.z <= 10 && bounds.min.z > 9.999f && bounds.max.z >= 11 && bounds.max.z < 11.001f);
+    assert_int_equal(gphys_scene_validate(scene), GPHYS_OK);
+    for (i = 0; i < 4; ++i) moved[5 * i + 2] = 3; /* flat: the last corner is the first one now */
+    assert_int_equal(gphys_mesh_set_vertices(mesh, moved, 20, 4), GPHYS_OK);
+    assert_int_equal(gphys_mesh_get_report(mesh, &report), GPHYS_OK);
+    assert_true(report.degenerate_count == 2 && report.first_degenerate == 1 && report.open_edge_count == 0);
+    assert_int_equal(gphys_scene_raycast(scene, &ray, GPHYS_ALL_LAYERS, &hit), GPHYS_OK);
+    assert_true(hit.t == 8);
+
+    assert_int_equal(gphys_mesh_set_vertices(rigid, vertices, 12, 4), GPHYS_ERROR_UNSUPPORTED);
+    assert_int_equal(gphys_mesh_set_vertices(NULL, vertices, 12, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_set_vertices(mesh, NULL, 12, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_set_vertices(mesh, vertices, 8, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_set_vertices(mesh, vertices, 12, 3), GPHYS_ERROR_INVALID_ARGUMENT);
+    for (i = 0; i < 4; ++i) {
+        float bad[12];
+        memcpy(bad, vertices, sizeof bad);
+        bad[i * 3 + i % 3] = i % 2 ? NAN : 2e15f;
+        assert_int_equal(gphys_mesh_set_vertices(mesh, bad, 12, 4), GPHYS_ERROR_INVALID_ARGUMENT);
+    }
+    assert_int_equal(gphys_scene_raycast(scene, &ray, GPHYS_ALL_LAYERS, &hit), GPHYS_OK);
+    assert_true(hit.t == 8);
+    gphys_mesh_destroy(mesh);
+    gphys_mesh_destroy(rigid);
+    gphys_scene_destroy(scene);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_report),
@@ -342,6 +401,7 @@ int main(void) {
         cmocka_unit_test(test_overlap),
         cmocka_unit_test(test_octree),
         cmocka_unit_test(test_running_out_of_memory),
+        cmocka_unit_test(a_deformable_mesh_takes_other_vertices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

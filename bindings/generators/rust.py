@@ -13,6 +13,8 @@ BY_HAND = ("gphys_scene_has",)
 # Whose numbers may be given as an array in place of the struct.
 VECTORS = ("gphys_vec3", "gphys_quat")
 # Where zeros are no useful start, the defaults are written by hand.
+# What changes objects that the borrow checker cannot see: what callers must see to.
+UNSAFE = {"gphys_mesh_set_vertices": "No other thread uses the mesh, nor a scene that has a model of it, meanwhile."}
 OWN_DEFAULT = ("gphys_quat", "gphys_mat4", "gphys_transform", "gphys_orbit")
 TEMPLATES = {
     "self": "self.handle.as_ptr()", "handle": "{n}.handle.as_ptr()", "handle?": "{n}.map_or(null_mut(), |o| o.handle.as_ptr())",
@@ -261,7 +263,10 @@ def method(api, call):
         else:
             lines += [f"check({invoke})?;", f"Ok({value})"]
     text = docs(f["doc"], indent)
-    text += f"{indent}pub fn {call.name}{signature(api, call, receiver)} -> Result<{kind}> {{\n"
+    if f["name"] in UNSAFE:
+        text += f"{indent}///\n{indent}/// # Safety\n{indent}/// {UNSAFE[f['name']]}\n"
+    keyword = "unsafe fn" if f["name"] in UNSAFE else "fn"
+    text += f"{indent}pub {keyword} {call.name}{signature(api, call, receiver)} -> Result<{kind}> {{\n"
     return text + "".join(f"{indent}    {line}\n" for line in lines) + indent + "}\n"
 
 

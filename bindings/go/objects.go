@@ -95,8 +95,36 @@ func (o *Mesh) open() (unsafe.Pointer, error) {
 	return o.handle, nil
 }
 
+// Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+// Solver.Positions writes it. All models of the mesh have the new form from then on, in every scene,
+// and all answers have the bits of those of a mesh created of the new vertices. What fails leaves the
+// mesh and the scenes as they were. A solver sees the new form at its next step, as a surface that
+// stands still.
+// Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
+// these.
+//   - vertices: elements of 3 floats, metres; copied
+// The error is ErrUnsupported if the mesh is not deformable.
+// The error is ErrInvalidArgument for a vertex that is not finite or too large, or if a model of the
+// mesh would reach beyond the range of coordinates.
+// Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+// refitted, and built again by parts where it has degraded. If the triangles have come apart so that
+// their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+func (o *Mesh) SetVertices(vertices []Vec3) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	if err = checkLength(len(vertices)); err != nil {
+		return
+	}
+	r := C.go_gphys_mesh_set_vertices(self, (*C.float)(data(vertices)), size(vertices), C.uint32_t(len(vertices)))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // What the mesh was built from: the report that MeshCheck makes of its arrays.
-// Cost: O(1).
+// Cost: O(1); O(triangles) for a deformable mesh.
 func (o *Mesh) Report() (report MeshReport, err error) {
 	self, err := o.open()
 	if err != nil {
@@ -1594,6 +1622,35 @@ func (o *Camera) SetProjection(projection Mat4) (err error) {
 	return
 }
 
+// As Camera.SetPerspective, with an aspect of its own: the viewport stretches the image, as one of
+// pixels that are not square, and does not change what is seen.
+//   - aspect: width over height of what is seen, 1e-6 .. 1e6
+// Cost: O(1). Since 1.1.
+func (o *Camera) SetPerspectiveAspect(fovY float32, aspect float32, nearDistance float32, farDistance float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_set_perspective_aspect(self, C.float(fovY), C.float(aspect), C.float(nearDistance), C.float(farDistance))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// As Camera.SetOrthographic, with a width of its own, which the viewport does not change.
+//   - width, height: metres seen from left to right and from top to bottom, >= 1e-6
+// Cost: O(1). Since 1.1.
+func (o *Camera) SetOrthographicSize(width float32, height float32, nearDistance float32, farDistance float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_set_orthographic_size(self, C.float(width), C.float(height), C.float(nearDistance), C.float(farDistance))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
 // makes the width more than twice MaxCoordinate.
 //   - width, height: pixels, 1e-3 .. 1e6
@@ -1609,11 +1666,40 @@ func (o *Camera) SetViewport(width float32, height float32) (err error) {
 	return
 }
 
+// Where the viewport is in its window, as one of several of a split screen: pixels of all functions
+// count from the window's top left corner. (0, 0) at creation.
+//   - x, y: pixels of the window, of the viewport's top left corner
+// Cost: O(1). Since 1.1.
+func (o *Camera) SetViewportOrigin(x float32, y float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_set_viewport_origin(self, C.float(x), C.float(y))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
+// rays of other projections always begin there.
+// Cost: O(1). Since 1.1.
+func (o *Camera) SetPickStart(start PickStart) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_set_pick_start(self, C.gphys_pick_start(start))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // How the camera projects, as it was set.
 // Result: what of the following was called last: Camera.SetPerspective, as at creation,
-// Camera.SetOrthographic or Camera.SetProjection. the vertical field of view in radians of a
-// perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
-// without a far plane; 0 of a matrix.
+// Camera.SetOrthographic (or those with a width of their own), or Camera.SetProjection. the vertical
+// field of view in radians of a perspective, the height in metres of an orthographic projection, 0 of
+// a matrix. metres; INFINITY without a far plane; 0 of a matrix.
 // Cost: O(1).
 func (o *Camera) Projection() (kind Projection, size float32, near float32, far float32, err error) {
 	self, err := o.open()
@@ -1650,6 +1736,77 @@ func (o *Camera) Viewport() (width float32, height float32, err error) {
 	return
 }
 
+// Where the viewport is in its window, in pixels, as it was set.
+// Cost: O(1). Since 1.1.
+func (o *Camera) ViewportOrigin() (x float32, y float32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_viewport_origin(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	x = *(*float32)(unsafe.Pointer(&r.out_x))
+	y = *(*float32)(unsafe.Pointer(&r.out_y))
+	return
+}
+
+// Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+// Result: 1 if Camera.SetPerspectiveAspect or Camera.SetOrthographicSize was the last to set the
+// projection; 0 if it follows the viewport.
+// Cost: O(1). Since 1.1.
+func (o *Camera) Aspect() (aspect float32, isFixed bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_aspect(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	aspect = *(*float32)(unsafe.Pointer(&r.out_aspect))
+	isFixed = r.out_is_fixed != 0
+	return
+}
+
+// Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice
+// the tangents of half the angles; over the viewport's size, what a pixel spans there), at any
+// distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+// Cost: O(1). Since 1.1.
+func (o *Camera) ImageSize() (width float32, height float32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_image_size(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	width = *(*float32)(unsafe.Pointer(&r.out_width))
+	height = *(*float32)(unsafe.Pointer(&r.out_height))
+	return
+}
+
+// Where the rays of a perspective begin, as it was set.
+// Cost: O(1). Since 1.1.
+func (o *Camera) PickStart() (start PickStart, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_pick_start(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	start = *(*PickStart)(unsafe.Pointer(&r.out_start))
+	return
+}
+
 // Place the camera.
 //   - position: metres, of its centre
 //   - rotation: from its own axes to those of the world
@@ -1676,6 +1833,24 @@ func (o *Camera) SetWorldMatrix(world Mat4) (err error) {
 		return
 	}
 	r := C.go_gphys_camera_set_world_matrix(self, *(*C.gphys_mat4)(unsafe.Pointer(&world)))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+// Camera.SetWorldMatrix. That of Camera.ViewMatrix puts a camera back within 2^-22 of its distance
+// from the origin and 2^-22 rad.
+// The error is ErrSingular if the axes do not span space.
+// The error is ErrInvalidArgument if they mirror, the last row is not 0 0 0 1, or the camera would be
+// beyond MaxCoordinate.
+// Cost: O(1). Since 1.1.
+func (o *Camera) SetViewMatrix(view Mat4) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_set_view_matrix(self, *(*C.gphys_mat4)(unsafe.Pointer(&view)))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -1809,7 +1984,40 @@ func (o *Camera) Orbit() (orbit Orbit, err error) {
 	return
 }
 
-// Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit.
+// Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.SetOrbit starts
+// from. Input since the last update counts by the new ones.
+// The error is ErrUnsupported if the camera was never set to orbit.
+// Cost: O(1). Since 1.1.
+func (o *Camera) SetOrbitSpeeds(speeds OrbitSpeeds) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_set_orbit_speeds(self, *(*C.gphys_orbit_speeds)(unsafe.Pointer(&speeds)))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// The present speeds of the orbit's inputs.
+// The error is ErrUnsupported if the camera was never set to orbit.
+// Cost: O(1). Since 1.1.
+func (o *Camera) OrbitSpeeds() (speeds OrbitSpeeds, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_orbit_speeds(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	speeds = *(*OrbitSpeeds)(unsafe.Pointer(&r.out_speeds))
+	return
+}
+
+// Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit or the speeds that
+// were set.
 //   - unitsX, unitsY: finite, any size
 // The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
@@ -1824,7 +2032,8 @@ func (o *Camera) OrbitRotate(unitsX float32, unitsY float32) (err error) {
 	return
 }
 
-// Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+// Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+// away if negative.
 //   - units: finite, any size
 // The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
@@ -1840,7 +2049,7 @@ func (o *Camera) OrbitZoom(units float32) (err error) {
 }
 
 // Add input to the orbit: move the target to the camera's right and up, as the last update left them,
-// by units times metres_per_unit.
+// by units times metres_per_unit or the speeds that were set.
 //   - unitsRight, unitsUp: finite, any size
 // The error is ErrUnsupported if the camera was never set to orbit.
 // Cost: O(1).
@@ -1897,6 +2106,44 @@ func (o *Camera) Corners() (corners [8]Vec3, found bool, err error) {
 		return
 	}
 	r := C.go_gphys_camera_get_corners(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	corners = *(*[8]Vec3)(unsafe.Pointer(&r.out_corners))
+	found = true
+	return
+}
+
+// What is seen in a rectangle of pixels, as Camera.Frustum: of a tile, a marquee, a portal.
+//   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+// The error is ErrInvalidArgument if the rectangle has no area, or a side of what a matrix shows in it
+// lies at infinity or beyond MaxCoordinate.
+// Cost: O(1). Since 1.1.
+func (o *Camera) RectangleFrustum(x0 float32, y0 float32, x1 float32, y1 float32) (frustum Frustum, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_rectangle_frustum(self, C.float(x0), C.float(y0), C.float(x1), C.float(y1))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	frustum = *(*Frustum)(unsafe.Pointer(&r.out_frustum))
+	return
+}
+
+// World positions of the corners of what is seen in a rectangle of pixels, as Camera.Corners.
+//   - x0, y0, x1, y1: as Camera.RectangleFrustum
+// Result: found is false as Camera.Corners.
+// Cost: O(1). Since 1.1.
+func (o *Camera) RectangleCorners(x0 float32, y0 float32, x1 float32, y1 float32) (corners [8]Vec3, found bool, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_camera_get_rectangle_corners(self, C.float(x0), C.float(y0), C.float(x1), C.float(y1))
 	runtime.KeepAlive(o)
 	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
 		return
@@ -1988,11 +2235,12 @@ func (o *Camera) UnprojectBatch(pixels []Vec3, points []Vec3) (err error) {
 	return
 }
 
-// The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
-// the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
-// image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
-// half an ulp of a direction can be; Camera.Pick is not so limited. For perspective the stretch before
-// the near plane is part of the ray.
+// The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+// (INFINITY without one). With PickFromCentre that of a perspective starts at the camera's position.
+// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+// near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
+// moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
+// Camera.Pick is not so limited.
 //   - pixelX, pixelY: pixels; may lie outside the viewport
 // Result: found is false if the line of sight does not meet the near plane (user projections), or
 // would begin beyond MaxCoordinate.
@@ -2030,7 +2278,7 @@ func (o *Camera) PickRays(x uint32, y uint32, width uint32, height uint32, rays 
 }
 
 // The model under a pixel: the first hit of Camera.PickRay, before that is rounded to float32; t is in
-// metres.
+// metres from where it starts.
 //   - pixelX, pixelY: pixels; may lie outside the viewport
 // Result: found is false if nothing is found.
 // Cost: O(log n) expected.
@@ -3481,6 +3729,50 @@ func FrustumCorners(frustum Frustum) (corners [8]Vec3, found bool, err error) {
 	}
 	corners = *(*[8]Vec3)(unsafe.Pointer(&r.out_corners))
 	found = true
+	return
+}
+
+// The point that three planes have in common, within an ulp of each coordinate.
+// Result: found is false if the planes have no single point in common, which is decided exactly, or
+// one beyond MaxCoordinate.
+// Cost: O(1). Source: Cramer's rule. Since 1.1.
+func PlanesIntersection(a Plane, b Plane, c Plane) (point Vec3, found bool, err error) {
+	r := C.go_gphys_planes_intersection(*(*C.gphys_plane)(unsafe.Pointer(&a)), *(*C.gphys_plane)(unsafe.Pointer(&b)), *(*C.gphys_plane)(unsafe.Pointer(&c)))
+	if err = check(r.status, r.message); err != nil || r.status != C.GPHYS_OK {
+		return
+	}
+	point = *(*Vec3)(unsafe.Pointer(&r.out_point))
+	found = true
+	return
+}
+
+// The points of the triples of planes, as PlanesIntersection; one without gets x = y = z = INFINITY.
+//   - a, b, c: the planes each
+// Cost: that of as many single calls. Since 1.1.
+func PlanesIntersectionBatch(a []Plane, b []Plane, c []Plane, points []Vec3) (err error) {
+	count, err := commonLength([]int{}, len(a), len(b), len(c))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(points), count); err != nil {
+		return
+	}
+	r := C.go_gphys_planes_intersection_batch((*C.gphys_plane)(data(a)), step(a), (*C.gphys_plane)(data(b)), step(b), (*C.gphys_plane)(data(c)), step(c), C.uint32_t(count), (*C.gphys_vec3)(data(points)), size(points))
+	err = check(r.status, r.message)
+	return
+}
+
+// How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
+// the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
+// for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+//   - matrix: elements within MaxCoordinate
+// Cost: O(1). Since 1.1.
+func Mat4Orthonormality(matrix Mat4) (deviation float32, err error) {
+	r := C.go_gphys_mat4_orthonormality(*(*C.gphys_mat4)(unsafe.Pointer(&matrix)))
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	deviation = *(*float32)(unsafe.Pointer(&r.out_deviation))
 	return
 }
 

@@ -126,6 +126,49 @@ func TestShapesChangeAndTreesAndCamerasAreRead(t *testing.T) {
 	same(t, []any{width, height, err}, []any{float32(200), float32(100), nil})
 }
 
+func TestCamerasSeeByAspectInAWindowFromTheNearPlaneOn(t *testing.T) {
+	camera := must(NewCamera(nil))
+	try(t, camera.SetPerspectiveAspect(1, 2, 1, 100))
+	aspect, fixed, err := camera.Aspect()
+	same(t, []any{aspect, fixed, err}, []any{float32(2), true, nil})
+	try(t, camera.SetOrthographicSize(8, 6, 1, 100))
+	width, height, err := camera.ImageSize()
+	same(t, []any{width, height, err}, []any{float32(8), float32(6), nil})
+	try(t, camera.SetViewportOrigin(800, 0))
+	x, y, err := camera.ViewportOrigin()
+	same(t, []any{x, y, err}, []any{float32(800), float32(0), nil})
+	try(t, camera.SetPerspective(1, 1, 100))
+	same(t, found(camera.PickRay(1200, 300)).Origin.Z, float32(1))
+	try(t, camera.SetPickStart(PickFromCentre))
+	same(t, must(camera.PickStart()), PickFromCentre)
+	same(t, found(camera.PickRay(1200, 300)).Origin.Z, float32(0))
+	view := must(camera.ViewMatrix())
+	try(t, camera.SetViewMatrix(view))
+	same(t, must(Mat4Orthonormality(view)), float32(0))
+	same(t, found(camera.RectangleCorners(800, 0, 1600, 600)), found(camera.Corners()))
+	same(t, must(camera.RectangleFrustum(800, 0, 1200, 600)).Origin, Vec3{})
+	try(t, camera.SetOrbit(DefaultOrbit()))
+	speeds := OrbitSpeeds{RotateX: 0.5, RotateY: 1, Zoom: 2, PanX: 3, PanY: 4}
+	try(t, camera.SetOrbitSpeeds(speeds))
+	same(t, must(camera.OrbitSpeeds()), speeds)
+	x1, y2, z3 := Plane{Vec(1, 0, 0), 1}, Plane{up, 2}, Plane{Vec(0, 0, 1), 3}
+	same(t, found(PlanesIntersection(x1, y2, z3)), Vec(1, 2, 3))
+	points := make([]Vec3, 2)
+	try(t, PlanesIntersectionBatch([]Plane{x1, x1}, []Plane{y2, y2}, []Plane{z3, y2}, points))
+	same(t, points, []Vec3{Vec(1, 2, 3), Vec(infinity, infinity, infinity)})
+}
+
+func TestAMeshDeformsAndItsModelsWithIt(t *testing.T) {
+	desc := DefaultMeshDesc()
+	desc.Deformable = 1
+	mesh := must(NewMesh([]Vec3{{}, {1, 0, 0}, {0, 1, 0}}, []uint32{0, 1, 2}, &desc))
+	scene := must(NewScene(nil))
+	model := must(scene.Add(mesh, nil, nil))
+	try(t, mesh.SetVertices([]Vec3{{0, 0, 7}, {1, 0, 7}, {0, 1, 7}}))
+	hit := found(scene.Raycast(Ray{Vec(0.2, 0.2, 0), Vec(0, 0, 1), infinity}, AllLayers))
+	same(t, []any{hit.Model, hit.T}, []any{model, float32(7)})
+}
+
 func TestLengthsMustAgree(t *testing.T) {
 	scene, models := sceneOfBalls()
 	refused(t, ErrInvalidArgument, scene.RaycastBatch(someRays(), AllLayers, make([]Hit, 3)))

@@ -238,6 +238,41 @@ static inline go_gphys_frustum_corners_result go_gphys_frustum_corners(gphys_fru
     return r;
 }
 
+typedef struct go_gphys_planes_intersection_result {
+    gphys_status status;
+    char* message;
+    gphys_vec3 out_point;
+} go_gphys_planes_intersection_result;
+static inline go_gphys_planes_intersection_result go_gphys_planes_intersection(gphys_plane a, gphys_plane b, gphys_plane c) {
+    go_gphys_planes_intersection_result r = {0};
+    r.status = gphys_planes_intersection(&a, &b, &c, &r.out_point);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_planes_intersection_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_planes_intersection_batch_result;
+static inline go_gphys_planes_intersection_batch_result go_gphys_planes_intersection_batch(const gphys_plane * a, uint32_t a_stride, const gphys_plane * b, uint32_t b_stride, const gphys_plane * c, uint32_t c_stride, uint32_t count, gphys_vec3 * out_points, uint32_t out_stride) {
+    go_gphys_planes_intersection_batch_result r = {0};
+    r.status = gphys_planes_intersection_batch(a, a_stride, b, b_stride, c, c_stride, count, out_points, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_mat4_orthonormality_result {
+    gphys_status status;
+    char* message;
+    float out_deviation;
+} go_gphys_mat4_orthonormality_result;
+static inline go_gphys_mat4_orthonormality_result go_gphys_mat4_orthonormality(gphys_mat4 matrix) {
+    go_gphys_mat4_orthonormality_result r = {0};
+    r.status = gphys_mat4_orthonormality(&matrix, &r.out_deviation);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_frustum_from_matrix_result {
     gphys_status status;
     char* message;
@@ -282,6 +317,17 @@ typedef struct go_gphys_mesh_create_result {
 static inline go_gphys_mesh_create_result go_gphys_mesh_create(const gphys_mesh_desc * desc, const float * vertices, uint32_t vertex_stride, uint32_t vertex_count, const uint32_t * indices, uint32_t index_count) {
     go_gphys_mesh_create_result r = {0};
     r.status = gphys_mesh_create(desc, vertices, vertex_stride, vertex_count, indices, index_count, (gphys_mesh **)&r.out_mesh);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_mesh_set_vertices_result {
+    gphys_status status;
+    char* message;
+} go_gphys_mesh_set_vertices_result;
+static inline go_gphys_mesh_set_vertices_result go_gphys_mesh_set_vertices(void* mesh, const float * vertices, uint32_t vertex_stride, uint32_t vertex_count) {
+    go_gphys_mesh_set_vertices_result r = {0};
+    r.status = gphys_mesh_set_vertices(mesh, vertices, vertex_stride, vertex_count);
     r.message = go_message(r.status);
     return r;
 }
@@ -1233,6 +1279,28 @@ static inline go_gphys_camera_set_projection_result go_gphys_camera_set_projecti
     return r;
 }
 
+typedef struct go_gphys_camera_set_perspective_aspect_result {
+    gphys_status status;
+    char* message;
+} go_gphys_camera_set_perspective_aspect_result;
+static inline go_gphys_camera_set_perspective_aspect_result go_gphys_camera_set_perspective_aspect(void* camera, float fov_y, float aspect, float near_distance, float far_distance) {
+    go_gphys_camera_set_perspective_aspect_result r = {0};
+    r.status = gphys_camera_set_perspective_aspect(camera, fov_y, aspect, near_distance, far_distance);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_set_orthographic_size_result {
+    gphys_status status;
+    char* message;
+} go_gphys_camera_set_orthographic_size_result;
+static inline go_gphys_camera_set_orthographic_size_result go_gphys_camera_set_orthographic_size(void* camera, float width, float height, float near_distance, float far_distance) {
+    go_gphys_camera_set_orthographic_size_result r = {0};
+    r.status = gphys_camera_set_orthographic_size(camera, width, height, near_distance, far_distance);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_camera_set_viewport_result {
     gphys_status status;
     char* message;
@@ -1240,6 +1308,28 @@ typedef struct go_gphys_camera_set_viewport_result {
 static inline go_gphys_camera_set_viewport_result go_gphys_camera_set_viewport(void* camera, float width, float height) {
     go_gphys_camera_set_viewport_result r = {0};
     r.status = gphys_camera_set_viewport(camera, width, height);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_set_viewport_origin_result {
+    gphys_status status;
+    char* message;
+} go_gphys_camera_set_viewport_origin_result;
+static inline go_gphys_camera_set_viewport_origin_result go_gphys_camera_set_viewport_origin(void* camera, float x, float y) {
+    go_gphys_camera_set_viewport_origin_result r = {0};
+    r.status = gphys_camera_set_viewport_origin(camera, x, y);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_set_pick_start_result {
+    gphys_status status;
+    char* message;
+} go_gphys_camera_set_pick_start_result;
+static inline go_gphys_camera_set_pick_start_result go_gphys_camera_set_pick_start(void* camera, gphys_pick_start start) {
+    go_gphys_camera_set_pick_start_result r = {0};
+    r.status = gphys_camera_set_pick_start(camera, start);
     r.message = go_message(r.status);
     return r;
 }
@@ -1272,6 +1362,57 @@ static inline go_gphys_camera_get_viewport_result go_gphys_camera_get_viewport(v
     return r;
 }
 
+typedef struct go_gphys_camera_get_viewport_origin_result {
+    gphys_status status;
+    char* message;
+    float out_x;
+    float out_y;
+} go_gphys_camera_get_viewport_origin_result;
+static inline go_gphys_camera_get_viewport_origin_result go_gphys_camera_get_viewport_origin(void* camera) {
+    go_gphys_camera_get_viewport_origin_result r = {0};
+    r.status = gphys_camera_get_viewport_origin(camera, &r.out_x, &r.out_y);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_aspect_result {
+    gphys_status status;
+    char* message;
+    float out_aspect;
+    int32_t out_is_fixed;
+} go_gphys_camera_get_aspect_result;
+static inline go_gphys_camera_get_aspect_result go_gphys_camera_get_aspect(void* camera) {
+    go_gphys_camera_get_aspect_result r = {0};
+    r.status = gphys_camera_get_aspect(camera, &r.out_aspect, &r.out_is_fixed);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_image_size_result {
+    gphys_status status;
+    char* message;
+    float out_width;
+    float out_height;
+} go_gphys_camera_get_image_size_result;
+static inline go_gphys_camera_get_image_size_result go_gphys_camera_get_image_size(void* camera) {
+    go_gphys_camera_get_image_size_result r = {0};
+    r.status = gphys_camera_get_image_size(camera, &r.out_width, &r.out_height);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_pick_start_result {
+    gphys_status status;
+    char* message;
+    gphys_pick_start out_start;
+} go_gphys_camera_get_pick_start_result;
+static inline go_gphys_camera_get_pick_start_result go_gphys_camera_get_pick_start(void* camera) {
+    go_gphys_camera_get_pick_start_result r = {0};
+    r.status = gphys_camera_get_pick_start(camera, &r.out_start);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_camera_set_transform_result {
     gphys_status status;
     char* message;
@@ -1290,6 +1431,17 @@ typedef struct go_gphys_camera_set_world_matrix_result {
 static inline go_gphys_camera_set_world_matrix_result go_gphys_camera_set_world_matrix(void* camera, gphys_mat4 world) {
     go_gphys_camera_set_world_matrix_result r = {0};
     r.status = gphys_camera_set_world_matrix(camera, &world);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_set_view_matrix_result {
+    gphys_status status;
+    char* message;
+} go_gphys_camera_set_view_matrix_result;
+static inline go_gphys_camera_set_view_matrix_result go_gphys_camera_set_view_matrix(void* camera, gphys_mat4 view) {
+    go_gphys_camera_set_view_matrix_result r = {0};
+    r.status = gphys_camera_set_view_matrix(camera, &view);
     r.message = go_message(r.status);
     return r;
 }
@@ -1401,6 +1553,29 @@ static inline go_gphys_camera_get_orbit_result go_gphys_camera_get_orbit(void* c
     return r;
 }
 
+typedef struct go_gphys_camera_set_orbit_speeds_result {
+    gphys_status status;
+    char* message;
+} go_gphys_camera_set_orbit_speeds_result;
+static inline go_gphys_camera_set_orbit_speeds_result go_gphys_camera_set_orbit_speeds(void* camera, gphys_orbit_speeds speeds) {
+    go_gphys_camera_set_orbit_speeds_result r = {0};
+    r.status = gphys_camera_set_orbit_speeds(camera, &speeds);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_orbit_speeds_result {
+    gphys_status status;
+    char* message;
+    gphys_orbit_speeds out_speeds;
+} go_gphys_camera_get_orbit_speeds_result;
+static inline go_gphys_camera_get_orbit_speeds_result go_gphys_camera_get_orbit_speeds(void* camera) {
+    go_gphys_camera_get_orbit_speeds_result r = {0};
+    r.status = gphys_camera_get_orbit_speeds(camera, &r.out_speeds);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_camera_orbit_rotate_result {
     gphys_status status;
     char* message;
@@ -1465,6 +1640,30 @@ typedef struct go_gphys_camera_get_corners_result {
 static inline go_gphys_camera_get_corners_result go_gphys_camera_get_corners(void* camera) {
     go_gphys_camera_get_corners_result r = {0};
     r.status = gphys_camera_get_corners(camera, r.out_corners);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_rectangle_frustum_result {
+    gphys_status status;
+    char* message;
+    gphys_frustum out_frustum;
+} go_gphys_camera_get_rectangle_frustum_result;
+static inline go_gphys_camera_get_rectangle_frustum_result go_gphys_camera_get_rectangle_frustum(void* camera, float x0, float y0, float x1, float y1) {
+    go_gphys_camera_get_rectangle_frustum_result r = {0};
+    r.status = gphys_camera_get_rectangle_frustum(camera, x0, y0, x1, y1, &r.out_frustum);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_camera_get_rectangle_corners_result {
+    gphys_status status;
+    char* message;
+    gphys_vec3 out_corners[8];
+} go_gphys_camera_get_rectangle_corners_result;
+static inline go_gphys_camera_get_rectangle_corners_result go_gphys_camera_get_rectangle_corners(void* camera, float x0, float y0, float x1, float y1) {
+    go_gphys_camera_get_rectangle_corners_result r = {0};
+    r.status = gphys_camera_get_rectangle_corners(camera, x0, y0, x1, y1, r.out_corners);
     r.message = go_message(r.status);
     return r;
 }

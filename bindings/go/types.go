@@ -122,6 +122,16 @@ const (
 	RightHanded Handedness = 1
 )
 
+// Where the rays of a perspective camera begin.
+type PickStart int32
+
+const (
+	// what is drawn can be picked, and nothing before it
+	PickFromNearPlane PickStart = 0
+	// at the camera's position: what is between it and the near plane, too
+	PickFromCentre PickStart = 1
+)
+
 const (
 	// constraints along both diagonals of each grid cell: stiff like paper
 	ClothShear uint32 = 1
@@ -340,6 +350,10 @@ type MeshDesc struct {
 	// nil: the C++ runtime's
 	// A gphys_allocator in C memory.
 	Allocator unsafe.Pointer
+	// 1: Mesh.SetVertices will be called; 12 bytes a vertex more. Since 1.1
+	Deformable int32
+	// 0
+	reserved uint32
 }
 
 // How an octree is made up. Frozen.
@@ -469,6 +483,20 @@ type Orbit struct {
 	MinPitch float32
 	// within -pi/2 .. pi/2
 	MaxPitch float32
+}
+
+// What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.
+type OrbitSpeeds struct {
+	// radians a unit, of yaw and pitch
+	RotateX float32
+	// radians a unit, of yaw and pitch
+	RotateY float32
+	// metres a unit
+	Zoom float32
+	// metres a unit, to the right and up
+	PanX float32
+	// metres a unit, to the right and up
+	PanY float32
 }
 
 type SolverDesc struct {
@@ -696,6 +724,8 @@ var (
 	_ [unsafe.Offsetof(C.gphys_mesh_report{}.open_edge_count)]byte = [unsafe.Offsetof(MeshReport{}.OpenEdgeCount)]byte{}
 	_ [unsafe.Offsetof(C.gphys_mesh_desc{}.struct_size)]byte = [unsafe.Offsetof(MeshDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_mesh_desc{}.allocator)]byte = [unsafe.Offsetof(MeshDesc{}.Allocator)]byte{}
+	_ [unsafe.Offsetof(C.gphys_mesh_desc{}.deformable)]byte = [unsafe.Offsetof(MeshDesc{}.Deformable)]byte{}
+	_ [unsafe.Offsetof(C.gphys_mesh_desc{}.reserved)]byte = [unsafe.Offsetof(MeshDesc{}.reserved)]byte{}
 	_ [C.sizeof_gphys_octree_stats]byte = [unsafe.Sizeof(OctreeStats{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_octree_stats{}.item_count)]byte = [unsafe.Offsetof(OctreeStats{}.ItemCount)]byte{}
 	_ [unsafe.Offsetof(C.gphys_octree_stats{}.unbounded_count)]byte = [unsafe.Offsetof(OctreeStats{}.UnboundedCount)]byte{}
@@ -753,6 +783,12 @@ var (
 	_ [unsafe.Offsetof(C.gphys_orbit{}.max_distance)]byte = [unsafe.Offsetof(Orbit{}.MaxDistance)]byte{}
 	_ [unsafe.Offsetof(C.gphys_orbit{}.min_pitch)]byte = [unsafe.Offsetof(Orbit{}.MinPitch)]byte{}
 	_ [unsafe.Offsetof(C.gphys_orbit{}.max_pitch)]byte = [unsafe.Offsetof(Orbit{}.MaxPitch)]byte{}
+	_ [C.sizeof_gphys_orbit_speeds]byte = [unsafe.Sizeof(OrbitSpeeds{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_orbit_speeds{}.rotate_x)]byte = [unsafe.Offsetof(OrbitSpeeds{}.RotateX)]byte{}
+	_ [unsafe.Offsetof(C.gphys_orbit_speeds{}.rotate_y)]byte = [unsafe.Offsetof(OrbitSpeeds{}.RotateY)]byte{}
+	_ [unsafe.Offsetof(C.gphys_orbit_speeds{}.zoom)]byte = [unsafe.Offsetof(OrbitSpeeds{}.Zoom)]byte{}
+	_ [unsafe.Offsetof(C.gphys_orbit_speeds{}.pan_x)]byte = [unsafe.Offsetof(OrbitSpeeds{}.PanX)]byte{}
+	_ [unsafe.Offsetof(C.gphys_orbit_speeds{}.pan_y)]byte = [unsafe.Offsetof(OrbitSpeeds{}.PanY)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.struct_size)]byte = [unsafe.Offsetof(SolverDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.allocator)]byte = [unsafe.Offsetof(SolverDesc{}.Allocator)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.gravity)]byte = [unsafe.Offsetof(SolverDesc{}.Gravity)]byte{}

@@ -213,6 +213,8 @@ export interface MeshReport {
     open_edge_count: number;
 }
 export interface MeshDesc {
+    /** 1: Mesh.setVertices will be called; 12 bytes a vertex more. Since 1.1 */
+    deformable: number;
 }
 /** How an octree is made up. Frozen. */
 export interface OctreeStats {
@@ -312,6 +314,19 @@ export interface Orbit {
     min_pitch: number;
     /** within -pi/2 .. pi/2 */
     max_pitch: number;
+}
+/** What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1. */
+export interface OrbitSpeeds {
+    /** radians a unit, of yaw and pitch */
+    rotate_x: number;
+    /** radians a unit, of yaw and pitch */
+    rotate_y: number;
+    /** metres a unit */
+    zoom: number;
+    /** metres a unit, to the right and up */
+    pan_x: number;
+    /** metres a unit, to the right and up */
+    pan_y: number;
 }
 export interface SolverDesc {
     /** m/s^2; default (0, -9.81, 0) */
@@ -465,6 +480,7 @@ export interface Kinds {
     octree_box: OctreeBox;
     model_info: ModelInfo;
     orbit: Orbit;
+    orbit_speeds: OrbitSpeeds;
     body_info: BodyInfo;
     constraint_info: ConstraintInfo;
     joint_info: JointInfo;
@@ -492,8 +508,23 @@ export class Mesh {
     constructor(vertices: Elements, indices: Elements, desc?: Partial<MeshDesc> | null);
     /** Frees the object at once. */
     close(): void;
+    /** Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+     * Solver.getPositions writes it. All models of the mesh have the new form from then on, in every
+     * scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+     * leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+     * surface that stands still.
+     * Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
+     * these.
+     * Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+     * refitted, and built again by parts where it has degraded. If the triangles have come apart so that
+     * their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+     * @param vertices - elements of 3 floats, metres; copied
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the mesh is not deformable
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large, or if
+     *     a model of the mesh would reach beyond the range of coordinates */
+    setVertices(vertices: Elements): void;
     /** What the mesh was built from: the report that meshCheck makes of its arrays.
-     * Cost: O(1). */
+     * Cost: O(1); O(triangles) for a deformable mesh. */
     getReport(): MeshReport;
     /** Copy the vertices out, in metres and in their original order.
      * Cost: O(vertices). */
@@ -888,23 +919,59 @@ export class Camera {
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if a plane other than far lies at infinity, as it
      *     does when the matrix is for another depth range, or one lies beyond MAX_COORDINATE */
     setProjection(projection: Given<number[]>): void;
+    /** As Camera.setPerspective, with an aspect of its own: the viewport stretches the image, as one of
+     * pixels that are not square, and does not change what is seen.
+     * Cost: O(1). Since 1.1.
+     * @param aspect - width over height of what is seen, 1e-6 .. 1e6 */
+    setPerspectiveAspect(fov_y: number, aspect: number, near_distance: number, far_distance: number): void;
+    /** As Camera.setOrthographic, with a width of its own, which the viewport does not change.
+     * Cost: O(1). Since 1.1.
+     * @param width - metres seen from left to right and from top to bottom, >= 1e-6
+     * @param height - metres seen from left to right and from top to bottom, >= 1e-6 */
+    setOrthographicSize(width: number, height: number, near_distance: number, far_distance: number): void;
     /** The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
      * makes the width more than twice MAX_COORDINATE.
      * Cost: O(1).
      * @param width - pixels, 1e-3 .. 1e6
      * @param height - pixels, 1e-3 .. 1e6 */
     setViewport(width: number, height: number): void;
+    /** Where the viewport is in its window, as one of several of a split screen: pixels of all functions
+     * count from the window's top left corner. (0, 0) at creation.
+     * Cost: O(1). Since 1.1.
+     * @param x - pixels of the window, of the viewport's top left corner
+     * @param y - pixels of the window, of the viewport's top left corner */
+    setViewportOrigin(x: number, y: number): void;
+    /** Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
+     * rays of other projections always begin there.
+     * Cost: O(1). Since 1.1. */
+    setPickStart(start: number): void;
     /** How the camera projects, as it was set.
      * Cost: O(1).
      * @returns what of the following was called last: Camera.setPerspective, as at creation,
-     *     Camera.setOrthographic or Camera.setProjection. the vertical field of view in radians of a
-     *     perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
-     *     without a far plane; 0 of a matrix. */
+     *     Camera.setOrthographic (or those with a width of their own), or Camera.setProjection. the
+     *     vertical field of view in radians of a perspective, the height in metres of an orthographic
+     *     projection, 0 of a matrix. metres; INFINITY without a far plane; 0 of a matrix. */
     getProjection(): [number, number, number, number];
     /** The size of the viewport, in pixels, as it was set. Its width over its height is the aspect of the
      * image.
      * Cost: O(1). */
     getViewport(): [number, number];
+    /** Where the viewport is in its window, in pixels, as it was set.
+     * Cost: O(1). Since 1.1. */
+    getViewportOrigin(): [number, number];
+    /** Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+     * Cost: O(1). Since 1.1.
+     * @returns 1 if Camera.setPerspectiveAspect or Camera.setOrthographicSize was the last to set the
+     *     projection; 0 if it follows the viewport. */
+    getAspect(): [number, boolean];
+    /** Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice
+     * the tangents of half the angles; over the viewport's size, what a pixel spans there), at any
+     * distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+     * Cost: O(1). Since 1.1. */
+    getImageSize(): [number, number];
+    /** Where the rays of a perspective begin, as it was set.
+     * Cost: O(1). Since 1.1. */
+    getPickStart(): number;
     /** Place the camera.
      * Cost: O(1).
      * @param position - metres, of its centre
@@ -916,6 +983,14 @@ export class Camera {
      * @throws {GamephysError} ERROR_SINGULAR: if the axes do not span space
      * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if they mirror or the last row is not 0 0 0 1 */
     setWorldMatrix(world: Given<number[]>): void;
+    /** Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+     * Camera.setWorldMatrix. That of Camera.getViewMatrix puts a camera back within 2^-22 of its distance
+     * from the origin and 2^-22 rad.
+     * Cost: O(1). Since 1.1.
+     * @throws {GamephysError} ERROR_SINGULAR: if the axes do not span space
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if they mirror, the last row is not 0 0 0 1, or the
+     *     camera would be beyond MAX_COORDINATE */
+    setViewMatrix(view: Given<number[]>): void;
     /** Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
      * chosen in its place, always the same for the same input.
      * Cost: O(1).
@@ -945,19 +1020,30 @@ export class Camera {
      * Cost: O(1).
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     getOrbit(): Orbit;
-    /** Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+    /** Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.setOrbit starts
+     * from. Input since the last update counts by the new ones.
+     * Cost: O(1). Since 1.1.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
+    setOrbitSpeeds(speeds: Given<OrbitSpeeds>): void;
+    /** The present speeds of the orbit's inputs.
+     * Cost: O(1). Since 1.1.
+     * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
+    getOrbitSpeeds(): OrbitSpeeds;
+    /** Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit or the speeds that
+     * were set.
      * Cost: O(1).
      * @param units_x - finite, any size
      * @param units_y - finite, any size
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitRotate(units_x: number, units_y: number): void;
-    /** Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+    /** Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+     * away if negative.
      * Cost: O(1).
      * @param units - finite, any size
      * @throws {GamephysError} ERROR_UNSUPPORTED: if the camera was never set to orbit */
     orbitZoom(units: number): void;
     /** Add input to the orbit: move the target to the camera's right and up, as the last update left them,
-     * by units times metres_per_unit.
+     * by units times metres_per_unit or the speeds that were set.
      * Cost: O(1).
      * @param units_right - finite, any size
      * @param units_up - finite, any size
@@ -977,6 +1063,23 @@ export class Camera {
      * Cost: O(1).
      * @returns null with an infinite far plane, or a corner beyond the largest float. */
     getCorners(): number[][] | null;
+    /** What is seen in a rectangle of pixels, as Camera.getFrustum: of a tile, a marquee, a portal.
+     * Cost: O(1). Since 1.1.
+     * @param x0 - pixels, opposite corners in any order; may lie outside the viewport
+     * @param y0 - pixels, opposite corners in any order; may lie outside the viewport
+     * @param x1 - pixels, opposite corners in any order; may lie outside the viewport
+     * @param y1 - pixels, opposite corners in any order; may lie outside the viewport
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: if the rectangle has no area, or a side of what a
+     *     matrix shows in it lies at infinity or beyond MAX_COORDINATE */
+    getRectangleFrustum(x0: number, y0: number, x1: number, y1: number): Frustum;
+    /** World positions of the corners of what is seen in a rectangle of pixels, as Camera.getCorners.
+     * Cost: O(1). Since 1.1.
+     * @param x0 - as Camera.getRectangleFrustum
+     * @param y0 - as Camera.getRectangleFrustum
+     * @param x1 - as Camera.getRectangleFrustum
+     * @param y1 - as Camera.getRectangleFrustum
+     * @returns null as Camera.getCorners. */
+    getRectangleCorners(x0: number, y0: number, x1: number, y1: number): number[][] | null;
     /** World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
      * viewport; z is the depth in the camera's range.
      * Cost: O(1).
@@ -997,11 +1100,12 @@ export class Camera {
      * Cost: O(elements).
      * @param pixels - x, y in pixels, z the depth */
     unprojectBatch(pixels: Elements, out?: Elements): Records<number[]>;
-    /** The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
-     * the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
-     * image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
-     * half an ulp of a direction can be; Camera.pick is not so limited. For perspective the stretch before
-     * the near plane is part of the ray.
+    /** The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+     * (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's position.
+     * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+     * near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
+     * moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
+     * Camera.pick is not so limited.
      * Cost: O(1).
      * @param pixel_x - pixels; may lie outside the viewport
      * @param pixel_y - pixels; may lie outside the viewport
@@ -1016,7 +1120,7 @@ export class Camera {
      * @param height - pixels; width * height rays, fewer than 2^32 */
     pickRays(x: number, y: number, width: number, height: number, out?: Elements): Records<Ray>;
     /** The model under a pixel: the first hit of Camera.pickRay, before that is rounded to float32; t is in
-     * metres.
+     * metres from where it starts.
      * Cost: O(log n) expected.
      * @param pixel_x - pixels; may lie outside the viewport
      * @param pixel_y - pixels; may lie outside the viewport
@@ -1475,6 +1579,23 @@ export function penetration(shape: AnyShape, moving: AnyShape): Penetration | nu
  * @returns null if three planes do not meet in a point (infinite far plane), or meet beyond the
  *     largest float. */
 export function frustumCorners(frustum: Given<Frustum>): number[][] | null;
+/** The point that three planes have in common, within an ulp of each coordinate.
+ * Cost: O(1). Source: Cramer's rule. Since 1.1.
+ * @returns null if the planes have no single point in common, which is decided exactly, or one beyond
+ *     MAX_COORDINATE. */
+export function planesIntersection(a: Given<Plane>, b: Given<Plane>, c: Given<Plane>): number[] | null;
+/** The points of the triples of planes, as planesIntersection; one without gets x = y = z = INFINITY.
+ * Cost: that of as many single calls. Since 1.1.
+ * @param a - the planes each
+ * @param b - the planes each
+ * @param c - the planes each */
+export function planesIntersectionBatch(a: Elements, b: Elements, c: Elements, out?: Elements): Records<number[]>;
+/** How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
+ * the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
+ * for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+ * Cost: O(1). Since 1.1.
+ * @param matrix - elements within MAX_COORDINATE */
+export function mat4Orthonormality(matrix: Given<number[]>): number;
 /** The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with
  * origin (0, 0, 0). A camera knows its frustum better: Camera.getFrustum.
  * Cost: O(1).
@@ -1531,6 +1652,8 @@ export const PROJECTION_ORTHOGRAPHIC: 1;
 export const PROJECTION_USER: 2;
 export const LEFT_HANDED: 0;
 export const RIGHT_HANDED: 1;
+export const PICK_FROM_NEAR_PLANE: 0;
+export const PICK_FROM_CENTRE: 1;
 export const CLOTH_SHEAR: 1;
 export const CLOTH_BEND: 2;
 export const BODY_PARTICLES: 1;

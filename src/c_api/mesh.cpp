@@ -11,7 +11,7 @@ using namespace gphys;
 
 namespace {
 
-constexpr size_t mesh_desc_size = sizeof(gphys_mesh_desc);  // of release 1.0
+constexpr size_t mesh_desc_size = offsetof(gphys_mesh_desc, deformable);  // of release 1.0
 
 gphys_status check_arrays(const MeshArrays& arrays) {
     GPHYS_REQUIRE(arrays.vertex_count == 0 || arrays.vertices, "vertices is null");
@@ -54,6 +54,8 @@ gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertice
         gphys_mesh_desc settings{};
         GPHYS_TRY(read_desc(desc, settings, mesh_desc_size));
         GPHYS_REQUIRE_VALID(settings.allocator);
+        GPHYS_REQUIRE(is_bool(settings.deformable), "desc.deformable: must be 0 or 1");
+        GPHYS_REQUIRE(settings.reserved == 0, "desc.reserved: must be 0");
         const MeshArrays arrays{vertices, vertex_stride, vertex_count, indices, index_count};
         GPHYS_TRY(check_arrays(arrays));
         GPHYS_REQUIRE(out_mesh, "out_mesh is null");
@@ -61,7 +63,24 @@ gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertice
         const gphys_mesh_report report = examine(arrays, &memory);
         GPHYS_REQUIRE(report.bad_vertex_count == 0, "vertices: one is not finite or too large (gphys_mesh_check)");
         GPHYS_REQUIRE(report.out_of_range_count == 0, "indices: one is not below vertex_count (gphys_mesh_check)");
-        *out_mesh = wrap(create<Mesh>(settings.allocator, arrays, report));
+        *out_mesh = wrap(create<Mesh>(settings.allocator, arrays, report, chosen_isa(), settings.deformable != 0));
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_mesh_set_vertices(gphys_mesh* mesh, const float* vertices, uint32_t vertex_stride,
+                                     uint32_t vertex_count) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        Mesh& changed = *unwrap(mesh);
+        if (!changed.deformable()) return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: was not created with desc.deformable");
+        GPHYS_REQUIRE(vertex_count == changed.vertices().size(), "vertex_count: must be that of the mesh");
+        const MeshArrays arrays{vertices, vertex_stride, vertex_count, nullptr, 0};
+        GPHYS_TRY(check_arrays(arrays));
+        for (uint32_t i = 0; i < vertex_count; ++i) {
+            GPHYS_REQUIRE(!defect(arrays.vertex(i)), "vertices: one is not finite or too large");
+        }
+        if (const char* wrong = changed.set_vertices(arrays)) return invalid(wrong);
         return GPHYS_OK;
     });
 }

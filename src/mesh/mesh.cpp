@@ -1,9 +1,6 @@
 #include "mesh/mesh.h"
 
 #include <new>
-
-#include "foundation/word_hash.h"
-
 namespace gphys {
 
 namespace {
@@ -20,23 +17,45 @@ double largest_coordinate(const Vector<gphys_vec3>& vertices) {
 
 }  // namespace
 
-Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa)
-    : memory(hooks), kernels_(mesh_kernels(isa)), report_(report), octree_(&memory, isa), rays_root_(Box()) {
+Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa,
+           bool deformable)
+    : memory(hooks), kernels_(mesh_kernels(isa)), report_(report), octree_(&memory, isa), rays_root_(Box()), isa_(isa) {
     vertices_.reserve(arrays.vertex_count);
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) vertices_.push_back(arrays.vertex(i));
     if (arrays.index_count > 0) indices_.assign(arrays.indices, arrays.indices + arrays.index_count);
-    WordHash hash;
-    hash.put(vertices_.data(), vertices_.size() * (sizeof(gphys_vec3) / 4));
-    hash.put(indices_.data(), indices_.size());
-    hash_ = hash.value();
+    if (deformable) {
+        next_vertices_.resize(vertices_.size());
+        users_.emplace(&memory);
+    }
+    index_hash_.put(indices_.data(), indices_.size());
+    pack();
+    measure();
+    magnified_ = make_magnified(vertices_, magnification_);
+}
 
+MeshArrays Mesh::arrays() const {
+    return {vertices_.empty() ? nullptr : &vertices_[0].x, sizeof(gphys_vec3), static_cast<uint32_t>(vertices_.size()),
+            indices_.data(), static_cast<uint32_t>(indices_.size())};
+}
+
+void Mesh::pack() {
+    Vector<TrianglePacket> packets(&memory);
     Vector<Box> boxes(&memory);
-    pack_triangles(arrays, packets_, boxes);
+    pack_triangles(arrays(), packets, boxes);
     Vector<uint32_t> numbers(boxes.size(), &memory);
     for (uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
     octree_.build(boxes.data(), numbers.data(), static_cast<uint32_t>(numbers.size()));
-    if (packets_.empty()) return;
+    packets_.swap(packets);
+    packed_area_ = 0;
+    for (const Box& box : boxes) packed_area_ += half_area(box);
+    packed_root_area_ = half_area(bounds());
+}
 
+void Mesh::measure() noexcept {
+    WordHash hash = index_hash_;
+    hash.put(vertices_.data(), vertices_.size() * (sizeof(gphys_vec3) / 4));
+    hash_ = hash.value();
+    if (packets_.empty()) return;
     const Box box = bounds();
     rays_root_ = RaysRoot(box);
     center_ = (Vec3{box.min[0], box.min[1], box.min[2]} + Vec3{box.max[0], box.max[1], box.max[2]}) * 0.5;
@@ -46,16 +65,19 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     radius_ = std::sqrt(squared) * (1 + 0x1p-50);
     const gphys_vec3 center = narrow(center_);
     ball_ = {center, round_up((radius_ + distance(center_, widen(center))) * (1 + 0x1p-50))};
+}
 
-    const double largest = largest_coordinate(vertices_);
-    if (largest == 0 || largest > smallest_extent) return;
-    magnification_ = std::scalbn(1.0, -std::ilogb(largest));
-    Vector<gphys_vec3> vertices(&memory);
-    vertices.reserve(vertices_.size());
-    for (const gphys_vec3& vertex : vertices_) vertices.push_back(narrow(widen(vertex) * magnification_));
-    const MeshArrays larger{&vertices[0].x, sizeof(gphys_vec3), arrays.vertex_count, indices_.data(),
-                            arrays.index_count};
-    magnified_ = create<Mesh>(hooks, larger, report, isa);
+const Mesh* Mesh::make_magnified(const Vector<gphys_vec3>& vertices, double& magnification) const {
+    magnification = 1;
+    const double largest = largest_coordinate(vertices);
+    if (packets_.empty() || largest == 0 || largest > smallest_extent) return nullptr;
+    magnification = std::scalbn(1.0, -std::ilogb(largest));
+    Vector<gphys_vec3> larger(vertices.get_allocator());
+    larger.reserve(vertices.size());
+    for (const gphys_vec3& vertex : vertices) larger.push_back(narrow(widen(vertex) * magnification));
+    MeshArrays from = arrays();
+    from.vertices = &larger[0].x;
+    return create<Mesh>(memory.hooks(), from, report_, isa_);
 }
 
 void Mesh::release(const Mesh* mesh) noexcept {

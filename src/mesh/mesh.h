@@ -1,5 +1,8 @@
-// A triangle surface with its own tree. Immutable once made, so that models, scenes and threads can
-// share one; the last to let go destroys it.
+// A triangle surface with its own tree. Immutable once made, unless it was made to be deformed, so that models, scenes
+// and threads can share one; the last to let go destroys it.
+//
+//   mesh.cpp       it is made, and asked
+//   deform.cpp     it takes another form
 //
 // The tree's items are packets of up to eight triangles. All queries are in the mesh's own
 // coordinates and agree with asking each triangle in turn: tree and packets only leave out triangles
@@ -7,9 +10,12 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 
+#include "foundation/word_hash.h"
 #include "mesh/mesh_kernels.h"
 #include "mesh/mesh_ray.h"
+#include "mesh/mesh_users.h"
 #include "octree/octree.h"
 
 namespace gphys {
@@ -18,7 +24,7 @@ class Mesh {
 public:
     /// `report` is that of the arrays and finds no bad vertex and no index out of range.
     Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report,
-         Isa isa = chosen_isa());
+         Isa isa = chosen_isa(), bool deformable = false);
     ~Mesh() {
         if (magnified_) release(magnified_);
     }
@@ -28,6 +34,19 @@ public:
     void retain() const noexcept { holds_.fetch_add(1, std::memory_order_relaxed); }
     static void release(const Mesh* mesh) noexcept;
 
+    bool deformable() const { return users_.has_value(); }
+    /// Put valid vertices, as many as there are, in place of the old ones: of a deformable mesh. All answers are those
+    /// of a mesh made of them. Why a model of the mesh cannot follow, or null. What fails, or throws std::bad_alloc,
+    /// has changed nothing.
+    const char* set_vertices(const MeshArrays& arrays);
+    /// Models that have to be told of that; nothing for other meshes.
+    void join(MeshUser& user, const uint32_t* models, uint32_t count) const {
+        if (users_) users_->join(user, models, count);
+    }
+    void leave(MeshUser& user, uint32_t model) const noexcept {
+        if (users_) users_->leave(user, model);
+    }
+
     uint32_t triangle_count() const { return report_.triangle_count; }
     Triangle triangle(uint32_t index) const {
         const uint32_t* corner = indices_.data() + size_t{3} * index;
@@ -35,7 +54,8 @@ public:
     }
     const Vector<gphys_vec3>& vertices() const { return vertices_; }
     const Vector<uint32_t>& indices() const { return indices_; }
-    const gphys_mesh_report& report() const { return report_; }
+    /// Of what the vertices are now.
+    gphys_mesh_report report() const;
     /// Empty without triangles.
     Box bounds() const { return octree_.bounds(); }
     /// The centre of the bounds, and how far from it vertices are at most.
@@ -95,6 +115,17 @@ public:
     Memory memory;
 
 private:
+    /// The mesh as arrays of its own.
+    MeshArrays arrays() const;
+    /// Cut the triangles into packets and build the tree. What throws std::bad_alloc has changed nothing.
+    void pack();
+    /// Tell packets and tree where the vertices are now. The area of the packets' boxes.
+    double refit() noexcept;
+    /// What follows from the vertices and the tree.
+    void measure() noexcept;
+    /// A mesh of these vertices that is magnified, if they need one.
+    const Mesh* make_magnified(const Vector<gphys_vec3>& vertices, double& magnification) const;
+
     /// Room for many rays, of which nothing is written before it is needed.
     union PreparedRays {
         PreparedRays() {}
@@ -137,12 +168,19 @@ private:
     Vec3 center_;
     double radius_ = 0;
     gphys_sphere ball_{};
-    uint64_t hash_;
+    uint64_t hash_ = 0;
     // Of a mesh so small that the margins of tests in float, which stay clear of the smallest normal number, would
     // exclude little: the same mesh times a power of two. It answers rays, sweeps and closest points, with the same
     // bits, as nothing of that is rounded.
     const Mesh* magnified_ = nullptr;
     double magnification_ = 1;
+
+    const Isa isa_;
+    WordHash index_hash_;
+    double packed_area_ = 0, packed_root_area_ = 0;  // when the packets were cut, of their boxes and of the whole
+    // Of a deformable mesh.
+    mutable std::optional<MeshUsers> users_;
+    Vector<gphys_vec3> next_vertices_{&memory};  // while they may be refused; then the old ones
 };
 
 template <class RayOf>

@@ -55,6 +55,18 @@ uint32_t count_open_edges(const MeshArrays& arrays, std::pmr::memory_resource* m
 
 }  // namespace
 
+void count_degenerate(const MeshArrays& arrays, gphys_mesh_report& report) {
+    report.degenerate_count = 0;
+    report.first_degenerate = nothing;
+    for (uint32_t triangle = 0; triangle < report.triangle_count; ++triangle) {
+        const uint32_t* corner = arrays.indices + size_t{3} * triangle;
+        const Vec3 a = widen(arrays.vertex(corner[0])), b = widen(arrays.vertex(corner[1]));
+        if (turning_axis(a, b, widen(arrays.vertex(corner[2]))) < 0) {
+            count(triangle, report.degenerate_count, report.first_degenerate);
+        }
+    }
+}
+
 gphys_mesh_report examine(const MeshArrays& arrays, std::pmr::memory_resource* memory) {
     gphys_mesh_report report{};
     report.triangle_count = arrays.index_count / 3;

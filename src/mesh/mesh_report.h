@@ -22,6 +22,9 @@ struct MeshArrays {
     }
 };
 
+/// Of arrays without bad vertices and indices: triangles of no area, counted anew.
+void count_degenerate(const MeshArrays& arrays, gphys_mesh_report& report);
+
 /// Throws std::bad_alloc.
 gphys_mesh_report examine(const MeshArrays& arrays, std::pmr::memory_resource* memory);
 

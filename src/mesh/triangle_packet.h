@@ -23,6 +23,20 @@ struct alignas(64) TrianglePacket {
     /// Those in use.
     uint32_t lanes() const { return (1u << count()) - 1; }
     Triangle triangle(int lane) const { return {point(0, lane), point(1, lane), point(2, lane)}; }
+    Box box() const {
+        Box all;
+        for (int k = 0; k < 3; ++k) {
+            float low[8], high[8];
+            for (int lane = 0; lane < 8; ++lane) {
+                const float a = corner[0][k][lane], b = corner[1][k][lane], c = corner[2][k][lane];
+                low[lane] = std::min(std::min(a, b), c);
+                high[lane] = std::max(std::max(a, b), c);
+            }
+            all.min[k] = *std::min_element(low, low + 8);
+            all.max[k] = *std::max_element(high, high + 8);
+        }
+        return all;
+    }
 
 private:
     Vec3 point(int c, int lane) const { return {corner[c][0][lane], corner[c][1][lane], corner[c][2][lane]}; }

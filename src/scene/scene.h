@@ -283,6 +283,7 @@ private:
     uint32_t hit_at_once(const EightPairs& pairs, const Ray* rays, const Met& met) const;
     void store_shape(uint32_t slot, const void* shape);
     void discard_shape(uint32_t slot);
+    void let_go(const Mesh* mesh, uint32_t slot);
     void list_large_mesh(uint32_t slot);
     void unlist_large_mesh(uint32_t slot);
     double mesh_radius(uint32_t slot) const;
@@ -332,6 +333,17 @@ private:
     const char* carry_relatives(const gphys_model_id* models, uint32_t count, uint32_t& moved);
     void put_back_relatives(const gphys_model_id* models, uint32_t count);
 
+    /// What a deformable mesh tells of its new form, model by model.
+    class MeshFollower final : public MeshUser {
+    public:
+        explicit MeshFollower(Scene& scene) : scene_(scene) {}
+        const char* refusal_of_mesh(uint32_t slot) const override;
+        void mesh_changed(uint32_t slot) noexcept override;
+
+    private:
+        Scene& scene_;
+    };
+
     const SceneKernels& kernels_ = scene_kernels(chosen_isa());
     const BoundsKernels& bounds_kernels_ = bounds_kernels(chosen_isa());
     const SlotSetKernels& slot_set_kernels_ = slot_set_kernels(chosen_isa());
@@ -354,6 +366,7 @@ private:
     // many rays at once; the answers do not depend on which are listed.
     static constexpr uint32_t most_large_meshes = 4;
     uint32_t large_meshes_[most_large_meshes], large_mesh_count_ = 0;
+    MeshFollower mesh_follower_{*this};
 };
 
 template <class Visit>

@@ -53,7 +53,22 @@ void Scene::store_shape(uint32_t slot, const void* shape) {
 }
 
 void Scene::discard_shape(uint32_t slot) {
-    if (models_[slot].type() == GPHYS_SHAPE_MESH) Mesh::release(stored<const Mesh*>(slot));
+    if (models_[slot].type() == GPHYS_SHAPE_MESH) let_go(stored<const Mesh*>(slot), slot);
+}
+
+void Scene::let_go(const Mesh* mesh, uint32_t slot) {
+    mesh->leave(mesh_follower_, slot);
+    Mesh::release(mesh);
+}
+
+const char* Scene::MeshFollower::refusal_of_mesh(uint32_t slot) const {
+    Box box;
+    return scene_.place(slot, scene_.models_[slot].world, box);
+}
+
+void Scene::MeshFollower::mesh_changed(uint32_t slot) noexcept {
+    scene_.octree_.update(slot, scene_.world_box(slot, scene_.models_[slot].world));
+    scene_.farthest_point_ = std::max(scene_.farthest_point_, scene_.farthest_point(slot));
 }
 
 gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
@@ -82,8 +97,11 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     constexpr gphys_transform identity{{0, 0, 0}, {0, 0, 0, 1}, 1};
     const Strided<gphys_transform> local(transforms ? transforms : &identity, transforms ? transform_stride : 0);
     uint32_t placed = 0;
+    const Mesh* const mesh = type == GPHYS_SHAPE_MESH ? static_cast<const Mesh*>(shapes) : nullptr;
+    if (mesh) mesh->join(mesh_follower_, slots.data(), count);
     const auto discard_all = [&] {
         for (uint32_t i = 0; i < placed; ++i) discard_shape(slots[i]);
+        for (uint32_t i = placed; mesh && i < count; ++i) mesh->leave(mesh_follower_, slots[i]);
     };
     const uint32_t parent = IdTable::slot_of(desc.parent);
     for (; placed < count;) {
@@ -113,7 +131,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         }
     }
 
-    const bool is_empty = type == GPHYS_SHAPE_MESH && static_cast<const Mesh*>(shapes)->triangle_count() == 0;
+    const bool is_empty = mesh && mesh->triangle_count() == 0;
     common_layers_ = is_empty ? 0 : size() == 0 ? desc.layers : common_layers_ & desc.layers;
     for (uint32_t i = 0; i < count; ++i) {
         out_models[i] = ids_.add();
@@ -136,6 +154,7 @@ gphys_status Scene::set_shape(gphys_model_id id, gphys_shape_type type, const vo
     if (with_type(type, [](auto stored) { return sizeof stored > sizeof Model::shape; })) grow(shape_tails_, slot + 1);
     const bool bounded = type != GPHYS_SHAPE_PLANE, was_bounded = models_[slot].type() != GPHYS_SHAPE_PLANE;
     if (was_bounded && !bounded) reserve_more(unbounded_, 1);
+    if (type == GPHYS_SHAPE_MESH) static_cast<const Mesh*>(shape)->join(mesh_follower_, &slot, 1);
 
     Model& model = models_[slot];
     const Model old = model;
@@ -174,7 +193,7 @@ gphys_status Scene::set_shape(gphys_model_id id, gphys_shape_type type, const vo
     if (old.type() == GPHYS_SHAPE_MESH) {
         const Mesh* mesh = nullptr;
         std::memcpy(&mesh, old.shape, sizeof mesh);
-        Mesh::release(mesh);
+        let_go(mesh, slot);
     }
     return GPHYS_OK;
 }

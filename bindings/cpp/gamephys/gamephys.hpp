@@ -34,6 +34,7 @@ using ModelInfo = gphys_model_info;
 using QueryFilterDesc = gphys_query_filter_desc;
 using CameraDesc = gphys_camera_desc;
 using Orbit = gphys_orbit;
+using OrbitSpeeds = gphys_orbit_speeds;
 using SolverDesc = gphys_solver_desc;
 using BodyDesc = gphys_body_desc;
 using BodyInfo = gphys_body_info;
@@ -147,8 +148,26 @@ public:
         own(made);
     }
 
+    // Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+    // Solver::get_positions writes it. All models of the mesh have the new form from then on, in every
+    // scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+    // leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+    // surface that stands still.
+    // Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
+    // these.
+    //   - vertices: elements of 3 floats, metres; copied
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the mesh is not deformable.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for a vertex that is not finite or too large, or if a
+    // model of the mesh would reach beyond the range of coordinates.
+    // Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+    // refitted, and built again by parts where it has degraded. If the triangles have come apart so that
+    // their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+    void set_vertices(Span<const float> vertices) {
+        check(gphys_mesh_set_vertices(handle(), vertices.data, vertices.stride, vertices.size));
+    }
+
     // What the mesh was built from: the report that gamephys::mesh_check makes of its arrays.
-    // Cost: O(1).
+    // Cost: O(1); O(triangles) for a deformable mesh.
     MeshReport get_report() const {
         MeshReport out_report{};
         check(gphys_mesh_get_report(handle(), &out_report));
@@ -868,6 +887,21 @@ public:
         check(gphys_camera_set_projection(handle(), &projection));
     }
 
+    // As Camera::set_perspective, with an aspect of its own: the viewport stretches the image, as one of
+    // pixels that are not square, and does not change what is seen.
+    //   - aspect: width over height of what is seen, 1e-6 .. 1e6
+    // Cost: O(1). Since 1.1.
+    void set_perspective_aspect(float fov_y, float aspect, float near_distance, float far_distance) {
+        check(gphys_camera_set_perspective_aspect(handle(), fov_y, aspect, near_distance, far_distance));
+    }
+
+    // As Camera::set_orthographic, with a width of its own, which the viewport does not change.
+    //   - width, height: metres seen from left to right and from top to bottom, >= 1e-6
+    // Cost: O(1). Since 1.1.
+    void set_orthographic_size(float width, float height, float near_distance, float far_distance) {
+        check(gphys_camera_set_orthographic_size(handle(), width, height, near_distance, far_distance));
+    }
+
     // The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
     // makes the width more than twice GPHYS_MAX_COORDINATE.
     //   - width, height: pixels, 1e-3 .. 1e6
@@ -876,11 +910,26 @@ public:
         check(gphys_camera_set_viewport(handle(), width, height));
     }
 
+    // Where the viewport is in its window, as one of several of a split screen: pixels of all functions
+    // count from the window's top left corner. (0, 0) at creation.
+    //   - x, y: pixels of the window, of the viewport's top left corner
+    // Cost: O(1). Since 1.1.
+    void set_viewport_origin(float x, float y) {
+        check(gphys_camera_set_viewport_origin(handle(), x, y));
+    }
+
+    // Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
+    // rays of other projections always begin there.
+    // Cost: O(1). Since 1.1.
+    void set_pick_start(gphys_pick_start start) {
+        check(gphys_camera_set_pick_start(handle(), start));
+    }
+
     // How the camera projects, as it was set.
     // Result: what of the following was called last: Camera::set_perspective, as at creation,
-    // Camera::set_orthographic or Camera::set_projection. the vertical field of view in radians of a
-    // perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
-    // without a far plane; 0 of a matrix.
+    // Camera::set_orthographic (or those with a width of their own), or Camera::set_projection. the
+    // vertical field of view in radians of a perspective, the height in metres of an orthographic
+    // projection, 0 of a matrix. metres; INFINITY without a far plane; 0 of a matrix.
     // Cost: O(1).
     std::tuple<gphys_projection, float, float, float> get_projection() const {
         gphys_projection out_kind{};
@@ -901,6 +950,45 @@ public:
         return std::make_tuple(out_width, out_height);
     }
 
+    // Where the viewport is in its window, in pixels, as it was set.
+    // Cost: O(1). Since 1.1.
+    std::tuple<float, float> get_viewport_origin() const {
+        float out_x{};
+        float out_y{};
+        check(gphys_camera_get_viewport_origin(handle(), &out_x, &out_y));
+        return std::make_tuple(out_x, out_y);
+    }
+
+    // Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    // Result: 1 if Camera::set_perspective_aspect or Camera::set_orthographic_size was the last to set the
+    // projection; 0 if it follows the viewport.
+    // Cost: O(1). Since 1.1.
+    std::tuple<float, int32_t> get_aspect() const {
+        float out_aspect{};
+        int32_t out_is_fixed{};
+        check(gphys_camera_get_aspect(handle(), &out_aspect, &out_is_fixed));
+        return std::make_tuple(out_aspect, out_is_fixed);
+    }
+
+    // Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice
+    // the tangents of half the angles; over the viewport's size, what a pixel spans there), at any
+    // distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+    // Cost: O(1). Since 1.1.
+    std::tuple<float, float> get_image_size() const {
+        float out_width{};
+        float out_height{};
+        check(gphys_camera_get_image_size(handle(), &out_width, &out_height));
+        return std::make_tuple(out_width, out_height);
+    }
+
+    // Where the rays of a perspective begin, as it was set.
+    // Cost: O(1). Since 1.1.
+    gphys_pick_start get_pick_start() const {
+        gphys_pick_start out_start{};
+        check(gphys_camera_get_pick_start(handle(), &out_start));
+        return out_start;
+    }
+
     // Place the camera.
     //   - position: metres, of its centre
     //   - rotation: from its own axes to those of the world
@@ -916,6 +1004,17 @@ public:
     // Cost: O(1).
     void set_world_matrix(const Mat4& world) {
         check(gphys_camera_set_world_matrix(handle(), &world));
+    }
+
+    // Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+    // Camera::set_world_matrix. That of Camera::get_view_matrix puts a camera back within 2^-22 of its
+    // distance from the origin and 2^-22 rad.
+    // Throws Error with GPHYS_ERROR_SINGULAR if the axes do not span space.
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if they mirror, the last row is not 0 0 0 1, or the
+    // camera would be beyond GPHYS_MAX_COORDINATE.
+    // Cost: O(1). Since 1.1.
+    void set_view_matrix(const Mat4& view) {
+        check(gphys_camera_set_view_matrix(handle(), &view));
     }
 
     // Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
@@ -984,7 +1083,25 @@ public:
         return out_orbit;
     }
 
-    // Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+    // Set a speed for each input of the orbit, in place of the two of Orbit, which Camera::set_orbit
+    // starts from. Input since the last update counts by the new ones.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
+    // Cost: O(1). Since 1.1.
+    void set_orbit_speeds(const OrbitSpeeds& speeds) {
+        check(gphys_camera_set_orbit_speeds(handle(), &speeds));
+    }
+
+    // The present speeds of the orbit's inputs.
+    // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
+    // Cost: O(1). Since 1.1.
+    OrbitSpeeds get_orbit_speeds() const {
+        OrbitSpeeds out_speeds{};
+        check(gphys_camera_get_orbit_speeds(handle(), &out_speeds));
+        return out_speeds;
+    }
+
+    // Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit or the speeds that
+    // were set.
     //   - units_x, units_y: finite, any size
     // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
@@ -992,7 +1109,8 @@ public:
         check(gphys_camera_orbit_rotate(handle(), units_x, units_y));
     }
 
-    // Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+    // Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+    // away if negative.
     //   - units: finite, any size
     // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
@@ -1001,7 +1119,7 @@ public:
     }
 
     // Add input to the orbit: move the target to the camera's right and up, as the last update left them,
-    // by units times metres_per_unit.
+    // by units times metres_per_unit or the speeds that were set.
     //   - units_right, units_up: finite, any size
     // Throws Error with GPHYS_ERROR_UNSUPPORTED if the camera was never set to orbit.
     // Cost: O(1).
@@ -1033,6 +1151,27 @@ public:
     std::optional<std::array<Vec3, 8>> get_corners() const {
         std::array<Vec3, 8> out_corners{};
         if (!found(gphys_camera_get_corners(handle(), out_corners.data()))) return std::nullopt;
+        return out_corners;
+    }
+
+    // What is seen in a rectangle of pixels, as Camera::get_frustum: of a tile, a marquee, a portal.
+    //   - x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+    // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT if the rectangle has no area, or a side of what a
+    // matrix shows in it lies at infinity or beyond GPHYS_MAX_COORDINATE.
+    // Cost: O(1). Since 1.1.
+    Frustum get_rectangle_frustum(float x0, float y0, float x1, float y1) const {
+        Frustum out_frustum{};
+        check(gphys_camera_get_rectangle_frustum(handle(), x0, y0, x1, y1, &out_frustum));
+        return out_frustum;
+    }
+
+    // World positions of the corners of what is seen in a rectangle of pixels, as Camera::get_corners.
+    //   - x0, y0, x1, y1: as Camera::get_rectangle_frustum
+    // Result: std::nullopt as Camera::get_corners.
+    // Cost: O(1). Since 1.1.
+    std::optional<std::array<Vec3, 8>> get_rectangle_corners(float x0, float y0, float x1, float y1) const {
+        std::array<Vec3, 8> out_corners{};
+        if (!found(gphys_camera_get_rectangle_corners(handle(), x0, y0, x1, y1, out_corners.data()))) return std::nullopt;
         return out_corners;
     }
 
@@ -1077,11 +1216,12 @@ public:
         check(gphys_camera_unproject_batch(handle(), pixels.data, pixels.stride, count, out_points.data, out_points.stride));
     }
 
-    // The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
-    // the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
-    // image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
-    // half an ulp of a direction can be; Camera::pick is not so limited. For perspective the stretch
-    // before the near plane is part of the ray.
+    // The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+    // (INFINITY without one). With GPHYS_PICK_FROM_CENTRE that of a perspective starts at the camera's
+    // position. Its image is within 1e-3 pixel of the given one or, for fields of view below about 3
+    // degrees, as near as half an ulp of a direction can be. Where it starts is rounded to float32
+    // besides, which moves it by half an ulp of the coordinates (not from the camera's position, which is
+    // one of floats); Camera::pick is not so limited.
     //   - pixel_x, pixel_y: pixels; may lie outside the viewport
     // Result: std::nullopt if the line of sight does not meet the near plane (user projections), or would
     // begin beyond GPHYS_MAX_COORDINATE.
@@ -1101,7 +1241,7 @@ public:
     }
 
     // The model under a pixel: the first hit of Camera::pick_ray, before that is rounded to float32; t is
-    // in metres.
+    // in metres from where it starts.
     //   - pixel_x, pixel_y: pixels; may lie outside the viewport
     // Result: std::nullopt if nothing is found.
     // Cost: O(log n) expected.
@@ -1844,6 +1984,37 @@ inline std::optional<std::array<Vec3, 8>> frustum_corners(const Frustum& frustum
     std::array<Vec3, 8> out_corners{};
     if (!found(gphys_frustum_corners(&frustum, out_corners.data()))) return std::nullopt;
     return out_corners;
+}
+
+// The point that three planes have in common, within an ulp of each coordinate.
+// Result: std::nullopt if the planes have no single point in common, which is decided exactly, or one
+// beyond GPHYS_MAX_COORDINATE.
+// Cost: O(1). Source: Cramer's rule. Since 1.1.
+inline std::optional<Vec3> planes_intersection(const Plane& a, const Plane& b, const Plane& c) {
+    Vec3 out_point{};
+    if (!found(gphys_planes_intersection(&a, &b, &c, &out_point))) return std::nullopt;
+    return out_point;
+}
+
+// The points of the triples of planes, as gamephys::planes_intersection; one without gets x = y = z =
+// INFINITY.
+//   - a, b, c: the planes each
+// Cost: that of as many single calls. Since 1.1.
+inline void planes_intersection_batch(Span<const Plane> a, Span<const Plane> b, Span<const Plane> c, Span<Vec3> out_points) {
+    const uint32_t count = common_size({a.sizes(), b.sizes(), c.sizes()});
+    require_size(out_points.size, count);
+    check(gphys_planes_intersection_batch(a.data, a.stride, b.data, b.stride, c.data, c.stride, count, out_points.data, out_points.stride));
+}
+
+// How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
+// the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
+// for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+//   - matrix: elements within GPHYS_MAX_COORDINATE
+// Cost: O(1). Since 1.1.
+inline float mat4_orthonormality(const Mat4& matrix) {
+    float out_deviation{};
+    check(gphys_mat4_orthonormality(&matrix, &out_deviation));
+    return out_deviation;
 }
 
 // The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with

@@ -301,6 +301,57 @@ TEST_CASE("shapes change, trees and cameras are read") {
     CHECK((width == 200 && height == 100));
 }
 
+TEST_CASE("cameras see by aspect, in a window, from the near plane on") {
+    Camera camera;
+    camera.set_perspective_aspect(1, 2, 1, 100);
+    const auto [aspect, fixed] = camera.get_aspect();
+    CHECK((aspect == 2 && fixed));
+    camera.set_orthographic_size(8, 6, 1, 100);
+    const auto [width, height] = camera.get_image_size();
+    CHECK((width == 8 && height == 6));
+    camera.set_viewport_origin(800, 0);
+    const auto [x, y] = camera.get_viewport_origin();
+    CHECK((x == 800 && y == 0));
+    CHECK(near(camera.pick_ray(1200, 300)->origin, {0, 0, 1}));
+    camera.set_perspective(1, 1, 100);
+    camera.set_pick_start(GPHYS_PICK_FROM_CENTRE);
+    CHECK(camera.get_pick_start() == GPHYS_PICK_FROM_CENTRE);
+    CHECK(near(camera.pick_ray(1200, 300)->origin, zero));
+    camera.look_at({1, 2, 3}, zero, up);
+    const Mat4 view = camera.get_view_matrix();
+    camera.set_view_matrix(view);
+    CHECK(mat4_orthonormality(view) < 1e-6f);
+    CHECK(near(camera.get_transform().first, {1, 2, 3}));
+    const auto corners = camera.get_rectangle_corners(800, 0, 1600, 600), all = camera.get_corners();
+    for (int i = 0; i < 8; ++i) CHECK(near((*corners)[i], (*all)[i]));
+    CHECK(near(camera.get_rectangle_frustum(800, 0, 1200, 600).origin, {1, 2, 3}));
+    camera.set_orbit(orbit());
+    camera.set_orbit_speeds({0.5f, 1, 2, 3, 4});
+    CHECK(camera.get_orbit_speeds().pan_y == 4);
+    camera.orbit_rotate(1, 0);
+    camera.orbit_update();
+    CHECK(camera.get_orbit().yaw == 0.5f);
+    const Plane x1{{1, 0, 0}, 1}, y2{up, 2}, z3{{0, 0, 1}, 3};
+    CHECK(near(*planes_intersection(x1, y2, z3), {1, 2, 3}));
+    CHECK(!planes_intersection(x1, y2, y2));
+    std::vector<Vec3> points(2);
+    planes_intersection_batch(std::vector<Plane>{x1, x1}, std::vector<Plane>{y2, y2}, std::vector<Plane>{z3, y2}, points);
+    CHECK((near(points[0], {1, 2, 3}) && points[1].x == INF));
+}
+
+TEST_CASE("a mesh deforms, and its models with it") {
+    MeshDesc desc = mesh_desc();
+    desc.deformable = 1;
+    std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const auto numbers = [&] { return Span<const float>(&corners[0].x, 3, 12); };
+    Mesh mesh(numbers(), std::vector<uint32_t>{0, 1, 2}, &desc);
+    Scene scene;
+    const gphys_model_id model = scene.add(mesh);
+    for (Vec3& corner : corners) corner.z = 7;
+    mesh.set_vertices(numbers());
+    CHECK(std::fabs(scene.get_bounds(model)->min.z - 7) < 1e-3f);
+}
+
 TEST_CASE("lists of any length") {
     Scene scene;
     std::vector<gphys_model_id> models(500);  // more than the first guess has room for

@@ -26,8 +26,28 @@ public sealed partial class Mesh : IDisposable {
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
+    /// <summary>Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+    /// Solver.GetPositions writes it. All models of the mesh have the new form from then on, in every
+    /// scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+    /// leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+    /// surface that stands still.
+    /// Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
+    /// these.
+    /// Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+    /// refitted, and built again by parts where it has degraded. If the triangles have come apart so that
+    /// their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.</summary>
+    /// <param name="vertices">elements of 3 floats, metres; copied</param>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the mesh is not
+    /// deformable</exception>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for a vertex that is not finite or
+    /// too large, or if a model of the mesh would reach beyond the range of coordinates</exception>
+    public unsafe void SetVertices(ReadOnlySpan<Vec3> vertices) {
+        fixed (Vec3* vertices_ = &MemoryMarshal.GetReference(vertices))
+        Check(Low.gphys_mesh_set_vertices(Handle, (float*)vertices_, SizeOf(vertices), (uint)vertices.Length));
+    }
+
     /// <summary>What the mesh was built from: the report that Geometry.MeshCheck makes of its arrays.
-    /// Cost: O(1).</summary>
+    /// Cost: O(1); O(triangles) for a deformable mesh.</summary>
     public unsafe MeshReport GetReport() {
         var report = default(MeshReport);
         Check(Low.gphys_mesh_get_report(Handle, &report));
@@ -1118,6 +1138,22 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_set_projection(Handle, &projection));
     }
 
+    /// <summary>As Camera.SetPerspective, with an aspect of its own: the viewport stretches the image, as one of
+    /// pixels that are not square, and does not change what is seen.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <param name="aspect">width over height of what is seen, 1e-6 .. 1e6</param>
+    public unsafe void SetPerspectiveAspect(float fovY, float aspect, float nearDistance, float farDistance) {
+        Check(Low.gphys_camera_set_perspective_aspect(Handle, fovY, aspect, nearDistance, farDistance));
+    }
+
+    /// <summary>As Camera.SetOrthographic, with a width of its own, which the viewport does not change.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <param name="width">metres seen from left to right and from top to bottom, &gt;= 1e-6</param>
+    /// <param name="height">metres seen from left to right and from top to bottom, &gt;= 1e-6</param>
+    public unsafe void SetOrthographicSize(float width, float height, float nearDistance, float farDistance) {
+        Check(Low.gphys_camera_set_orthographic_size(Handle, width, height, nearDistance, farDistance));
+    }
+
     /// <summary>The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
     /// makes the width more than twice MaxCoordinate.
     /// Cost: O(1).</summary>
@@ -1127,12 +1163,28 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_set_viewport(Handle, width, height));
     }
 
+    /// <summary>Where the viewport is in its window, as one of several of a split screen: pixels of all functions
+    /// count from the window's top left corner. (0, 0) at creation.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <param name="x">pixels of the window, of the viewport's top left corner</param>
+    /// <param name="y">pixels of the window, of the viewport's top left corner</param>
+    public unsafe void SetViewportOrigin(float x, float y) {
+        Check(Low.gphys_camera_set_viewport_origin(Handle, x, y));
+    }
+
+    /// <summary>Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
+    /// rays of other projections always begin there.
+    /// Cost: O(1). Since 1.1.</summary>
+    public unsafe void SetPickStart(PickStart start) {
+        Check(Low.gphys_camera_set_pick_start(Handle, start));
+    }
+
     /// <summary>How the camera projects, as it was set.
     /// Cost: O(1).</summary>
     /// <returns>what of the following was called last: Camera.SetPerspective, as at creation,
-    /// Camera.SetOrthographic or Camera.SetProjection. the vertical field of view in radians of a
-    /// perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
-    /// without a far plane; 0 of a matrix.</returns>
+    /// Camera.SetOrthographic (or those with a width of their own), or Camera.SetProjection. the vertical
+    /// field of view in radians of a perspective, the height in metres of an orthographic projection, 0 of
+    /// a matrix. metres; INFINITY without a far plane; 0 of a matrix.</returns>
     public unsafe (Projection Kind, float Size, float Near, float Far) GetProjection() {
         var kind = default(Projection);
         var size = default(float);
@@ -1152,6 +1204,45 @@ public sealed partial class Camera : IDisposable {
         return (width, height);
     }
 
+    /// <summary>Where the viewport is in its window, in pixels, as it was set.
+    /// Cost: O(1). Since 1.1.</summary>
+    public unsafe (float X, float Y) GetViewportOrigin() {
+        var x = default(float);
+        var y = default(float);
+        Check(Low.gphys_camera_get_viewport_origin(Handle, &x, &y));
+        return (x, y);
+    }
+
+    /// <summary>Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <returns>1 if Camera.SetPerspectiveAspect or Camera.SetOrthographicSize was the last to set the
+    /// projection; 0 if it follows the viewport.</returns>
+    public unsafe (float Aspect, bool Isfixed) GetAspect() {
+        var aspect = default(float);
+        var isFixed = default(int);
+        Check(Low.gphys_camera_get_aspect(Handle, &aspect, &isFixed));
+        return (aspect, isFixed != 0);
+    }
+
+    /// <summary>Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice
+    /// the tangents of half the angles; over the viewport's size, what a pixel spans there), at any
+    /// distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+    /// Cost: O(1). Since 1.1.</summary>
+    public unsafe (float Width, float Height) GetImageSize() {
+        var width = default(float);
+        var height = default(float);
+        Check(Low.gphys_camera_get_image_size(Handle, &width, &height));
+        return (width, height);
+    }
+
+    /// <summary>Where the rays of a perspective begin, as it was set.
+    /// Cost: O(1). Since 1.1.</summary>
+    public unsafe PickStart GetPickStart() {
+        var start = default(PickStart);
+        Check(Low.gphys_camera_get_pick_start(Handle, &start));
+        return start;
+    }
+
     /// <summary>Place the camera.
     /// Cost: O(1).</summary>
     /// <param name="position">metres, of its centre</param>
@@ -1168,6 +1259,17 @@ public sealed partial class Camera : IDisposable {
     /// not 0 0 0 1</exception>
     public unsafe void SetWorldMatrix(Mat4 world) {
         Check(Low.gphys_camera_set_world_matrix(Handle, &world));
+    }
+
+    /// <summary>Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+    /// Camera.SetWorldMatrix. That of Camera.GetViewMatrix puts a camera back within 2^-22 of its distance
+    /// from the origin and 2^-22 rad.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorSingular: if the axes do not span space</exception>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if they mirror, the last row is not
+    /// 0 0 0 1, or the camera would be beyond MaxCoordinate</exception>
+    public unsafe void SetViewMatrix(Mat4 view) {
+        Check(Low.gphys_camera_set_view_matrix(Handle, &view));
     }
 
     /// <summary>Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
@@ -1238,7 +1340,27 @@ public sealed partial class Camera : IDisposable {
         return orbit;
     }
 
-    /// <summary>Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit.
+    /// <summary>Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.SetOrbit starts
+    /// from. Input since the last update counts by the new ones.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
+    /// orbit</exception>
+    public unsafe void SetOrbitSpeeds(OrbitSpeeds speeds) {
+        Check(Low.gphys_camera_set_orbit_speeds(Handle, &speeds));
+    }
+
+    /// <summary>The present speeds of the orbit's inputs.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
+    /// orbit</exception>
+    public unsafe OrbitSpeeds GetOrbitSpeeds() {
+        var speeds = default(OrbitSpeeds);
+        Check(Low.gphys_camera_get_orbit_speeds(Handle, &speeds));
+        return speeds;
+    }
+
+    /// <summary>Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit or the speeds that
+    /// were set.
     /// Cost: O(1).</summary>
     /// <param name="unitsX">finite, any size</param>
     /// <param name="unitsY">finite, any size</param>
@@ -1248,7 +1370,8 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_orbit_rotate(Handle, unitsX, unitsY));
     }
 
-    /// <summary>Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+    /// <summary>Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+    /// away if negative.
     /// Cost: O(1).</summary>
     /// <param name="units">finite, any size</param>
     /// <exception cref="GamephysException">Status.ErrorUnsupported: if the camera was never set to
@@ -1258,7 +1381,7 @@ public sealed partial class Camera : IDisposable {
     }
 
     /// <summary>Add input to the orbit: move the target to the camera's right and up, as the last update left them,
-    /// by units times metres_per_unit.
+    /// by units times metres_per_unit or the speeds that were set.
     /// Cost: O(1).</summary>
     /// <param name="unitsRight">finite, any size</param>
     /// <param name="unitsUp">finite, any size</param>
@@ -1295,6 +1418,35 @@ public sealed partial class Camera : IDisposable {
         Status status;
         fixed (Vec3* corners_ = corners)
         status = Low.gphys_camera_get_corners(Handle, corners_);
+        return Found(status) ? corners : null;
+    }
+
+    /// <summary>What is seen in a rectangle of pixels, as Camera.GetFrustum: of a tile, a marquee, a portal.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <param name="x0">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <param name="y0">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <param name="x1">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <param name="y1">pixels, opposite corners in any order; may lie outside the viewport</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: if the rectangle has no area, or a
+    /// side of what a matrix shows in it lies at infinity or beyond MaxCoordinate</exception>
+    public unsafe Frustum GetRectangleFrustum(float x0, float y0, float x1, float y1) {
+        var frustum = default(Frustum);
+        Check(Low.gphys_camera_get_rectangle_frustum(Handle, x0, y0, x1, y1, &frustum));
+        return frustum;
+    }
+
+    /// <summary>World positions of the corners of what is seen in a rectangle of pixels, as Camera.GetCorners.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <param name="x0">as Camera.GetRectangleFrustum</param>
+    /// <param name="y0">as Camera.GetRectangleFrustum</param>
+    /// <param name="x1">as Camera.GetRectangleFrustum</param>
+    /// <param name="y1">as Camera.GetRectangleFrustum</param>
+    /// <returns>null as Camera.GetCorners.</returns>
+    public unsafe Vec3[] GetRectangleCorners(float x0, float y0, float x1, float y1) {
+        var corners = new Vec3[8];
+        Status status;
+        fixed (Vec3* corners_ = corners)
+        status = Low.gphys_camera_get_rectangle_corners(Handle, x0, y0, x1, y1, corners_);
         return Found(status) ? corners : null;
     }
 
@@ -1342,11 +1494,12 @@ public sealed partial class Camera : IDisposable {
         Check(Low.gphys_camera_unproject_batch(Handle, pixels_, StrideOf(pixels), count, points_, (uint)sizeof(Vec3)));
     }
 
-    /// <summary>The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
-    /// the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
-    /// image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
-    /// half an ulp of a direction can be; Camera.Pick is not so limited. For perspective the stretch before
-    /// the near plane is part of the ray.
+    /// <summary>The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+    /// (INFINITY without one). With PickStart.Centre that of a perspective starts at the camera's position.
+    /// Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+    /// near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
+    /// moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
+    /// Camera.Pick is not so limited.
     /// Cost: O(1).</summary>
     /// <param name="pixelX">pixels; may lie outside the viewport</param>
     /// <param name="pixelY">pixels; may lie outside the viewport</param>
@@ -1371,7 +1524,7 @@ public sealed partial class Camera : IDisposable {
     }
 
     /// <summary>The model under a pixel: the first hit of Camera.PickRay, before that is rounded to float32; t is in
-    /// metres.
+    /// metres from where it starts.
     /// Cost: O(log n) expected.</summary>
     /// <param name="pixelX">pixels; may lie outside the viewport</param>
     /// <param name="pixelY">pixels; may lie outside the viewport</param>
@@ -2397,6 +2550,43 @@ public static partial class Geometry {
         fixed (Vec3* corners_ = corners)
         status = Low.gphys_frustum_corners(&frustum, corners_);
         return Found(status) ? corners : null;
+    }
+
+    /// <summary>The point that three planes have in common, within an ulp of each coordinate.
+    /// Cost: O(1). Source: Cramer's rule. Since 1.1.</summary>
+    /// <returns>null if the planes have no single point in common, which is decided exactly, or one beyond
+    /// MaxCoordinate.</returns>
+    public static unsafe Vec3? PlanesIntersection(Plane a, Plane b, Plane c) {
+        var point = default(Vec3);
+        var status = Low.gphys_planes_intersection(&a, &b, &c, &point);
+        return Found(status) ? point : (Vec3?)null;
+    }
+
+    /// <summary>The points of the triples of planes, as Geometry.PlanesIntersection; one without gets x = y = z =
+    /// INFINITY.
+    /// Cost: that of as many single calls. Since 1.1.</summary>
+    /// <param name="a">the planes each</param>
+    /// <param name="b">the planes each</param>
+    /// <param name="c">the planes each</param>
+    public static unsafe void PlanesIntersectionBatch(ReadOnlySpan<Plane> a, ReadOnlySpan<Plane> b, ReadOnlySpan<Plane> c, Span<Vec3> points) {
+        var count = CommonLength(-1, a.Length, b.Length, c.Length);
+        RequireLength(points.Length, count);
+        fixed (Plane* a_ = &MemoryMarshal.GetReference(a))
+        fixed (Plane* b_ = &MemoryMarshal.GetReference(b))
+        fixed (Plane* c_ = &MemoryMarshal.GetReference(c))
+        fixed (Vec3* points_ = &MemoryMarshal.GetReference(points))
+        Check(Low.gphys_planes_intersection_batch(a_, StrideOf(a), b_, StrideOf(b), c_, StrideOf(c), count, points_, (uint)sizeof(Vec3)));
+    }
+
+    /// <summary>How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
+    /// the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
+    /// for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+    /// Cost: O(1). Since 1.1.</summary>
+    /// <param name="matrix">elements within MaxCoordinate</param>
+    public static unsafe float Mat4Orthonormality(Mat4 matrix) {
+        var deviation = default(float);
+        Check(Low.gphys_mat4_orthonormality(&matrix, &deviation));
+        return deviation;
     }
 
     /// <summary>The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with

@@ -86,6 +86,14 @@ public enum Handedness {
     RightHanded = 1,
 }
 
+/// <summary>Where the rays of a perspective camera begin.</summary>
+public enum PickStart {
+    /// <summary>what is drawn can be picked, and nothing before it</summary>
+    NearPlane = 0,
+    /// <summary>at the camera's position: what is between it and the near plane, too</summary>
+    Centre = 1,
+}
+
 public enum BodyKind {
     Particles = 1,
     Rope = 2,
@@ -384,6 +392,10 @@ public partial struct MeshDesc {
     /// The address of a gphys_allocator.
     /// </summary>
     public IntPtr Allocator;
+    /// <summary>1: Mesh.SetVertices will be called; 12 bytes a vertex more. Since 1.1</summary>
+    public int Deformable;
+    /// <summary>0</summary>
+    internal uint Reserved;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe MeshDesc Default {
         get {
@@ -577,6 +589,21 @@ public partial struct Orbit {
     public float MinPitch;
     /// <summary>within -pi/2 .. pi/2</summary>
     public float MaxPitch;
+}
+
+/// <summary>What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct OrbitSpeeds {
+    /// <summary>radians a unit, of yaw and pitch</summary>
+    public float RotateX;
+    /// <summary>radians a unit, of yaw and pitch</summary>
+    public float RotateY;
+    /// <summary>metres a unit</summary>
+    public float Zoom;
+    /// <summary>metres a unit, to the right and up</summary>
+    public float PanX;
+    /// <summary>metres a unit, to the right and up</summary>
+    public float PanY;
 }
 
 [StructLayout(LayoutKind.Sequential)]

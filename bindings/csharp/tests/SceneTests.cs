@@ -135,6 +135,49 @@ public class SceneTests {
     }
 
     [Test]
+    public void CamerasSeeByAspectInAWindowFromTheNearPlaneOn() {
+        var camera = new Camera();
+        camera.SetPerspectiveAspect(1, 2, 1, 100);
+        Assert.AreEqual((2f, true), camera.GetAspect());
+        camera.SetOrthographicSize(8, 6, 1, 100);
+        Assert.AreEqual((8f, 6f), camera.GetImageSize());
+        camera.SetViewportOrigin(800, 0);
+        Assert.AreEqual((800f, 0f), camera.GetViewportOrigin());
+        camera.SetPerspective(1, 1, 100);
+        Assert.AreEqual(1, camera.PickRay(1200, 300).Value.Origin.Z);
+        camera.SetPickStart(PickStart.Centre);
+        Assert.AreEqual(PickStart.Centre, camera.GetPickStart());
+        Assert.AreEqual(0, camera.PickRay(1200, 300).Value.Origin.Z);
+        camera.LookAt((1, 2, 3), (0, 0, 0), Up);
+        var view = camera.GetViewMatrix();
+        camera.SetViewMatrix(view);
+        Assert.Less(Geometry.Mat4Orthonormality(view), 1e-6f);
+        Assert.AreEqual(3, camera.GetTransform().Position.Z, 1e-5);
+        CollectionAssert.AreEqual(camera.GetCorners(), camera.GetRectangleCorners(800, 0, 1600, 600));
+        Assert.AreEqual(3, camera.GetRectangleFrustum(800, 0, 1200, 600).Origin.Z, 1e-5);
+        camera.SetOrbit(Orbit.Default);
+        camera.SetOrbitSpeeds(new OrbitSpeeds { RotateX = 0.5f, RotateY = 1, Zoom = 2, PanX = 3, PanY = 4 });
+        Assert.AreEqual(4, camera.GetOrbitSpeeds().PanY);
+        Plane x1 = new Plane((1, 0, 0), 1), y2 = new Plane((0, 1, 0), 2), z3 = new Plane((0, 0, 1), 3);
+        Assert.AreEqual((Vec3)(1, 2, 3), Geometry.PlanesIntersection(x1, y2, z3).Value);
+        Assert.IsNull(Geometry.PlanesIntersection(x1, y2, y2));
+        var points = new Vec3[2];
+        Geometry.PlanesIntersectionBatch(new[] { x1 }, new[] { y2 }, new[] { z3, y2 }, points);
+        Assert.AreEqual((3f, Far), (points[0].Z, points[1].Z));
+    }
+
+    [Test]
+    public void AMeshDeformsAndItsModelsWithIt() {
+        var desc = MeshDesc.Default;
+        desc.Deformable = 1;
+        var mesh = new Mesh(new Vec3[] { (0, 0, 0), (1, 0, 0), (0, 1, 0) }, new uint[] { 0, 1, 2 }, desc);
+        var scene = new Scene();
+        var model = scene.Add(mesh);
+        mesh.SetVertices(new Vec3[] { (0, 0, 7), (1, 0, 7), (0, 1, 7) });
+        Assert.AreEqual(7, scene.GetBounds(model).Value.Min.Z, 1e-3);
+    }
+
+    [Test]
     public void SpansArePartsOfArrays() {
         uint[] models;
         var scene = SceneOfBalls(out models);

@@ -277,6 +277,47 @@ public class GamephysTest {
     }
 
     @Test
+    public void camerasSeeByAspectInAWindowFromTheNearPlaneOn() {
+        Camera camera = new Camera();
+        camera.setPerspectiveAspect(1, 2, 1, 100);
+        assertEquals(new Camera.AspectResult(2, true), camera.getAspect());
+        camera.setOrthographicSize(8, 6, 1, 100);
+        assertEquals(new Camera.ImageSizeResult(8, 6), camera.getImageSize());
+        camera.setViewportOrigin(800, 0);
+        assertEquals(new Camera.ViewportOriginResult(800, 0), camera.getViewportOrigin());
+        camera.setPerspective(1, 1, 100);
+        assertEquals(1, camera.pickRay(1200, 300).orElseThrow().origin().z(), 0);
+        camera.setPickStart(Gamephys.PICK_FROM_CENTRE);
+        assertEquals(Gamephys.PICK_FROM_CENTRE, camera.getPickStart());
+        assertEquals(0, camera.pickRay(1200, 300).orElseThrow().origin().z(), 0);
+        Mat4 view = camera.getViewMatrix();
+        camera.setViewMatrix(view);
+        assertEquals(0, mat4Orthonormality(view), 0);
+        assertEquals(camera.getCorners(), camera.getRectangleCorners(800, 0, 1600, 600));
+        assertEquals(ZERO, camera.getRectangleFrustum(800, 0, 1200, 600).origin());
+        camera.setOrbit(Orbit.defaults());
+        OrbitSpeeds speeds = new OrbitSpeeds(0.5f, 1, 2, 3, 4);
+        camera.setOrbitSpeeds(speeds);
+        assertEquals(speeds, camera.getOrbitSpeeds());
+        Plane x1 = new Plane(v(1, 0, 0), 1), y2 = new Plane(UP, 2), z3 = new Plane(v(0, 0, 1), 3);
+        assertEquals(v(1, 2, 3), planesIntersection(x1, y2, z3).orElseThrow());
+        assertTrue(planesIntersection(x1, y2, y2).isEmpty());
+        Batch<Plane> last = Batch.copyOf(Plane.LAYOUT, List.of(z3, y2));
+        Batch<Vec3> points = planesIntersectionBatch(Batch.copyOf(Plane.LAYOUT, List.of(x1, x1)),
+            Batch.copyOf(Plane.LAYOUT, List.of(y2, y2)), last);
+        assertEquals(v(1, 2, 3), points.get(0));
+    }
+
+    @Test
+    public void aMeshDeformsAndItsModelsWithIt() {
+        Mesh mesh = new Mesh(Batch.floats(0, 0, 0, 1, 0, 0, 0, 1, 0), Batch.ints(0, 1, 2), new MeshDesc().deformable(1));
+        Scene scene = new Scene();
+        int model = scene.add(mesh);
+        mesh.setVertices(Batch.floats(0, 0, 7, 1, 0, 7, 0, 1, 7));
+        assertEquals(7, scene.getBounds(model).orElseThrow().min().z(), 1e-3);
+    }
+
+    @Test
     public void listsOfAnyLength() {
         Scene scene = new Scene();
         Batch<Integer> models = scene.addBatch(Shapes.of(Batch.allocate(Sphere.LAYOUT, 500))); // more than the first guess has room for

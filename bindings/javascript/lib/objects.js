@@ -1,6 +1,6 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 import { ALL_LAYERS, ERROR_INVALID_ID, OK } from './constants.js';
-import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readPenetration, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
+import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readOrbitSpeeds, readPenetration, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writeOrbitSpeeds, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
 import { Shape, runtime } from './runtime.js';
 
 /** Everything of the library but constants, over one way to reach its memory and functions. */
@@ -12,12 +12,17 @@ export function objects(memory) {
         constructor(vertices, indices, desc) {
             super(() => {
                 begin();
-                if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 16 : 8)); writeMeshDesc(v, 0, desc); }
+                if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
                 const vertices_ = input(vertices, 12, 'vertices');
                 const indices_ = input(indices, 4, 'indices');
-                check(native.gphys_mesh_create(desc == null ? 0 : base, pass(vertices_), 12, vertices_.length, pass(indices_), indices_.numbers, base + 16));
-                return made(16);
+                check(native.gphys_mesh_create(desc == null ? 0 : base, pass(vertices_), 12, vertices_.length, pass(indices_), indices_.numbers, base + 24));
+                return made(24);
             }, native.gphys_mesh_destroy);
+        }
+        setVertices(vertices) {
+            begin();
+            const vertices_ = input(vertices, 12, 'vertices');
+            check(native.gphys_mesh_set_vertices(this.pointer, pass(vertices_), 12, vertices_.length));
         }
         getReport() {
             check(native.gphys_mesh_get_report(this.pointer, base));
@@ -458,8 +463,20 @@ export function objects(memory) {
             writeMat4(v, 0, projection);
             check(native.gphys_camera_set_projection(this.pointer, base));
         }
+        setPerspectiveAspect(fov_y, aspect, near_distance, far_distance) {
+            check(native.gphys_camera_set_perspective_aspect(this.pointer, fov_y, aspect, near_distance, far_distance));
+        }
+        setOrthographicSize(width, height, near_distance, far_distance) {
+            check(native.gphys_camera_set_orthographic_size(this.pointer, width, height, near_distance, far_distance));
+        }
         setViewport(width, height) {
             check(native.gphys_camera_set_viewport(this.pointer, width, height));
+        }
+        setViewportOrigin(x, y) {
+            check(native.gphys_camera_set_viewport_origin(this.pointer, x, y));
+        }
+        setPickStart(start) {
+            check(native.gphys_camera_set_pick_start(this.pointer, +start));
         }
         getProjection() {
             check(native.gphys_camera_get_projection(this.pointer, base, base + 4, base + 8, base + 12));
@@ -469,6 +486,22 @@ export function objects(memory) {
             check(native.gphys_camera_get_viewport(this.pointer, base, base + 4));
             return [v.f32[0], v.f32[1]];
         }
+        getViewportOrigin() {
+            check(native.gphys_camera_get_viewport_origin(this.pointer, base, base + 4));
+            return [v.f32[0], v.f32[1]];
+        }
+        getAspect() {
+            check(native.gphys_camera_get_aspect(this.pointer, base, base + 4));
+            return [v.f32[0], v.i32[1] !== 0];
+        }
+        getImageSize() {
+            check(native.gphys_camera_get_image_size(this.pointer, base, base + 4));
+            return [v.f32[0], v.f32[1]];
+        }
+        getPickStart() {
+            check(native.gphys_camera_get_pick_start(this.pointer, base));
+            return v.i32[0];
+        }
         setTransform(position, rotation) {
             writeVec3(v, 0, position);
             writeQuat(v, 4, rotation);
@@ -477,6 +510,10 @@ export function objects(memory) {
         setWorldMatrix(world) {
             writeMat4(v, 0, world);
             check(native.gphys_camera_set_world_matrix(this.pointer, base));
+        }
+        setViewMatrix(view) {
+            writeMat4(v, 0, view);
+            check(native.gphys_camera_set_view_matrix(this.pointer, base));
         }
         lookAt(eye, target, up) {
             writeVec3(v, 0, eye);
@@ -512,6 +549,14 @@ export function objects(memory) {
             check(native.gphys_camera_get_orbit(this.pointer, base));
             return readOrbit(v, 0);
         }
+        setOrbitSpeeds(speeds) {
+            writeOrbitSpeeds(v, 0, speeds);
+            check(native.gphys_camera_set_orbit_speeds(this.pointer, base));
+        }
+        getOrbitSpeeds() {
+            check(native.gphys_camera_get_orbit_speeds(this.pointer, base));
+            return readOrbitSpeeds(v, 0);
+        }
         orbitRotate(units_x, units_y) {
             check(native.gphys_camera_orbit_rotate(this.pointer, units_x, units_y));
         }
@@ -530,6 +575,14 @@ export function objects(memory) {
         }
         getCorners() {
             if (check(native.gphys_camera_get_corners(this.pointer, base)) !== OK) return null;
+            return [readVec3(v, 0), readVec3(v, 3), readVec3(v, 6), readVec3(v, 9), readVec3(v, 12), readVec3(v, 15), readVec3(v, 18), readVec3(v, 21)];
+        }
+        getRectangleFrustum(x0, y0, x1, y1) {
+            check(native.gphys_camera_get_rectangle_frustum(this.pointer, x0, y0, x1, y1, base));
+            return readFrustum(v, 0);
+        }
+        getRectangleCorners(x0, y0, x1, y1) {
+            if (check(native.gphys_camera_get_rectangle_corners(this.pointer, x0, y0, x1, y1, base)) !== OK) return null;
             return [readVec3(v, 0), readVec3(v, 3), readVec3(v, 6), readVec3(v, 9), readVec3(v, 12), readVec3(v, 15), readVec3(v, 18), readVec3(v, 21)];
         }
         project(point) {
@@ -920,6 +973,28 @@ export function objects(memory) {
         if (check(native.gphys_frustum_corners(base, base + 108)) !== OK) return null;
         return [readVec3(v, 27), readVec3(v, 30), readVec3(v, 33), readVec3(v, 36), readVec3(v, 39), readVec3(v, 42), readVec3(v, 45), readVec3(v, 48)];
     }
+    function planesIntersection(a, b, c) {
+        writePlane(v, 0, a);
+        writePlane(v, 4, b);
+        writePlane(v, 8, c);
+        if (check(native.gphys_planes_intersection(base, base + 16, base + 32, base + 48)) !== OK) return null;
+        return readVec3(v, 12);
+    }
+    function planesIntersectionBatch(a, b, c, out) {
+        begin();
+        const a_ = input(a, 16, 'a');
+        const b_ = input(b, 16, 'b');
+        const c_ = input(c, 16, 'c');
+        const count = common(a_, b_, c_);
+        const out_points_ = output(out, 'vec3', count);
+        check(native.gphys_planes_intersection_batch(pass(a_), 16, pass(b_), 16, pass(c_), 16, count, pass(out_points_), 12));
+        return finish(out_points_);
+    }
+    function mat4Orthonormality(matrix) {
+        writeMat4(v, 0, matrix);
+        check(native.gphys_mat4_orthonormality(base, base + 64));
+        return v.f32[16];
+    }
     function frustumFromMatrix(view_projection, depth_range, reverse_z) {
         writeMat4(v, 0, view_projection);
         check(native.gphys_frustum_from_matrix(base, +depth_range, +reverse_z, base + 64));
@@ -933,7 +1008,7 @@ export function objects(memory) {
         return readMeshReport(v, 0);
     }
     return {
-        Mesh, Scene, Camera, Solver, validate, bounds, contains, containsBatch, closestPoint, closestPointBatch, segmentClosestPoints, overlaps, overlapsBatch, classifyPlane, classifyFrustum, raycast, raycastBatch, segmentTest, sweepSphere, sweep, penetration, frustumCorners, frustumFromMatrix, meshCheck,
+        Mesh, Scene, Camera, Solver, validate, bounds, contains, containsBatch, closestPoint, closestPointBatch, segmentClosestPoints, overlaps, overlapsBatch, classifyPlane, classifyFrustum, raycast, raycastBatch, segmentTest, sweepSphere, sweep, penetration, frustumCorners, planesIntersection, planesIntersectionBatch, mat4Orthonormality, frustumFromMatrix, meshCheck,
         sphere: (...fields) => new Shape('sphere', fields),
         capsule: (...fields) => new Shape('capsule', fields),
         aabb: (...fields) => new Shape('aabb', fields),

@@ -148,6 +148,7 @@ export function writeMeshReport(v, at, value) {
 export function writeMeshDesc(v, at, value) {
     for (const name in value) {
         switch (name) {
+            case 'deformable': v.i32[at + (v.wide ? 4 : 2)] = number(value[name], 'deformable'); break;
             default: throw new TypeError(`mesh_desc has no field ${name}`);
         }
     }
@@ -236,6 +237,15 @@ export function writeOrbit(v, at, value) {
     v.f32[at + 12] = number(rows ? value[8] : value.max_distance, 'max_distance');
     v.f32[at + 13] = number(rows ? value[9] : value.min_pitch, 'min_pitch');
     v.f32[at + 14] = number(rows ? value[10] : value.max_pitch, 'max_pitch');
+}
+export const readOrbitSpeeds = (v, at) => ({ rotate_x: v.f32[at], rotate_y: v.f32[at + 1], zoom: v.f32[at + 2], pan_x: v.f32[at + 3], pan_y: v.f32[at + 4] });
+export function writeOrbitSpeeds(v, at, value) {
+    const rows = row(value, 5, 'orbit_speeds');
+    v.f32[at] = number(rows ? value[0] : value.rotate_x, 'rotate_x');
+    v.f32[at + 1] = number(rows ? value[1] : value.rotate_y, 'rotate_y');
+    v.f32[at + 2] = number(rows ? value[2] : value.zoom, 'zoom');
+    v.f32[at + 3] = number(rows ? value[3] : value.pan_x, 'pan_x');
+    v.f32[at + 4] = number(rows ? value[4] : value.pan_y, 'pan_y');
 }
 export function writeSolverDesc(v, at, value) {
     for (const name in value) {
@@ -361,6 +371,7 @@ export const types = {
     octree_box: { size: 32, read: readOctreeBox, write: writeOctreeBox },
     model_info: { size: 20, read: readModelInfo, write: writeModelInfo },
     orbit: { size: 60, read: readOrbit, write: writeOrbit },
+    orbit_speeds: { size: 20, read: readOrbitSpeeds, write: writeOrbitSpeeds },
     body_info: { size: 20, read: readBodyInfo, write: writeBodyInfo },
     constraint_info: { size: 20, read: readConstraintInfo, write: writeConstraintInfo },
     joint_info: { size: 32, read: readJointInfo, write: writeJointInfo },

@@ -181,6 +181,40 @@ test('shapes change, trees and cameras are read', () => {
     same(camera.getViewport(), [200, 100]);
 });
 
+test('cameras see by aspect, in a window, from the near plane on', () => {
+    const camera = new gp.Camera();
+    camera.setPerspectiveAspect(1, 2, 1, 100);
+    same(camera.getAspect(), [2, true]);
+    camera.setOrthographicSize(8, 6, 1, 100);
+    same(camera.getImageSize(), [8, 6]);
+    camera.setViewportOrigin(800, 0);
+    same(camera.getViewportOrigin(), [800, 0]);
+    camera.setPerspective(1, 1, 100);
+    same([...camera.pickRay(1200, 300).origin], [0, 0, 1]);
+    camera.setPickStart(gp.PICK_FROM_CENTRE);
+    assert.strictEqual(camera.getPickStart(), gp.PICK_FROM_CENTRE);
+    same([...camera.pickRay(1200, 300).origin], [0, 0, 0]);
+    const view = camera.getViewMatrix();
+    camera.setViewMatrix(view);
+    assert.strictEqual(gp.mat4Orthonormality(view), 0);
+    same(camera.getRectangleCorners(800, 0, 1600, 600), camera.getCorners());
+    same([...camera.getRectangleFrustum(800, 0, 1200, 600).origin], [0, 0, 0]);
+    camera.setOrbit(gp.orbit());
+    camera.setOrbitSpeeds([0.5, 1, 2, 3, 4]);
+    assert.strictEqual(camera.getOrbitSpeeds().pan_y, 4);
+    const x1 = [[1, 0, 0], 1], y2 = [[0, 1, 0], 2], z3 = [[0, 0, 1], 3];
+    same([...gp.planesIntersection(x1, y2, z3)], [1, 2, 3]);
+    assert.strictEqual(gp.planesIntersection(x1, y2, y2), null);
+    same([...gp.planesIntersectionBatch(floats(1, 0, 0, 1), floats(0, 1, 0, 2), floats(0, 0, 1, 3)).get(0)], [1, 2, 3]);
+});
+
+test('a mesh deforms, and its models with it', () => {
+    const mesh = new gp.Mesh(floats(0, 0, 0, 1, 0, 0, 0, 1, 0), Uint32Array.of(0, 1, 2), { deformable: 1 });
+    const scene = new gp.Scene(), model = scene.add(mesh);
+    mesh.setVertices(floats(0, 0, 7, 1, 0, 7, 0, 1, 7));
+    near([scene.getBounds(model).min[2]], [7], 1e-3);
+});
+
 test('cameras', () => {
     const camera = new gp.Camera({ viewport_width: 200, viewport_height: 100 });
     camera.lookAt([0, 0, -10], [0, 0, 0], [0, 1, 0]);

@@ -8,6 +8,7 @@ typedef int32_t gphys_depth_range;
 typedef uint32_t gphys_model_id;
 typedef int32_t gphys_projection;
 typedef int32_t gphys_handedness;
+typedef int32_t gphys_pick_start;
 typedef uint32_t gphys_body_id;
 typedef uint32_t gphys_constraint_id;
 typedef int32_t gphys_body_kind;
@@ -37,7 +38,7 @@ typedef struct gphys_hit { uint32_t model; uint32_t tag; float t; gphys_vec3 poi
 typedef struct gphys_nearest { uint32_t model; uint32_t tag; gphys_vec3 point; float distance; uint32_t triangle; } gphys_nearest;
 typedef struct gphys_penetration { uint32_t model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; float depth; uint32_t triangle; } gphys_penetration;
 typedef struct gphys_mesh_report { uint32_t triangle_count; uint32_t degenerate_count; uint32_t first_degenerate; uint32_t out_of_range_count; uint32_t first_out_of_range; uint32_t bad_vertex_count; uint32_t first_bad_vertex; uint32_t open_edge_count; } gphys_mesh_report;
-typedef struct gphys_mesh_desc { uint32_t struct_size; const gphys_allocator *allocator; } gphys_mesh_desc;
+typedef struct gphys_mesh_desc { uint32_t struct_size; const gphys_allocator *allocator; int32_t deformable; uint32_t reserved; } gphys_mesh_desc;
 typedef struct gphys_octree_stats { uint32_t item_count; uint32_t unbounded_count; uint32_t node_count; uint32_t leaf_count; uint32_t depth; uint32_t rebuilds; float cost; uint32_t memory_bytes; } gphys_octree_stats;
 typedef struct gphys_octree_box { gphys_aabb bounds; uint32_t depth; uint32_t item_count; } gphys_octree_box;
 typedef struct gphys_scene_desc { uint32_t struct_size; const gphys_allocator *allocator; uint32_t reserve_models; const gphys_task_runner *task_runner; uint32_t worker_count; uint32_t reserved; } gphys_scene_desc;
@@ -46,6 +47,7 @@ typedef struct gphys_model_info { gphys_shape_type type; gphys_model_id parent; 
 typedef struct gphys_query_filter_desc { uint32_t struct_size; uint32_t layers; gphys_model_id ignored_model; uint32_t flags; const gphys_model_id *ignored_models; uint32_t ignored_count; uint32_t reserved; } gphys_query_filter_desc;
 typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; uint32_t reserved; } gphys_camera_desc;
 typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; float yaw; float pitch; float radians_per_unit; float metres_per_unit; float min_distance; float max_distance; float min_pitch; float max_pitch; } gphys_orbit;
+typedef struct gphys_orbit_speeds { float rotate_x; float rotate_y; float zoom; float pan_x; float pan_y; } gphys_orbit_speeds;
 typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t reserved; } gphys_solver_desc;
 typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; uint32_t self_collision; uint32_t body_layers; } gphys_body_desc;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
@@ -76,10 +78,14 @@ gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void *shape, 
 gphys_status gphys_shape_sweep(gphys_shape_type type, const void *shape, gphys_shape_type moving_type, const void *moving, const gphys_vec3 *displacement, gphys_hit *out_hit);
 gphys_status gphys_shape_penetration(gphys_shape_type type, const void *shape, gphys_shape_type moving_type, const void *moving, gphys_penetration *out_penetration);
 gphys_status gphys_frustum_corners(const gphys_frustum *frustum, gphys_vec3 *out_corners);
+gphys_status gphys_planes_intersection(const gphys_plane *a, const gphys_plane *b, const gphys_plane *c, gphys_vec3 *out_point);
+gphys_status gphys_planes_intersection_batch(const gphys_plane *a, uint32_t a_stride, const gphys_plane *b, uint32_t b_stride, const gphys_plane *c, uint32_t c_stride, uint32_t count, gphys_vec3 *out_points, uint32_t out_stride);
+gphys_status gphys_mat4_orthonormality(const gphys_mat4 *matrix, float *out_deviation);
 gphys_status gphys_frustum_from_matrix(const gphys_mat4 *view_projection, gphys_depth_range depth_range, int32_t reverse_z, gphys_frustum *out_frustum);
 gphys_status gphys_mesh_check(const float *vertices, uint32_t vertex_stride, uint32_t vertex_count, const uint32_t *indices, uint32_t index_count, gphys_mesh_report *out_report);
 gphys_status gphys_mesh_desc_init(gphys_mesh_desc *desc, uint32_t size);
 gphys_status gphys_mesh_create(const gphys_mesh_desc *desc, const float *vertices, uint32_t vertex_stride, uint32_t vertex_count, const uint32_t *indices, uint32_t index_count, gphys_mesh **out_mesh);
+gphys_status gphys_mesh_set_vertices(gphys_mesh *mesh, const float *vertices, uint32_t vertex_stride, uint32_t vertex_count);
 void gphys_mesh_destroy(gphys_mesh *mesh);
 gphys_status gphys_mesh_get_report(const gphys_mesh *mesh, gphys_mesh_report *out_report);
 gphys_status gphys_mesh_get_vertices(const gphys_mesh *mesh, gphys_vec3 *out_vertices, uint32_t capacity, uint32_t *out_total);
@@ -165,11 +171,20 @@ gphys_status gphys_camera_get_origin(const gphys_camera *camera, double *out_ori
 gphys_status gphys_camera_set_perspective(gphys_camera *camera, float fov_y, float near_distance, float far_distance);
 gphys_status gphys_camera_set_orthographic(gphys_camera *camera, float height, float near_distance, float far_distance);
 gphys_status gphys_camera_set_projection(gphys_camera *camera, const gphys_mat4 *projection);
+gphys_status gphys_camera_set_perspective_aspect(gphys_camera *camera, float fov_y, float aspect, float near_distance, float far_distance);
+gphys_status gphys_camera_set_orthographic_size(gphys_camera *camera, float width, float height, float near_distance, float far_distance);
 gphys_status gphys_camera_set_viewport(gphys_camera *camera, float width, float height);
+gphys_status gphys_camera_set_viewport_origin(gphys_camera *camera, float x, float y);
+gphys_status gphys_camera_set_pick_start(gphys_camera *camera, gphys_pick_start start);
 gphys_status gphys_camera_get_projection(const gphys_camera *camera, gphys_projection *out_kind, float *out_size, float *out_near, float *out_far);
 gphys_status gphys_camera_get_viewport(const gphys_camera *camera, float *out_width, float *out_height);
+gphys_status gphys_camera_get_viewport_origin(const gphys_camera *camera, float *out_x, float *out_y);
+gphys_status gphys_camera_get_aspect(const gphys_camera *camera, float *out_aspect, int32_t *out_is_fixed);
+gphys_status gphys_camera_get_image_size(const gphys_camera *camera, float *out_width, float *out_height);
+gphys_status gphys_camera_get_pick_start(const gphys_camera *camera, gphys_pick_start *out_start);
 gphys_status gphys_camera_set_transform(gphys_camera *camera, const gphys_vec3 *position, const gphys_quat *rotation);
 gphys_status gphys_camera_set_world_matrix(gphys_camera *camera, const gphys_mat4 *world);
+gphys_status gphys_camera_set_view_matrix(gphys_camera *camera, const gphys_mat4 *view);
 gphys_status gphys_camera_look_at(gphys_camera *camera, const gphys_vec3 *eye, const gphys_vec3 *target, const gphys_vec3 *up);
 gphys_status gphys_camera_get_transform(const gphys_camera *camera, gphys_vec3 *out_position, gphys_quat *out_rotation);
 gphys_status gphys_camera_get_world_matrix(const gphys_camera *camera, gphys_mat4 *out_world);
@@ -179,12 +194,16 @@ gphys_status gphys_camera_get_view_projection_matrix(const gphys_camera *camera,
 gphys_status gphys_orbit_init(gphys_orbit *orbit);
 gphys_status gphys_camera_set_orbit(gphys_camera *camera, const gphys_orbit *orbit);
 gphys_status gphys_camera_get_orbit(const gphys_camera *camera, gphys_orbit *out_orbit);
+gphys_status gphys_camera_set_orbit_speeds(gphys_camera *camera, const gphys_orbit_speeds *speeds);
+gphys_status gphys_camera_get_orbit_speeds(const gphys_camera *camera, gphys_orbit_speeds *out_speeds);
 gphys_status gphys_camera_orbit_rotate(gphys_camera *camera, float units_x, float units_y);
 gphys_status gphys_camera_orbit_zoom(gphys_camera *camera, float units);
 gphys_status gphys_camera_orbit_pan(gphys_camera *camera, float units_right, float units_up);
 gphys_status gphys_camera_orbit_update(gphys_camera *camera);
 gphys_status gphys_camera_get_frustum(const gphys_camera *camera, gphys_frustum *out_frustum);
 gphys_status gphys_camera_get_corners(const gphys_camera *camera, gphys_vec3 *out_corners);
+gphys_status gphys_camera_get_rectangle_frustum(const gphys_camera *camera, float x0, float y0, float x1, float y1, gphys_frustum *out_frustum);
+gphys_status gphys_camera_get_rectangle_corners(const gphys_camera *camera, float x0, float y0, float x1, float y1, gphys_vec3 *out_corners);
 gphys_status gphys_camera_project(const gphys_camera *camera, const gphys_vec3 *point, gphys_vec3 *out_pixel);
 gphys_status gphys_camera_project_batch(const gphys_camera *camera, const gphys_vec3 *points, uint32_t point_stride, uint32_t count, gphys_vec3 *out_pixels, uint32_t out_stride);
 gphys_status gphys_camera_unproject(const gphys_camera *camera, const gphys_vec3 *pixel, gphys_vec3 *out_point);
@@ -291,6 +310,8 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         PROJECTION_USER = 2,
         LEFT_HANDED = 0,
         RIGHT_HANDED = 1,
+        PICK_FROM_NEAR_PLANE = 0,
+        PICK_FROM_CENTRE = 1,
         CLOTH_SHEAR = 1,
         CLOTH_BEND = 2,
         BODY_PARTICLES = 1,
@@ -326,7 +347,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "nearest", fields = { "model", "tag", "point", "distance", "triangle" } },
         { name = "penetration", fields = { "model", "tag", "point", "normal", "depth", "triangle" } },
         { name = "mesh_report", fields = { "triangle_count", "degenerate_count", "first_degenerate", "out_of_range_count", "first_out_of_range", "bad_vertex_count", "first_bad_vertex", "open_edge_count" } },
-        { name = "mesh_desc", fields = { "struct_size", "allocator" } },
+        { name = "mesh_desc", fields = { "struct_size", "allocator", "deformable", "reserved" } },
         { name = "octree_stats", fields = { "item_count", "unbounded_count", "node_count", "leaf_count", "depth", "rebuilds", "cost", "memory_bytes" } },
         { name = "octree_box", fields = { "bounds", "depth", "item_count" } },
         { name = "scene_desc", fields = { "struct_size", "allocator", "reserve_models", "task_runner", "worker_count", "reserved" } },
@@ -335,6 +356,7 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "query_filter_desc", fields = { "struct_size", "layers", "ignored_model", "flags", "ignored_models", "ignored_count", "reserved" } },
         { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height", "reserved" } },
         { name = "orbit", fields = { "target", "up", "distance", "yaw", "pitch", "radians_per_unit", "metres_per_unit", "min_distance", "max_distance", "min_pitch", "max_pitch" } },
+        { name = "orbit_speeds", fields = { "rotate_x", "rotate_y", "zoom", "pan_x", "pan_y" } },
         { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "reserved" } },
         { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction", "self_collision", "body_layers" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },

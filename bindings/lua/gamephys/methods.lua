@@ -35,6 +35,7 @@ local ModelInfo = runtime.element 'gphys_model_info'
 local QueryFilterDesc = runtime.element 'gphys_query_filter_desc'
 local CameraDesc = runtime.element 'gphys_camera_desc'
 local Orbit = runtime.element 'gphys_orbit'
+local OrbitSpeeds = runtime.element 'gphys_orbit_speeds'
 local SolverDesc = runtime.element 'gphys_solver_desc'
 local BodyDesc = runtime.element 'gphys_body_desc'
 local BodyInfo = runtime.element 'gphys_body_info'
@@ -58,8 +59,27 @@ function gp.Mesh(vertices, indices, desc)
     end)
 end
 
+--- Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+--- Solver:get_positions writes it. All models of the mesh have the new form from then on, in every
+--- scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+--- leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+--- surface that stands still.
+--- Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
+--- these.
+--- Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+--- refitted, and built again by parts where it has degraded. If the triangles have come apart so that
+--- their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+--- @param vertices elements of 3 floats, metres; copied
+--- @raise status ERROR_UNSUPPORTED: if the mesh is not deformable
+--- @raise status ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large, or if a model of
+---     the mesh would reach beyond the range of coordinates
+function Mesh:set_vertices(vertices)
+    local vertices, vertices_count, vertices_stride = to_array(float, vertices, 3)
+    check(C.gphys_mesh_set_vertices(opened(self), vertices, vertices_stride, vertices_count))
+end
+
 --- What the mesh was built from: the report that gp.mesh_check makes of its arrays.
---- Cost: O(1).
+--- Cost: O(1); O(triangles) for a deformable mesh.
 function Mesh:get_report(out_report)
     out_report = out_report or MeshReport.new()
     check(C.gphys_mesh_get_report(opened(self), out_report))
@@ -840,6 +860,22 @@ function Camera:set_projection(projection)
     check(C.gphys_camera_set_projection(opened(self), to_value(Mat4, projection)))
 end
 
+--- As Camera:set_perspective, with an aspect of its own: the viewport stretches the image, as one of
+--- pixels that are not square, and does not change what is seen.
+--- Cost: O(1). Since 1.1.
+--- @param aspect width over height of what is seen, 1e-6 .. 1e6
+function Camera:set_perspective_aspect(fov_y, aspect, near_distance, far_distance)
+    check(C.gphys_camera_set_perspective_aspect(opened(self), fov_y, aspect, near_distance, far_distance))
+end
+
+--- As Camera:set_orthographic, with a width of its own, which the viewport does not change.
+--- Cost: O(1). Since 1.1.
+--- @param width metres seen from left to right and from top to bottom, >= 1e-6
+--- @param height metres seen from left to right and from top to bottom, >= 1e-6
+function Camera:set_orthographic_size(width, height, near_distance, far_distance)
+    check(C.gphys_camera_set_orthographic_size(opened(self), width, height, near_distance, far_distance))
+end
+
 --- The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
 --- makes the width more than twice MAX_COORDINATE.
 --- Cost: O(1).
@@ -847,6 +883,22 @@ end
 --- @param height pixels, 1e-3 .. 1e6
 function Camera:set_viewport(width, height)
     check(C.gphys_camera_set_viewport(opened(self), width, height))
+end
+
+--- Where the viewport is in its window, as one of several of a split screen: pixels of all functions
+--- count from the window's top left corner. (0, 0) at creation.
+--- Cost: O(1). Since 1.1.
+--- @param x pixels of the window, of the viewport's top left corner
+--- @param y pixels of the window, of the viewport's top left corner
+function Camera:set_viewport_origin(x, y)
+    check(C.gphys_camera_set_viewport_origin(opened(self), x, y))
+end
+
+--- Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
+--- rays of other projections always begin there.
+--- Cost: O(1). Since 1.1.
+function Camera:set_pick_start(start)
+    check(C.gphys_camera_set_pick_start(opened(self), start))
 end
 
 do
@@ -857,9 +909,9 @@ do
     --- How the camera projects, as it was set.
     --- Cost: O(1).
     --- @return what of the following was called last: Camera:set_perspective, as at creation,
-    ---     Camera:set_orthographic or Camera:set_projection. the vertical field of view in radians of a
-    ---     perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
-    ---     without a far plane; 0 of a matrix.
+    ---     Camera:set_orthographic (or those with a width of their own), or Camera:set_projection. the
+    ---     vertical field of view in radians of a perspective, the height in metres of an orthographic
+    ---     projection, 0 of a matrix. metres; INFINITY without a far plane; 0 of a matrix.
     function Camera:get_projection()
         check(C.gphys_camera_get_projection(opened(self), out_kind, out_size, out_near, out_far))
         return out_kind[0], out_size[0], out_near[0], out_far[0]
@@ -878,6 +930,53 @@ do
     end
 end
 
+do
+    local out_x = float.array(1)
+    local out_y = float.array(1)
+    --- Where the viewport is in its window, in pixels, as it was set.
+    --- Cost: O(1). Since 1.1.
+    function Camera:get_viewport_origin()
+        check(C.gphys_camera_get_viewport_origin(opened(self), out_x, out_y))
+        return out_x[0], out_y[0]
+    end
+end
+
+do
+    local out_aspect = float.array(1)
+    local out_is_fixed = int32_t.array(1)
+    --- Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    --- Cost: O(1). Since 1.1.
+    --- @return 1 if Camera:set_perspective_aspect or Camera:set_orthographic_size was the last to set the
+    ---     projection; 0 if it follows the viewport.
+    function Camera:get_aspect()
+        check(C.gphys_camera_get_aspect(opened(self), out_aspect, out_is_fixed))
+        return out_aspect[0], out_is_fixed[0] ~= 0
+    end
+end
+
+do
+    local out_width = float.array(1)
+    local out_height = float.array(1)
+    --- Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice
+    --- the tangents of half the angles; over the viewport's size, what a pixel spans there), at any
+    --- distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+    --- Cost: O(1). Since 1.1.
+    function Camera:get_image_size()
+        check(C.gphys_camera_get_image_size(opened(self), out_width, out_height))
+        return out_width[0], out_height[0]
+    end
+end
+
+do
+    local out_start = int32_t.array(1)
+    --- Where the rays of a perspective begin, as it was set.
+    --- Cost: O(1). Since 1.1.
+    function Camera:get_pick_start()
+        check(C.gphys_camera_get_pick_start(opened(self), out_start))
+        return out_start[0]
+    end
+end
+
 --- Place the camera.
 --- Cost: O(1).
 --- @param position metres, of its centre
@@ -893,6 +992,17 @@ end
 --- @raise status ERROR_INVALID_ARGUMENT: if they mirror or the last row is not 0 0 0 1
 function Camera:set_world_matrix(world)
     check(C.gphys_camera_set_world_matrix(opened(self), to_value(Mat4, world)))
+end
+
+--- Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+--- Camera:set_world_matrix. That of Camera:get_view_matrix puts a camera back within 2^-22 of its
+--- distance from the origin and 2^-22 rad.
+--- Cost: O(1). Since 1.1.
+--- @raise status ERROR_SINGULAR: if the axes do not span space
+--- @raise status ERROR_INVALID_ARGUMENT: if they mirror, the last row is not 0 0 0 1, or the camera
+---     would be beyond MAX_COORDINATE
+function Camera:set_view_matrix(view)
+    check(C.gphys_camera_set_view_matrix(opened(self), to_value(Mat4, view)))
 end
 
 --- Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
@@ -961,7 +1071,25 @@ function Camera:get_orbit(out_orbit)
     return out_orbit
 end
 
---- Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+--- Set a speed for each input of the orbit, in place of the two of Orbit, which Camera:set_orbit starts
+--- from. Input since the last update counts by the new ones.
+--- Cost: O(1). Since 1.1.
+--- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
+function Camera:set_orbit_speeds(speeds)
+    check(C.gphys_camera_set_orbit_speeds(opened(self), to_value(OrbitSpeeds, speeds)))
+end
+
+--- The present speeds of the orbit's inputs.
+--- Cost: O(1). Since 1.1.
+--- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
+function Camera:get_orbit_speeds(out_speeds)
+    out_speeds = out_speeds or OrbitSpeeds.new()
+    check(C.gphys_camera_get_orbit_speeds(opened(self), out_speeds))
+    return out_speeds
+end
+
+--- Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit or the speeds that
+--- were set.
 --- Cost: O(1).
 --- @param units_x finite, any size
 --- @param units_y finite, any size
@@ -970,7 +1098,8 @@ function Camera:orbit_rotate(units_x, units_y)
     check(C.gphys_camera_orbit_rotate(opened(self), units_x, units_y))
 end
 
---- Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+--- Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+--- away if negative.
 --- Cost: O(1).
 --- @param units finite, any size
 --- @raise status ERROR_UNSUPPORTED: if the camera was never set to orbit
@@ -979,7 +1108,7 @@ function Camera:orbit_zoom(units)
 end
 
 --- Add input to the orbit: move the target to the camera's right and up, as the last update left them,
---- by units times metres_per_unit.
+--- by units times metres_per_unit or the speeds that were set.
 --- Cost: O(1).
 --- @param units_right finite, any size
 --- @param units_up finite, any size
@@ -1012,6 +1141,32 @@ end
 function Camera:get_corners()
     local out_corners = Vec3.array(8)
     if found(C.gphys_camera_get_corners(opened(self), out_corners)) then return out_corners end
+end
+
+--- What is seen in a rectangle of pixels, as Camera:get_frustum: of a tile, a marquee, a portal.
+--- Cost: O(1). Since 1.1.
+--- @param x0 pixels, opposite corners in any order; may lie outside the viewport
+--- @param y0 pixels, opposite corners in any order; may lie outside the viewport
+--- @param x1 pixels, opposite corners in any order; may lie outside the viewport
+--- @param y1 pixels, opposite corners in any order; may lie outside the viewport
+--- @raise status ERROR_INVALID_ARGUMENT: if the rectangle has no area, or a side of what a matrix shows
+---     in it lies at infinity or beyond MAX_COORDINATE
+function Camera:get_rectangle_frustum(x0, y0, x1, y1, out_frustum)
+    out_frustum = out_frustum or Frustum.new()
+    check(C.gphys_camera_get_rectangle_frustum(opened(self), x0, y0, x1, y1, out_frustum))
+    return out_frustum
+end
+
+--- World positions of the corners of what is seen in a rectangle of pixels, as Camera:get_corners.
+--- Cost: O(1). Since 1.1.
+--- @param x0 as Camera:get_rectangle_frustum
+--- @param y0 as Camera:get_rectangle_frustum
+--- @param x1 as Camera:get_rectangle_frustum
+--- @param y1 as Camera:get_rectangle_frustum
+--- @return nil as Camera:get_corners.
+function Camera:get_rectangle_corners(x0, y0, x1, y1)
+    local out_corners = Vec3.array(8)
+    if found(C.gphys_camera_get_rectangle_corners(opened(self), x0, y0, x1, y1, out_corners)) then return out_corners end
 end
 
 --- World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
@@ -1056,11 +1211,12 @@ function Camera:unproject_batch(pixels, out)
     return out
 end
 
---- The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
---- the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
---- image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
---- half an ulp of a direction can be; Camera:pick is not so limited. For perspective the stretch before
---- the near plane is part of the ray.
+--- The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+--- (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's position.
+--- Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+--- near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
+--- moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
+--- Camera:pick is not so limited.
 --- Cost: O(1).
 --- @param pixel_x pixels; may lie outside the viewport
 --- @param pixel_y pixels; may lie outside the viewport
@@ -1084,7 +1240,7 @@ function Camera:pick_rays(x, y, width, height, out)
 end
 
 --- The model under a pixel: the first hit of Camera:pick_ray, before that is rounded to float32; t is
---- in metres.
+--- in metres from where it starts.
 --- Cost: O(log n) expected.
 --- @param pixel_x pixels; may lie outside the viewport
 --- @param pixel_y pixels; may lie outside the viewport
@@ -1903,6 +2059,44 @@ end
 function gp.frustum_corners(frustum)
     local out_corners = Vec3.array(8)
     if found(C.gphys_frustum_corners(to_value(Frustum, frustum), out_corners)) then return out_corners end
+end
+
+--- The point that three planes have in common, within an ulp of each coordinate.
+--- Cost: O(1). Source: Cramer's rule. Since 1.1.
+--- @return nil if the planes have no single point in common, which is decided exactly, or one beyond
+---     MAX_COORDINATE.
+function gp.planes_intersection(a, b, c, out_point)
+    out_point = out_point or Vec3.new()
+    if found(C.gphys_planes_intersection(to_value(Plane, a), to_value(Plane, b), to_value(Plane, c), out_point)) then return out_point end
+end
+
+--- The points of the triples of planes, as gp.planes_intersection; one without gets x = y = z =
+--- INFINITY.
+--- Cost: that of as many single calls. Since 1.1.
+--- @param a the planes each
+--- @param b the planes each
+--- @param c the planes each
+function gp.planes_intersection_batch(a, b, c, out)
+    local a, a_count, a_stride = to_array(Plane, a)
+    local b, b_count, b_stride = to_array(Plane, b)
+    local c, c_count, c_stride = to_array(Plane, c)
+    local count = common(a_count, b_count, c_count)
+    out = results(Vec3, out, count)
+    check(C.gphys_planes_intersection_batch(a, a_stride, b, b_stride, c, c_stride, count, out, Vec3.size))
+    return out
+end
+
+do
+    local out_deviation = float.array(1)
+    --- How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
+    --- the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
+    --- for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+    --- Cost: O(1). Since 1.1.
+    --- @param matrix elements within MAX_COORDINATE
+    function gp.mat4_orthonormality(matrix)
+        check(C.gphys_mat4_orthonormality(to_value(Mat4, matrix), out_deviation))
+        return out_deviation[0]
+    end
 end
 
 --- The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with

@@ -59,6 +59,9 @@ PROJECTION_USER = 2
 LEFT_HANDED = 0  # looks along its own +Z
 RIGHT_HANDED = 1  # looks along its own -Z
 
+PICK_FROM_NEAR_PLANE = 0  # what is drawn can be picked, and nothing before it
+PICK_FROM_CENTRE = 1  # at the camera's position: what is between it and the near plane, too
+
 CLOTH_SHEAR = 1  # constraints along both diagonals of each grid cell: stiff like paper
 CLOTH_BEND = 2  # constraints that resist folding
 
@@ -295,7 +298,9 @@ MeshReport.dtype = mesh_report_dtype
 class MeshDesc(Desc, Structure):
     struct_size: int
     allocator: int | None  # None: the C++ runtime's
-    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p)]
+    deformable: int  # 1: Mesh.set_vertices will be called; 12 bytes a vertex more. Since 1.1
+    reserved: int  # 0
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("deformable", c_int32), ("reserved", c_uint32)]
 
 
 class OctreeStats(Value, Structure):
@@ -407,6 +412,20 @@ class Orbit(Value, Structure):
 
 orbit_dtype = dtype([("target", "<f4", (3,)), ("up", "<f4", (3,)), ("distance", "<f4"), ("yaw", "<f4"), ("pitch", "<f4"), ("radians_per_unit", "<f4"), ("metres_per_unit", "<f4"), ("min_distance", "<f4"), ("max_distance", "<f4"), ("min_pitch", "<f4"), ("max_pitch", "<f4")])
 Orbit.dtype = orbit_dtype
+
+
+class OrbitSpeeds(Value, Structure):
+    """What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1."""
+    rotate_x: float  # radians a unit, of yaw and pitch
+    rotate_y: float  # radians a unit, of yaw and pitch
+    zoom: float  # metres a unit
+    pan_x: float  # metres a unit, to the right and up
+    pan_y: float  # metres a unit, to the right and up
+    _fields_ = [("rotate_x", c_float), ("rotate_y", c_float), ("zoom", c_float), ("pan_x", c_float), ("pan_y", c_float)]
+
+
+orbit_speeds_dtype = dtype([("rotate_x", "<f4"), ("rotate_y", "<f4"), ("zoom", "<f4"), ("pan_x", "<f4"), ("pan_y", "<f4")])
+OrbitSpeeds.dtype = orbit_speeds_dtype
 
 
 class SolverDesc(Desc, Structure):
@@ -562,10 +581,14 @@ gphys_shape_sweep_sphere = function("gphys_shape_sweep_sphere", c_int32, [c_int3
 gphys_shape_sweep = function("gphys_shape_sweep", c_int32, [c_int32, c_void_p, c_int32, c_void_p, c_void_p, c_void_p])
 gphys_shape_penetration = function("gphys_shape_penetration", c_int32, [c_int32, c_void_p, c_int32, c_void_p, c_void_p])
 gphys_frustum_corners = function("gphys_frustum_corners", c_int32, [c_void_p, c_void_p])
+gphys_planes_intersection = function("gphys_planes_intersection", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
+gphys_planes_intersection_batch = function("gphys_planes_intersection_batch", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_mat4_orthonormality = function("gphys_mat4_orthonormality", c_int32, [c_void_p, c_void_p])
 gphys_frustum_from_matrix = function("gphys_frustum_from_matrix", c_int32, [c_void_p, c_int32, c_int32, c_void_p])
 gphys_mesh_check = function("gphys_mesh_check", c_int32, [c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_mesh_desc_init = function("gphys_mesh_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_mesh_create = function("gphys_mesh_create", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_mesh_set_vertices = function("gphys_mesh_set_vertices", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32])
 gphys_mesh_destroy = function("gphys_mesh_destroy", None, [c_void_p])
 gphys_mesh_get_report = function("gphys_mesh_get_report", c_int32, [c_void_p, c_void_p])
 gphys_mesh_get_vertices = function("gphys_mesh_get_vertices", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
@@ -651,11 +674,20 @@ gphys_camera_get_origin = function("gphys_camera_get_origin", c_int32, [c_void_p
 gphys_camera_set_perspective = function("gphys_camera_set_perspective", c_int32, [c_void_p, c_float, c_float, c_float])
 gphys_camera_set_orthographic = function("gphys_camera_set_orthographic", c_int32, [c_void_p, c_float, c_float, c_float])
 gphys_camera_set_projection = function("gphys_camera_set_projection", c_int32, [c_void_p, c_void_p])
+gphys_camera_set_perspective_aspect = function("gphys_camera_set_perspective_aspect", c_int32, [c_void_p, c_float, c_float, c_float, c_float])
+gphys_camera_set_orthographic_size = function("gphys_camera_set_orthographic_size", c_int32, [c_void_p, c_float, c_float, c_float, c_float])
 gphys_camera_set_viewport = function("gphys_camera_set_viewport", c_int32, [c_void_p, c_float, c_float])
+gphys_camera_set_viewport_origin = function("gphys_camera_set_viewport_origin", c_int32, [c_void_p, c_float, c_float])
+gphys_camera_set_pick_start = function("gphys_camera_set_pick_start", c_int32, [c_void_p, c_int32])
 gphys_camera_get_projection = function("gphys_camera_get_projection", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p])
 gphys_camera_get_viewport = function("gphys_camera_get_viewport", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_camera_get_viewport_origin = function("gphys_camera_get_viewport_origin", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_camera_get_aspect = function("gphys_camera_get_aspect", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_camera_get_image_size = function("gphys_camera_get_image_size", c_int32, [c_void_p, c_void_p, c_void_p])
+gphys_camera_get_pick_start = function("gphys_camera_get_pick_start", c_int32, [c_void_p, c_void_p])
 gphys_camera_set_transform = function("gphys_camera_set_transform", c_int32, [c_void_p, c_void_p, c_void_p])
 gphys_camera_set_world_matrix = function("gphys_camera_set_world_matrix", c_int32, [c_void_p, c_void_p])
+gphys_camera_set_view_matrix = function("gphys_camera_set_view_matrix", c_int32, [c_void_p, c_void_p])
 gphys_camera_look_at = function("gphys_camera_look_at", c_int32, [c_void_p, c_void_p, c_void_p, c_void_p])
 gphys_camera_get_transform = function("gphys_camera_get_transform", c_int32, [c_void_p, c_void_p, c_void_p])
 gphys_camera_get_world_matrix = function("gphys_camera_get_world_matrix", c_int32, [c_void_p, c_void_p])
@@ -665,12 +697,16 @@ gphys_camera_get_view_projection_matrix = function("gphys_camera_get_view_projec
 gphys_orbit_init = function("gphys_orbit_init", c_int32, [c_void_p])
 gphys_camera_set_orbit = function("gphys_camera_set_orbit", c_int32, [c_void_p, c_void_p])
 gphys_camera_get_orbit = function("gphys_camera_get_orbit", c_int32, [c_void_p, c_void_p])
+gphys_camera_set_orbit_speeds = function("gphys_camera_set_orbit_speeds", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_orbit_speeds = function("gphys_camera_get_orbit_speeds", c_int32, [c_void_p, c_void_p])
 gphys_camera_orbit_rotate = function("gphys_camera_orbit_rotate", c_int32, [c_void_p, c_float, c_float])
 gphys_camera_orbit_zoom = function("gphys_camera_orbit_zoom", c_int32, [c_void_p, c_float])
 gphys_camera_orbit_pan = function("gphys_camera_orbit_pan", c_int32, [c_void_p, c_float, c_float])
 gphys_camera_orbit_update = function("gphys_camera_orbit_update", c_int32, [c_void_p])
 gphys_camera_get_frustum = function("gphys_camera_get_frustum", c_int32, [c_void_p, c_void_p])
 gphys_camera_get_corners = function("gphys_camera_get_corners", c_int32, [c_void_p, c_void_p])
+gphys_camera_get_rectangle_frustum = function("gphys_camera_get_rectangle_frustum", c_int32, [c_void_p, c_float, c_float, c_float, c_float, c_void_p])
+gphys_camera_get_rectangle_corners = function("gphys_camera_get_rectangle_corners", c_int32, [c_void_p, c_float, c_float, c_float, c_float, c_void_p])
 gphys_camera_project = function("gphys_camera_project", c_int32, [c_void_p, c_void_p, c_void_p])
 gphys_camera_project_batch = function("gphys_camera_project_batch", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_camera_unproject = function("gphys_camera_unproject", c_int32, [c_void_p, c_void_p, c_void_p])

@@ -31,9 +31,31 @@ class Mesh(Object):
         check(low.gphys_mesh_create(desc_.address, vertices_.address, vertices_.stride, vertices_.length, indices_.address, indices_.numbers, ctypes.byref(handle)))
         self._own(handle.value)
 
+    def set_vertices(self, vertices: ArrayLike) -> None:
+        """Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth
+        as Solver.get_positions writes it. All models of the mesh have the new form from then on, in
+        every scene, and all answers have the bits of those of a mesh created of the new vertices. What
+        fails leaves the mesh and the scenes as they were. A solver sees the new form at its next step,
+        as a surface that stands still.
+        Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls
+        on these.
+        Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+        refitted, and built again by parts where it has degraded. If the triangles have come apart so
+        that their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+
+        Args:
+            vertices: elements of 3 floats, metres; copied
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the mesh is not deformable
+            InvalidArgument: for a vertex that is not finite or too large, or if a model of the mesh
+                would reach beyond the range of coordinates"""
+        vertices_ = array_of(vertices, "<f4", 3)
+        check(low.gphys_mesh_set_vertices(self._handle, vertices_.address, vertices_.stride, vertices_.length))
+
     def get_report(self) -> low.MeshReport:
         """What the mesh was built from: the report that gamephys.mesh_check makes of its arrays.
-        Cost: O(1)."""
+        Cost: O(1); O(triangles) for a deformable mesh."""
         out_report = low.MeshReport()
         check(low.gphys_mesh_get_report(self._handle, ctypes.byref(out_report)))
         return out_report
@@ -898,6 +920,23 @@ class Camera(Object):
         projection_ = value_of(projection, low.Mat4)
         check(low.gphys_camera_set_projection(self._handle, projection_.address))
 
+    def set_perspective_aspect(self, fov_y: float, aspect: float, near_distance: float, far_distance: float) -> None:
+        """As Camera.set_perspective, with an aspect of its own: the viewport stretches the image, as one
+        of pixels that are not square, and does not change what is seen.
+        Cost: O(1). Since 1.1.
+
+        Args:
+            aspect: width over height of what is seen, 1e-6 .. 1e6"""
+        check(low.gphys_camera_set_perspective_aspect(self._handle, fov_y, aspect, near_distance, far_distance))
+
+    def set_orthographic_size(self, width: float, height: float, near_distance: float, far_distance: float) -> None:
+        """As Camera.set_orthographic, with a width of its own, which the viewport does not change.
+        Cost: O(1). Since 1.1.
+
+        Args:
+            width, height: metres seen from left to right and from top to bottom, >= 1e-6"""
+        check(low.gphys_camera_set_orthographic_size(self._handle, width, height, near_distance, far_distance))
+
     def set_viewport(self, width: float, height: float) -> None:
         """The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if
         that makes the width more than twice MAX_COORDINATE.
@@ -907,15 +946,31 @@ class Camera(Object):
             width, height: pixels, 1e-3 .. 1e6"""
         check(low.gphys_camera_set_viewport(self._handle, width, height))
 
+    def set_viewport_origin(self, x: float, y: float) -> None:
+        """Where the viewport is in its window, as one of several of a split screen: pixels of all
+        functions count from the window's top left corner. (0, 0) at creation.
+        Cost: O(1). Since 1.1.
+
+        Args:
+            x, y: pixels of the window, of the viewport's top left corner"""
+        check(low.gphys_camera_set_viewport_origin(self._handle, x, y))
+
+    def set_pick_start(self, start: int) -> None:
+        """Where the rays of a perspective begin, for all functions that pick. From the near plane at
+        creation; rays of other projections always begin there.
+        Cost: O(1). Since 1.1."""
+        check(low.gphys_camera_set_pick_start(self._handle, start))
+
     def get_projection(self) -> tuple[int, float, float, float]:
         """How the camera projects, as it was set.
         Cost: O(1).
 
         Returns:
             what of the following was called last: Camera.set_perspective, as at creation,
-                Camera.set_orthographic or Camera.set_projection. the vertical field of view in radians
-                of a perspective, the height in metres of an orthographic projection, 0 of a matrix.
-                metres; INFINITY without a far plane; 0 of a matrix."""
+                Camera.set_orthographic (or those with a width of their own), or Camera.set_projection.
+                the vertical field of view in radians of a perspective, the height in metres of an
+                orthographic projection, 0 of a matrix. metres; INFINITY without a far plane; 0 of a
+                matrix."""
         out_kind = ctypes.c_int32()
         out_size = ctypes.c_float()
         out_near = ctypes.c_float()
@@ -931,6 +986,43 @@ class Camera(Object):
         out_height = ctypes.c_float()
         check(low.gphys_camera_get_viewport(self._handle, ctypes.byref(out_width), ctypes.byref(out_height)))
         return out_width.value, out_height.value
+
+    def get_viewport_origin(self) -> tuple[float, float]:
+        """Where the viewport is in its window, in pixels, as it was set.
+        Cost: O(1). Since 1.1."""
+        out_x = ctypes.c_float()
+        out_y = ctypes.c_float()
+        check(low.gphys_camera_get_viewport_origin(self._handle, ctypes.byref(out_x), ctypes.byref(out_y)))
+        return out_x.value, out_y.value
+
+    def get_aspect(self) -> tuple[float, bool]:
+        """Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+        Cost: O(1). Since 1.1.
+
+        Returns:
+            1 if Camera.set_perspective_aspect or Camera.set_orthographic_size was the last to set the
+                projection; 0 if it follows the viewport."""
+        out_aspect = ctypes.c_float()
+        out_is_fixed = ctypes.c_int32()
+        check(low.gphys_camera_get_aspect(self._handle, ctypes.byref(out_aspect), ctypes.byref(out_is_fixed)))
+        return out_aspect.value, bool(out_is_fixed.value)
+
+    def get_image_size(self) -> tuple[float, float]:
+        """Width and height of what is seen, within an ulp: at a distance of one metre by a perspective
+        (twice the tangents of half the angles; over the viewport's size, what a pixel spans there), at
+        any distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+        Cost: O(1). Since 1.1."""
+        out_width = ctypes.c_float()
+        out_height = ctypes.c_float()
+        check(low.gphys_camera_get_image_size(self._handle, ctypes.byref(out_width), ctypes.byref(out_height)))
+        return out_width.value, out_height.value
+
+    def get_pick_start(self) -> int:
+        """Where the rays of a perspective begin, as it was set.
+        Cost: O(1). Since 1.1."""
+        out_start = ctypes.c_int32()
+        check(low.gphys_camera_get_pick_start(self._handle, ctypes.byref(out_start)))
+        return out_start.value
 
     def set_transform(self, position: low.Vec3 | Sequence, rotation: low.Quat | Sequence) -> None:
         """Place the camera.
@@ -953,6 +1045,19 @@ class Camera(Object):
             InvalidArgument: if they mirror or the last row is not 0 0 0 1"""
         world_ = value_of(world, low.Mat4)
         check(low.gphys_camera_set_world_matrix(self._handle, world_.address))
+
+    def set_view_matrix(self, view: low.Mat4 | Sequence) -> None:
+        """Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+        Camera.set_world_matrix. That of Camera.get_view_matrix puts a camera back within 2^-22 of its
+        distance from the origin and 2^-22 rad.
+        Cost: O(1). Since 1.1.
+
+        Raises:
+            Error, status ERROR_SINGULAR: if the axes do not span space
+            InvalidArgument: if they mirror, the last row is not 0 0 0 1, or the camera would be beyond
+                MAX_COORDINATE"""
+        view_ = value_of(view, low.Mat4)
+        check(low.gphys_camera_set_view_matrix(self._handle, view_.address))
 
     def look_at(self, eye: low.Vec3 | Sequence, target: low.Vec3 | Sequence, up: low.Vec3 | Sequence) -> None:
         """Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
@@ -1020,8 +1125,29 @@ class Camera(Object):
         check(low.gphys_camera_get_orbit(self._handle, ctypes.byref(out_orbit)))
         return out_orbit
 
+    def set_orbit_speeds(self, speeds: low.OrbitSpeeds | Sequence) -> None:
+        """Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.set_orbit
+        starts from. Input since the last update counts by the new ones.
+        Cost: O(1). Since 1.1.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
+        speeds_ = value_of(speeds, low.OrbitSpeeds)
+        check(low.gphys_camera_set_orbit_speeds(self._handle, speeds_.address))
+
+    def get_orbit_speeds(self) -> low.OrbitSpeeds:
+        """The present speeds of the orbit's inputs.
+        Cost: O(1). Since 1.1.
+
+        Raises:
+            Error, status ERROR_UNSUPPORTED: if the camera was never set to orbit"""
+        out_speeds = low.OrbitSpeeds()
+        check(low.gphys_camera_get_orbit_speeds(self._handle, ctypes.byref(out_speeds)))
+        return out_speeds
+
     def orbit_rotate(self, units_x: float, units_y: float) -> None:
-        """Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+        """Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit or the speeds
+        that were set.
         Cost: O(1).
 
         Args:
@@ -1032,7 +1158,8 @@ class Camera(Object):
         check(low.gphys_camera_orbit_rotate(self._handle, units_x, units_y))
 
     def orbit_zoom(self, units: float) -> None:
-        """Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+        """Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+        away if negative.
         Cost: O(1).
 
         Args:
@@ -1044,7 +1171,7 @@ class Camera(Object):
 
     def orbit_pan(self, units_right: float, units_up: float) -> None:
         """Add input to the orbit: move the target to the camera's right and up, as the last update left
-        them, by units times metres_per_unit.
+        them, by units times metres_per_unit or the speeds that were set.
         Cost: O(1).
 
         Args:
@@ -1080,6 +1207,32 @@ class Camera(Object):
             None with an infinite far plane, or a corner beyond the largest float."""
         out_corners = np.empty(8, low.vec3_dtype)
         return out_corners if found(low.gphys_camera_get_corners(self._handle, out_corners.ctypes.data)) else None
+
+    def get_rectangle_frustum(self, x0: float, y0: float, x1: float, y1: float) -> low.Frustum:
+        """What is seen in a rectangle of pixels, as Camera.get_frustum: of a tile, a marquee, a portal.
+        Cost: O(1). Since 1.1.
+
+        Args:
+            x0, y0, x1, y1: pixels, opposite corners in any order; may lie outside the viewport
+
+        Raises:
+            InvalidArgument: if the rectangle has no area, or a side of what a matrix shows in it lies
+                at infinity or beyond MAX_COORDINATE"""
+        out_frustum = low.Frustum()
+        check(low.gphys_camera_get_rectangle_frustum(self._handle, x0, y0, x1, y1, ctypes.byref(out_frustum)))
+        return out_frustum
+
+    def get_rectangle_corners(self, x0: float, y0: float, x1: float, y1: float) -> np.ndarray | None:
+        """World positions of the corners of what is seen in a rectangle of pixels, as Camera.get_corners.
+        Cost: O(1). Since 1.1.
+
+        Args:
+            x0, y0, x1, y1: as Camera.get_rectangle_frustum
+
+        Returns:
+            None as Camera.get_corners."""
+        out_corners = np.empty(8, low.vec3_dtype)
+        return out_corners if found(low.gphys_camera_get_rectangle_corners(self._handle, x0, y0, x1, y1, out_corners.ctypes.data)) else None
 
     def project(self, point: low.Vec3 | Sequence) -> low.Vec3 | None:
         """World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
@@ -1131,11 +1284,12 @@ class Camera(Object):
         return out_.array
 
     def pick_ray(self, pixel_x: float, pixel_y: float) -> low.Ray | None:
-        """The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or
-        on the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one).
-        Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
-        near as half an ulp of a direction can be; Camera.pick is not so limited. For perspective the
-        stretch before the near plane is part of the ray.
+        """The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+        (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's
+        position. Its image is within 1e-3 pixel of the given one or, for fields of view below about 3
+        degrees, as near as half an ulp of a direction can be. Where it starts is rounded to float32
+        besides, which moves it by half an ulp of the coordinates (not from the camera's position, which
+        is one of floats); Camera.pick is not so limited.
         Cost: O(1).
 
         Args:
@@ -1159,7 +1313,7 @@ class Camera(Object):
 
     def pick(self, scene: Scene | None, pixel_x: float, pixel_y: float, layers: int = low.ALL_LAYERS) -> low.Hit | None:
         """The model under a pixel: the first hit of Camera.pick_ray, before that is rounded to float32; t
-        is in metres.
+        is in metres from where it starts.
         Cost: O(log n) expected.
 
         Args:
@@ -2088,6 +2242,51 @@ def frustum_corners(frustum: low.Frustum | Sequence) -> np.ndarray | None:
     frustum_ = value_of(frustum, low.Frustum)
     out_corners = np.empty(8, low.vec3_dtype)
     return out_corners if found(low.gphys_frustum_corners(frustum_.address, out_corners.ctypes.data)) else None
+
+
+def planes_intersection(a: low.Plane | Sequence, b: low.Plane | Sequence, c: low.Plane | Sequence) -> low.Vec3 | None:
+    """The point that three planes have in common, within an ulp of each coordinate.
+    Cost: O(1). Source: Cramer's rule. Since 1.1.
+
+    Returns:
+        None if the planes have no single point in common, which is decided exactly, or one beyond
+            MAX_COORDINATE."""
+    a_ = value_of(a, low.Plane)
+    b_ = value_of(b, low.Plane)
+    c_ = value_of(c, low.Plane)
+    out_point = low.Vec3()
+    return out_point if found(low.gphys_planes_intersection(a_.address, b_.address, c_.address, ctypes.byref(out_point))) else None
+
+
+def planes_intersection_batch(a: ArrayLike, b: ArrayLike, c: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+    """The points of the triples of planes, as gamephys.planes_intersection; one without gets x = y = z
+    = INFINITY.
+    Cost: that of as many single calls. Since 1.1.
+
+    Args:
+        a, b, c: the planes each"""
+    a_ = array_of(a, low.plane_dtype)
+    b_ = array_of(b, low.plane_dtype)
+    c_ = array_of(c, low.plane_dtype)
+    count = common_length(a_, b_, c_)
+    out_ = result_array(out, count, low.vec3_dtype)
+    check(low.gphys_planes_intersection_batch(a_.address, a_.stride, b_.address, b_.stride, c_.address, c_.stride, count, out_.address, out_.stride))
+    return out_.array
+
+
+def mat4_orthonormality(matrix: low.Mat4 | Sequence) -> float:
+    """How far the axes of a matrix (its first three columns without the last row) are from
+    orthonormal: the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the
+    identity, below 2^-22 for the matrices that a camera gives, about 2e for axes that are too long
+    by a share of e.
+    Cost: O(1). Since 1.1.
+
+    Args:
+        matrix: elements within MAX_COORDINATE"""
+    matrix_ = value_of(matrix, low.Mat4)
+    out_deviation = ctypes.c_float()
+    check(low.gphys_mat4_orthonormality(matrix_.address, ctypes.byref(out_deviation)))
+    return out_deviation.value
 
 
 def frustum_from_matrix(view_projection: low.Mat4 | Sequence, depth_range: int, reverse_z: int) -> low.Frustum:

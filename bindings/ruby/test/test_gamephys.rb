@@ -211,6 +211,42 @@ class TestGamephys < Minitest::Test
     assert_equal [200, 100], camera.get_viewport
   end
 
+  def test_cameras_see_by_aspect_in_a_window_from_the_near_plane_on
+    camera = Camera.new
+    camera.set_perspective_aspect(1, 2, 1, 100)
+    assert_equal [2, true], camera.get_aspect
+    camera.set_orthographic_size(8, 6, 1, 100)
+    assert_equal [8, 6], camera.get_image_size
+    camera.set_viewport_origin(800, 0)
+    assert_equal [800, 0], camera.get_viewport_origin
+    camera.set_perspective(1, 1, 100)
+    assert_equal 1, camera.pick_ray(1200, 300).origin[2]
+    camera.set_pick_start(PICK_FROM_CENTRE)
+    assert_equal PICK_FROM_CENTRE, camera.get_pick_start
+    assert_equal 0, camera.pick_ray(1200, 300).origin[2]
+    view = camera.get_view_matrix
+    camera.set_view_matrix(view)
+    assert_equal 0, Gamephys.mat4_orthonormality(view)
+    corners = camera.get_rectangle_corners(800, 0, 1600, 600)
+    assert_equal camera.get_corners.map(&:to_a), corners.map(&:to_a)
+    assert_equal [0, 0, 0], camera.get_rectangle_frustum(800, 0, 1200, 600).origin.to_a
+    camera.set_orbit(Gamephys.orbit)
+    camera.set_orbit_speeds(OrbitSpeeds.new(0.5, 1, 2, 3, 4))
+    assert_equal 4, camera.get_orbit_speeds.pan_y
+    x1, y2, z3 = Plane.new([1, 0, 0], 1), Plane.new([0, 1, 0], 2), Plane.new([0, 0, 1], 3)
+    assert_equal [1, 2, 3], Gamephys.planes_intersection(x1, y2, z3).to_a
+    assert_nil Gamephys.planes_intersection(x1, y2, y2)
+    assert_equal [1, 2, 3], Gamephys.planes_intersection_batch([x1, x1], [y2, y2], [y2, z3])[1].to_a
+  end
+
+  def test_a_mesh_deforms_and_its_models_with_it
+    mesh = Mesh.new([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [0, 1, 2], deformable: 1)
+    scene = Scene.new
+    model = scene.add(mesh)
+    mesh.set_vertices([[0, 0, 7], [1, 0, 7], [0, 1, 7]])
+    assert_in_delta 7, scene.get_bounds(model).min[2], 1e-3
+  end
+
   def test_lists_of_any_length
     scene = Scene.new
     models = scene.add_batch(Records.new(Sphere, 500)) # more than the first guess has room for

@@ -196,9 +196,36 @@ impl Mesh {
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
     }
 
+    /// Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+    /// `Solver::get_positions` writes it. All models of the mesh have the new form from then on, in every
+    /// scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+    /// leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+    /// surface that stands still.
+    ///
+    /// Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
+    /// these.
+    ///
+    /// Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+    /// refitted, and built again by parts where it has degraded. If the triangles have come apart so that
+    /// their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+    ///
+    /// * `vertices`: elements of 3 floats, metres; copied
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the mesh is not deformable
+    /// * `Status::ERROR_INVALID_ARGUMENT`: for a vertex that is not finite or too large, or if a model of
+    ///   the mesh would reach beyond the range of coordinates
+    ///
+    /// # Safety
+    /// No other thread uses the mesh, nor a scene that has a model of it, meanwhile.
+    pub unsafe fn set_vertices<'a>(&mut self, vertices: impl Into<Batch<'a, Vec3>>) -> Result<()> {
+        let vertices = vertices.into();
+        check(unsafe { sys::gphys_mesh_set_vertices(self.handle.as_ptr(), vertices.data, vertices.stride, vertices.count()?) })
+    }
+
     /// What the mesh was built from: the report that `mesh_check` makes of its arrays.
     ///
-    /// Cost: O(1).
+    /// Cost: O(1); O(triangles) for a deformable mesh.
     pub fn get_report(&self) -> Result<MeshReport> {
         let mut out_report = MeshReport::default();
         check(unsafe { sys::gphys_mesh_get_report(self.handle.as_ptr(), &mut out_report) })?;
@@ -1132,6 +1159,25 @@ impl Camera {
         check(unsafe { sys::gphys_camera_set_projection(self.handle.as_ptr(), projection) })
     }
 
+    /// As `Camera::set_perspective`, with an aspect of its own: the viewport stretches the image, as one of
+    /// pixels that are not square, and does not change what is seen.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// * `aspect`: width over height of what is seen, 1e-6 .. 1e6
+    pub fn set_perspective_aspect(&mut self, fov_y: f32, aspect: f32, near_distance: f32, far_distance: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_perspective_aspect(self.handle.as_ptr(), fov_y, aspect, near_distance, far_distance) })
+    }
+
+    /// As `Camera::set_orthographic`, with a width of its own, which the viewport does not change.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// * `width`, `height`: metres seen from left to right and from top to bottom, >= 1e-6
+    pub fn set_orthographic_size(&mut self, width: f32, height: f32, near_distance: f32, far_distance: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_orthographic_size(self.handle.as_ptr(), width, height, near_distance, far_distance) })
+    }
+
     /// The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
     /// makes the width more than twice `MAX_COORDINATE`.
     ///
@@ -1142,14 +1188,32 @@ impl Camera {
         check(unsafe { sys::gphys_camera_set_viewport(self.handle.as_ptr(), width, height) })
     }
 
+    /// Where the viewport is in its window, as one of several of a split screen: pixels of all functions
+    /// count from the window's top left corner. (0, 0) at creation.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// * `x`, `y`: pixels of the window, of the viewport's top left corner
+    pub fn set_viewport_origin(&mut self, x: f32, y: f32) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_viewport_origin(self.handle.as_ptr(), x, y) })
+    }
+
+    /// Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
+    /// rays of other projections always begin there.
+    ///
+    /// Cost: O(1). Since 1.1.
+    pub fn set_pick_start(&mut self, start: PickStart) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_pick_start(self.handle.as_ptr(), start) })
+    }
+
     /// How the camera projects, as it was set.
     ///
     /// Cost: O(1).
     ///
     /// Returns what of the following was called last: `Camera::set_perspective`, as at creation,
-    /// `Camera::set_orthographic` or `Camera::set_projection`. the vertical field of view in radians of a
-    /// perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
-    /// without a far plane; 0 of a matrix.
+    /// `Camera::set_orthographic` (or those with a width of their own), or `Camera::set_projection`. the
+    /// vertical field of view in radians of a perspective, the height in metres of an orthographic
+    /// projection, 0 of a matrix. metres; INFINITY without a far plane; 0 of a matrix.
     pub fn get_projection(&self) -> Result<(Projection, f32, f32, f32)> {
         let mut out_kind = Projection::default();
         let mut out_size = f32::default();
@@ -1168,6 +1232,50 @@ impl Camera {
         let mut out_height = f32::default();
         check(unsafe { sys::gphys_camera_get_viewport(self.handle.as_ptr(), &mut out_width, &mut out_height) })?;
         Ok((out_width, out_height))
+    }
+
+    /// Where the viewport is in its window, in pixels, as it was set.
+    ///
+    /// Cost: O(1). Since 1.1.
+    pub fn get_viewport_origin(&self) -> Result<(f32, f32)> {
+        let mut out_x = f32::default();
+        let mut out_y = f32::default();
+        check(unsafe { sys::gphys_camera_get_viewport_origin(self.handle.as_ptr(), &mut out_x, &mut out_y) })?;
+        Ok((out_x, out_y))
+    }
+
+    /// Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// Returns 1 if `Camera::set_perspective_aspect` or `Camera::set_orthographic_size` was the last to set
+    /// the projection; 0 if it follows the viewport.
+    pub fn get_aspect(&self) -> Result<(f32, bool)> {
+        let mut out_aspect = f32::default();
+        let mut out_is_fixed = i32::default();
+        check(unsafe { sys::gphys_camera_get_aspect(self.handle.as_ptr(), &mut out_aspect, &mut out_is_fixed) })?;
+        Ok((out_aspect, out_is_fixed != 0))
+    }
+
+    /// Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice
+    /// the tangents of half the angles; over the viewport's size, what a pixel spans there), at any
+    /// distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+    ///
+    /// Cost: O(1). Since 1.1.
+    pub fn get_image_size(&self) -> Result<(f32, f32)> {
+        let mut out_width = f32::default();
+        let mut out_height = f32::default();
+        check(unsafe { sys::gphys_camera_get_image_size(self.handle.as_ptr(), &mut out_width, &mut out_height) })?;
+        Ok((out_width, out_height))
+    }
+
+    /// Where the rays of a perspective begin, as it was set.
+    ///
+    /// Cost: O(1). Since 1.1.
+    pub fn get_pick_start(&self) -> Result<PickStart> {
+        let mut out_start = PickStart::default();
+        check(unsafe { sys::gphys_camera_get_pick_start(self.handle.as_ptr(), &mut out_start) })?;
+        Ok(out_start)
     }
 
     /// Place the camera.
@@ -1192,6 +1300,20 @@ impl Camera {
     /// * `Status::ERROR_INVALID_ARGUMENT`: if they mirror or the last row is not 0 0 0 1
     pub fn set_world_matrix(&mut self, world: &Mat4) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_world_matrix(self.handle.as_ptr(), world) })
+    }
+
+    /// Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+    /// `Camera::set_world_matrix`. That of `Camera::get_view_matrix` puts a camera back within 2^-22 of its
+    /// distance from the origin and 2^-22 rad.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_SINGULAR`: if the axes do not span space
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if they mirror, the last row is not 0 0 0 1, or the camera would
+    ///   be beyond `MAX_COORDINATE`
+    pub fn set_view_matrix(&mut self, view: &Mat4) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_view_matrix(self.handle.as_ptr(), view) })
     }
 
     /// Stand at eye and look at target. When up is parallel to the view, a perpendicular direction is
@@ -1275,7 +1397,31 @@ impl Camera {
         Ok(out_orbit)
     }
 
-    /// Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+    /// Set a speed for each input of the orbit, in place of the two of `Orbit`, which `Camera::set_orbit`
+    /// starts from. Input since the last update counts by the new ones.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the camera was never set to orbit
+    pub fn set_orbit_speeds(&mut self, speeds: &OrbitSpeeds) -> Result<()> {
+        check(unsafe { sys::gphys_camera_set_orbit_speeds(self.handle.as_ptr(), speeds) })
+    }
+
+    /// The present speeds of the orbit's inputs.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// # Errors
+    /// * `Status::ERROR_UNSUPPORTED`: if the camera was never set to orbit
+    pub fn get_orbit_speeds(&self) -> Result<OrbitSpeeds> {
+        let mut out_speeds = OrbitSpeeds::default();
+        check(unsafe { sys::gphys_camera_get_orbit_speeds(self.handle.as_ptr(), &mut out_speeds) })?;
+        Ok(out_speeds)
+    }
+
+    /// Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit or the speeds that
+    /// were set.
     ///
     /// Cost: O(1).
     ///
@@ -1287,7 +1433,8 @@ impl Camera {
         check(unsafe { sys::gphys_camera_orbit_rotate(self.handle.as_ptr(), units_x, units_y) })
     }
 
-    /// Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+    /// Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+    /// away if negative.
     ///
     /// Cost: O(1).
     ///
@@ -1300,7 +1447,7 @@ impl Camera {
     }
 
     /// Add input to the orbit: move the target to the camera's right and up, as the last update left them,
-    /// by units times metres_per_unit.
+    /// by units times metres_per_unit or the speeds that were set.
     ///
     /// Cost: O(1).
     ///
@@ -1342,6 +1489,33 @@ impl Camera {
     pub fn get_corners(&self) -> Result<Option<[Vec3; 8]>> {
         let mut out_corners = [Vec3::default(); 8];
         Ok(found(unsafe { sys::gphys_camera_get_corners(self.handle.as_ptr(), out_corners.as_mut_ptr()) })?.then_some(out_corners))
+    }
+
+    /// What is seen in a rectangle of pixels, as `Camera::get_frustum`: of a tile, a marquee, a portal.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// * `x0`, `y0`, `x1`, `y1`: pixels, opposite corners in any order; may lie outside the viewport
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: if the rectangle has no area, or a side of what a matrix shows
+    ///   in it lies at infinity or beyond `MAX_COORDINATE`
+    pub fn get_rectangle_frustum(&self, x0: f32, y0: f32, x1: f32, y1: f32) -> Result<Frustum> {
+        let mut out_frustum = Frustum::default();
+        check(unsafe { sys::gphys_camera_get_rectangle_frustum(self.handle.as_ptr(), x0, y0, x1, y1, &mut out_frustum) })?;
+        Ok(out_frustum)
+    }
+
+    /// World positions of the corners of what is seen in a rectangle of pixels, as `Camera::get_corners`.
+    ///
+    /// Cost: O(1). Since 1.1.
+    ///
+    /// * `x0`, `y0`, `x1`, `y1`: as `Camera::get_rectangle_frustum`
+    ///
+    /// Returns `None` as `Camera::get_corners`.
+    pub fn get_rectangle_corners(&self, x0: f32, y0: f32, x1: f32, y1: f32) -> Result<Option<[Vec3; 8]>> {
+        let mut out_corners = [Vec3::default(); 8];
+        Ok(found(unsafe { sys::gphys_camera_get_rectangle_corners(self.handle.as_ptr(), x0, y0, x1, y1, out_corners.as_mut_ptr()) })?.then_some(out_corners))
     }
 
     /// World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
@@ -1397,11 +1571,12 @@ impl Camera {
         check(unsafe { sys::gphys_camera_unproject_batch(self.handle.as_ptr(), pixels.data, pixels.stride, count, out_points.data, out_points.stride) })
     }
 
-    /// The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
-    /// the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
-    /// image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
-    /// half an ulp of a direction can be; `Camera::pick` is not so limited. For perspective the stretch
-    /// before the near plane is part of the ray.
+    /// The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+    /// (INFINITY without one). With `PickStart::CENTRE` that of a perspective starts at the camera's
+    /// position. Its image is within 1e-3 pixel of the given one or, for fields of view below about 3
+    /// degrees, as near as half an ulp of a direction can be. Where it starts is rounded to float32
+    /// besides, which moves it by half an ulp of the coordinates (not from the camera's position, which is
+    /// one of floats); `Camera::pick` is not so limited.
     ///
     /// Cost: O(1).
     ///
@@ -1426,7 +1601,7 @@ impl Camera {
     }
 
     /// The model under a pixel: the first hit of `Camera::pick_ray`, before that is rounded to float32; t
-    /// is in metres.
+    /// is in metres from where it starts.
     ///
     /// Cost: O(log n) expected.
     ///
@@ -2394,6 +2569,46 @@ pub fn penetration(shape: &dyn Shape, moving: &dyn Shape) -> Result<Option<Penet
 pub fn frustum_corners(frustum: &Frustum) -> Result<Option<[Vec3; 8]>> {
     let mut out_corners = [Vec3::default(); 8];
     Ok(found(unsafe { sys::gphys_frustum_corners(frustum, out_corners.as_mut_ptr()) })?.then_some(out_corners))
+}
+
+/// The point that three planes have in common, within an ulp of each coordinate.
+///
+/// Cost: O(1). Source: Cramer's rule. Since 1.1.
+///
+/// Returns `None` if the planes have no single point in common, which is decided exactly, or one beyond
+/// `MAX_COORDINATE`.
+pub fn planes_intersection(a: &Plane, b: &Plane, c: &Plane) -> Result<Option<Vec3>> {
+    let mut out_point = Vec3::default();
+    Ok(found(unsafe { sys::gphys_planes_intersection(a, b, c, &mut out_point) })?.then_some(out_point))
+}
+
+/// The points of the triples of planes, as `planes_intersection`; one without gets x = y = z =
+/// INFINITY.
+///
+/// Cost: that of as many single calls. Since 1.1.
+///
+/// * `a`, `b`, `c`: the planes each
+pub fn planes_intersection_batch<'a>(a: impl Into<Batch<'a, Plane>>, b: impl Into<Batch<'a, Plane>>, c: impl Into<Batch<'a, Plane>>, out_points: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
+    let a = a.into();
+    let b = b.into();
+    let c = c.into();
+    let out_points = out_points.into();
+    let count = common_length(&[a.length, b.length, c.length])?;
+    out_points.require(count.into())?;
+    check(unsafe { sys::gphys_planes_intersection_batch(a.data, a.stride, b.data, b.stride, c.data, c.stride, count, out_points.data, out_points.stride) })
+}
+
+/// How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
+/// the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
+/// for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+///
+/// Cost: O(1). Since 1.1.
+///
+/// * `matrix`: elements within `MAX_COORDINATE`
+pub fn mat4_orthonormality(matrix: &Mat4) -> Result<f32> {
+    let mut out_deviation = f32::default();
+    check(unsafe { sys::gphys_mat4_orthonormality(matrix, &mut out_deviation) })?;
+    Ok(out_deviation)
 }
 
 /// The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with

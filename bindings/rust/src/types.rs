@@ -123,6 +123,18 @@ impl Handedness {
     pub const RIGHT_HANDED: Handedness = Handedness(1);
 }
 
+/// Where the rays of a perspective camera begin.
+/// A later library may have values that are not listed here.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct PickStart(pub i32);
+impl PickStart {
+    /// what is drawn can be picked, and nothing before it
+    pub const NEAR_PLANE: PickStart = PickStart(0);
+    /// at the camera's position: what is between it and the near plane, too
+    pub const CENTRE: PickStart = PickStart(1);
+}
+
 /// constraints along both diagonals of each grid cell: stiff like paper
 pub const CLOTH_SHEAR: u32 = 1;
 /// constraints that resist folding
@@ -401,6 +413,10 @@ pub struct MeshDesc {
     pub struct_size: Size<MeshDesc>,
     /// None: the C++ runtime's
     pub allocator: Hook<Allocator>,
+    /// 1: `Mesh::set_vertices` will be called; 12 bytes a vertex more. Since 1.1
+    pub deformable: i32,
+    /// 0
+    pub reserved: u32,
 }
 
 /// How an octree is made up. Frozen.
@@ -542,6 +558,22 @@ pub struct Orbit {
     pub min_pitch: f32,
     /// within -pi/2 .. pi/2
     pub max_pitch: f32,
+}
+
+/// What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct OrbitSpeeds {
+    /// radians a unit, of yaw and pitch
+    pub rotate_x: f32,
+    /// radians a unit, of yaw and pitch
+    pub rotate_y: f32,
+    /// metres a unit
+    pub zoom: f32,
+    /// metres a unit, to the right and up
+    pub pan_x: f32,
+    /// metres a unit, to the right and up
+    pub pan_y: f32,
 }
 
 #[repr(C)]
@@ -723,7 +755,7 @@ const _: () = {
     assert!(std::mem::size_of::<Nearest>() == 28);
     assert!(std::mem::size_of::<Penetration>() == 40);
     assert!(std::mem::size_of::<MeshReport>() == 32);
-    assert!(std::mem::size_of::<MeshDesc>() == 16);
+    assert!(std::mem::size_of::<MeshDesc>() == 24);
     assert!(std::mem::size_of::<OctreeStats>() == 32);
     assert!(std::mem::size_of::<OctreeBox>() == 32);
     assert!(std::mem::size_of::<SceneDesc>() == 40);
@@ -732,6 +764,7 @@ const _: () = {
     assert!(std::mem::size_of::<QueryFilterDesc>() == 32);
     assert!(std::mem::size_of::<CameraDesc>() == 40);
     assert!(std::mem::size_of::<Orbit>() == 60);
+    assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 80);
     assert!(std::mem::size_of::<BodyDesc>() == 52);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
@@ -762,7 +795,7 @@ const _: () = {
     assert!(std::mem::size_of::<Nearest>() == 28);
     assert!(std::mem::size_of::<Penetration>() == 40);
     assert!(std::mem::size_of::<MeshReport>() == 32);
-    assert!(std::mem::size_of::<MeshDesc>() == 8);
+    assert!(std::mem::size_of::<MeshDesc>() == 16);
     assert!(std::mem::size_of::<OctreeStats>() == 32);
     assert!(std::mem::size_of::<OctreeBox>() == 32);
     assert!(std::mem::size_of::<SceneDesc>() == 24);
@@ -771,6 +804,7 @@ const _: () = {
     assert!(std::mem::size_of::<QueryFilterDesc>() == 28);
     assert!(std::mem::size_of::<CameraDesc>() == 32);
     assert!(std::mem::size_of::<Orbit>() == 60);
+    assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 68);
     assert!(std::mem::size_of::<BodyDesc>() == 52);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
@@ -891,6 +925,8 @@ fn fields_stand_where_c_has_them() {
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).allocator) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).deformable) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).reserved) } as usize - p as usize, 20);
     let s = std::mem::MaybeUninit::<OctreeStats>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).item_count) } as usize - p as usize, 0);
@@ -959,6 +995,13 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).max_distance) } as usize - p as usize, 48);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).min_pitch) } as usize - p as usize, 52);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).max_pitch) } as usize - p as usize, 56);
+    let s = std::mem::MaybeUninit::<OrbitSpeeds>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).rotate_x) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).rotate_y) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).zoom) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).pan_x) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).pan_y) } as usize - p as usize, 16);
     let s = std::mem::MaybeUninit::<SolverDesc>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);

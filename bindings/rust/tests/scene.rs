@@ -125,6 +125,50 @@ fn shapes_change_and_trees_and_cameras_are_read() {
 }
 
 #[test]
+fn cameras_see_by_aspect_in_a_window_from_the_near_plane_on() {
+    let mut camera = Camera::new(None).unwrap();
+    camera.set_perspective_aspect(1.0, 2.0, 1.0, 100.0).unwrap();
+    assert_eq!(camera.get_aspect().unwrap(), (2.0, true));
+    camera.set_orthographic_size(8.0, 6.0, 1.0, 100.0).unwrap();
+    assert_eq!(camera.get_image_size().unwrap(), (8.0, 6.0));
+    camera.set_viewport_origin(800.0, 0.0).unwrap();
+    assert_eq!(camera.get_viewport_origin().unwrap(), (800.0, 0.0));
+    camera.set_perspective(1.0, 1.0, 100.0).unwrap();
+    assert_eq!(camera.pick_ray(1200.0, 300.0).unwrap().unwrap().origin.z, 1.0);
+    camera.set_pick_start(PickStart::CENTRE).unwrap();
+    assert_eq!(camera.get_pick_start().unwrap(), PickStart::CENTRE);
+    assert_eq!(camera.pick_ray(1200.0, 300.0).unwrap().unwrap().origin.z, 0.0);
+    let view = camera.get_view_matrix().unwrap();
+    camera.set_view_matrix(&view).unwrap();
+    assert_eq!(mat4_orthonormality(&view).unwrap(), 0.0);
+    let corners = camera.get_rectangle_corners(800.0, 0.0, 1600.0, 600.0).unwrap();
+    assert_eq!(corners, camera.get_corners().unwrap());
+    assert_eq!(camera.get_rectangle_frustum(800.0, 0.0, 1200.0, 600.0).unwrap().origin.z, 0.0);
+    camera.set_orbit(&Orbit::default()).unwrap();
+    let speeds = OrbitSpeeds { rotate_x: 0.5, rotate_y: 1.0, zoom: 2.0, pan_x: 3.0, pan_y: 4.0 };
+    camera.set_orbit_speeds(&speeds).unwrap();
+    assert_eq!(camera.get_orbit_speeds().unwrap(), speeds);
+    let plane = |x: f32, y: f32, z: f32, distance: f32| Plane { normal: Vec3 { x, y, z }, distance };
+    let (x1, y2, z3) = (plane(1.0, 0.0, 0.0, 1.0), plane(0.0, 1.0, 0.0, 2.0), plane(0.0, 0.0, 1.0, 3.0));
+    assert_eq!(planes_intersection(&x1, &y2, &z3).unwrap(), Some(Vec3 { x: 1.0, y: 2.0, z: 3.0 }));
+    assert_eq!(planes_intersection(&x1, &y2, &y2).unwrap(), None);
+    let mut points = [Vec3::default(); 2];
+    planes_intersection_batch(&[x1, x1], &[y2, y2], &[z3, y2], &mut points).unwrap();
+    assert_eq!((points[0].z, points[1].z), (3.0, f32::INFINITY));
+}
+
+#[test]
+fn a_mesh_deforms_and_its_models_with_it() {
+    let desc = MeshDesc { deformable: 1, ..Default::default() };
+    let mut mesh = Mesh::new(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], &[0, 1, 2], Some(&desc)).unwrap();
+    let mut scene = Scene::new(None).unwrap();
+    let model = scene.add(&mesh, None, None).unwrap();
+    // Nobody else has the scene.
+    unsafe { mesh.set_vertices(&[[0.0, 0.0, 7.0], [1.0, 0.0, 7.0], [0.0, 1.0, 7.0]]) }.unwrap();
+    assert!((scene.get_bounds(model).unwrap().unwrap().min.z - 7.0).abs() < 1e-3);
+}
+
+#[test]
 fn a_field_of_each_element_is_a_batch() {
     #[derive(Clone, Copy, Default)]
     struct Ship {

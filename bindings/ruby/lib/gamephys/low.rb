@@ -5,7 +5,7 @@ module Gamephys
   module Low
 
     class MeshDesc < FFI::Struct
-      layout :struct_size, :uint32, :allocator, :pointer
+      layout :struct_size, :uint32, :allocator, :pointer, :deformable, :int32, :reserved, :uint32
     end
 
     class SceneDesc < FFI::Struct
@@ -54,10 +54,14 @@ module Gamephys
     attach_function :gphys_shape_sweep, [:int32, :pointer, :int32, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_shape_penetration, [:int32, :pointer, :int32, :pointer, :pointer], :int32
     attach_function :gphys_frustum_corners, [:pointer, :pointer], :int32
+    attach_function :gphys_planes_intersection, [:pointer, :pointer, :pointer, :pointer], :int32
+    attach_function :gphys_planes_intersection_batch, [:pointer, :uint32, :pointer, :uint32, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_mat4_orthonormality, [:pointer, :pointer], :int32
     attach_function :gphys_frustum_from_matrix, [:pointer, :int32, :int32, :pointer], :int32
     attach_function :gphys_mesh_check, [:pointer, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_mesh_create, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_set_vertices, [:pointer, :pointer, :uint32, :uint32], :int32
     attach_function :gphys_mesh_destroy, [:pointer], :void
     attach_function :gphys_mesh_get_report, [:pointer, :pointer], :int32
     attach_function :gphys_mesh_get_vertices, [:pointer, :pointer, :uint32, :pointer], :int32
@@ -143,11 +147,20 @@ module Gamephys
     attach_function :gphys_camera_set_perspective, [:pointer, :float, :float, :float], :int32
     attach_function :gphys_camera_set_orthographic, [:pointer, :float, :float, :float], :int32
     attach_function :gphys_camera_set_projection, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_set_perspective_aspect, [:pointer, :float, :float, :float, :float], :int32
+    attach_function :gphys_camera_set_orthographic_size, [:pointer, :float, :float, :float, :float], :int32
     attach_function :gphys_camera_set_viewport, [:pointer, :float, :float], :int32
+    attach_function :gphys_camera_set_viewport_origin, [:pointer, :float, :float], :int32
+    attach_function :gphys_camera_set_pick_start, [:pointer, :int32], :int32
     attach_function :gphys_camera_get_projection, [:pointer, :pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_get_viewport, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_get_viewport_origin, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_get_aspect, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_get_image_size, [:pointer, :pointer, :pointer], :int32
+    attach_function :gphys_camera_get_pick_start, [:pointer, :pointer], :int32
     attach_function :gphys_camera_set_transform, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_set_world_matrix, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_set_view_matrix, [:pointer, :pointer], :int32
     attach_function :gphys_camera_look_at, [:pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_get_transform, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_get_world_matrix, [:pointer, :pointer], :int32
@@ -157,12 +170,16 @@ module Gamephys
     attach_function :gphys_orbit_init, [:pointer], :int32
     attach_function :gphys_camera_set_orbit, [:pointer, :pointer], :int32
     attach_function :gphys_camera_get_orbit, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_set_orbit_speeds, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_orbit_speeds, [:pointer, :pointer], :int32
     attach_function :gphys_camera_orbit_rotate, [:pointer, :float, :float], :int32
     attach_function :gphys_camera_orbit_zoom, [:pointer, :float], :int32
     attach_function :gphys_camera_orbit_pan, [:pointer, :float, :float], :int32
     attach_function :gphys_camera_orbit_update, [:pointer], :int32
     attach_function :gphys_camera_get_frustum, [:pointer, :pointer], :int32
     attach_function :gphys_camera_get_corners, [:pointer, :pointer], :int32
+    attach_function :gphys_camera_get_rectangle_frustum, [:pointer, :float, :float, :float, :float, :pointer], :int32
+    attach_function :gphys_camera_get_rectangle_corners, [:pointer, :float, :float, :float, :float, :pointer], :int32
     attach_function :gphys_camera_project, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_camera_project_batch, [:pointer, :pointer, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_camera_unproject, [:pointer, :pointer, :pointer], :int32

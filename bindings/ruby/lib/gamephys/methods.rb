@@ -20,8 +20,28 @@ module Gamephys
       own(Pointer) { |made| Low.gphys_mesh_create(Low.desc(Low::MeshDesc, :gphys_mesh_desc_init, desc), vertices.pointer, vertices.stride, vertices.count, indices.pointer, indices.count, made) }
     end
 
+    # Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+    # Solver#get_positions writes it. All models of the mesh have the new form from then on, in every
+    # scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+    # leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+    # surface that stands still.
+    # Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
+    # these.
+    # Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+    # refitted, and built again by parts where it has degraded. If the triangles have come apart so that
+    # their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+    # @param vertices elements of 3 floats, metres; copied
+    # @raise [Error] if the mesh is not deformable (ERROR_UNSUPPORTED)
+    # @raise [InvalidArgument] for a vertex that is not finite or too large, or if a model of the mesh
+    #     would reach beyond the range of coordinates
+    def set_vertices(vertices)
+      vertices = Low.array(Float32, vertices, 3)
+      Low.check(Low.gphys_mesh_set_vertices(opened, vertices.pointer, vertices.stride, vertices.count))
+      nil
+    end
+
     # What the mesh was built from: the report that Gamephys.mesh_check makes of its arrays.
-    # Cost: O(1).
+    # Cost: O(1); O(triangles) for a deformable mesh.
     def get_report
       out_report = MeshReport.room
       Low.check(Low.gphys_mesh_get_report(opened, out_report))
@@ -773,6 +793,24 @@ module Gamephys
       nil
     end
 
+    # As Camera#set_perspective, with an aspect of its own: the viewport stretches the image, as one of
+    # pixels that are not square, and does not change what is seen.
+    # Cost: O(1). Since 1.1.
+    # @param aspect width over height of what is seen, 1e-6 .. 1e6
+    def set_perspective_aspect(fov_y, aspect, near_distance, far_distance)
+      Low.check(Low.gphys_camera_set_perspective_aspect(opened, fov_y, aspect, near_distance, far_distance))
+      nil
+    end
+
+    # As Camera#set_orthographic, with a width of its own, which the viewport does not change.
+    # Cost: O(1). Since 1.1.
+    # @param width metres seen from left to right and from top to bottom, >= 1e-6
+    # @param height metres seen from left to right and from top to bottom, >= 1e-6
+    def set_orthographic_size(width, height, near_distance, far_distance)
+      Low.check(Low.gphys_camera_set_orthographic_size(opened, width, height, near_distance, far_distance))
+      nil
+    end
+
     # The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
     # makes the width more than twice MAX_COORDINATE.
     # Cost: O(1).
@@ -783,12 +821,30 @@ module Gamephys
       nil
     end
 
+    # Where the viewport is in its window, as one of several of a split screen: pixels of all functions
+    # count from the window's top left corner. (0, 0) at creation.
+    # Cost: O(1). Since 1.1.
+    # @param x pixels of the window, of the viewport's top left corner
+    # @param y pixels of the window, of the viewport's top left corner
+    def set_viewport_origin(x, y)
+      Low.check(Low.gphys_camera_set_viewport_origin(opened, x, y))
+      nil
+    end
+
+    # Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
+    # rays of other projections always begin there.
+    # Cost: O(1). Since 1.1.
+    def set_pick_start(start)
+      Low.check(Low.gphys_camera_set_pick_start(opened, start))
+      nil
+    end
+
     # How the camera projects, as it was set.
     # Cost: O(1).
     # @return what of the following was called last: Camera#set_perspective, as at creation,
-    #     Camera#set_orthographic or Camera#set_projection. the vertical field of view in radians of a
-    #     perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
-    #     without a far plane; 0 of a matrix.
+    #     Camera#set_orthographic (or those with a width of their own), or Camera#set_projection. the
+    #     vertical field of view in radians of a perspective, the height in metres of an orthographic
+    #     projection, 0 of a matrix. metres; INFINITY without a far plane; 0 of a matrix.
     def get_projection
       out_kind = Int32.room
       out_size = Float32.room
@@ -808,6 +864,45 @@ module Gamephys
       [Float32.unpack(out_width), Float32.unpack(out_height)]
     end
 
+    # Where the viewport is in its window, in pixels, as it was set.
+    # Cost: O(1). Since 1.1.
+    def get_viewport_origin
+      out_x = Float32.room
+      out_y = Float32.room
+      Low.check(Low.gphys_camera_get_viewport_origin(opened, out_x, out_y))
+      [Float32.unpack(out_x), Float32.unpack(out_y)]
+    end
+
+    # Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+    # Cost: O(1). Since 1.1.
+    # @return 1 if Camera#set_perspective_aspect or Camera#set_orthographic_size was the last to set the
+    #     projection; 0 if it follows the viewport.
+    def get_aspect
+      out_aspect = Float32.room
+      out_is_fixed = Int32.room
+      Low.check(Low.gphys_camera_get_aspect(opened, out_aspect, out_is_fixed))
+      [Float32.unpack(out_aspect), Int32.unpack(out_is_fixed) != 0]
+    end
+
+    # Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice
+    # the tangents of half the angles; over the viewport's size, what a pixel spans there), at any
+    # distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+    # Cost: O(1). Since 1.1.
+    def get_image_size
+      out_width = Float32.room
+      out_height = Float32.room
+      Low.check(Low.gphys_camera_get_image_size(opened, out_width, out_height))
+      [Float32.unpack(out_width), Float32.unpack(out_height)]
+    end
+
+    # Where the rays of a perspective begin, as it was set.
+    # Cost: O(1). Since 1.1.
+    def get_pick_start
+      out_start = Int32.room
+      Low.check(Low.gphys_camera_get_pick_start(opened, out_start))
+      Int32.unpack(out_start)
+    end
+
     # Place the camera.
     # Cost: O(1).
     # @param position metres, of its centre
@@ -824,6 +919,18 @@ module Gamephys
     # @raise [InvalidArgument] if they mirror or the last row is not 0 0 0 1
     def set_world_matrix(world)
       Low.check(Low.gphys_camera_set_world_matrix(opened, Mat4.pack(world)))
+      nil
+    end
+
+    # Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+    # Camera#set_world_matrix. That of Camera#get_view_matrix puts a camera back within 2^-22 of its
+    # distance from the origin and 2^-22 rad.
+    # Cost: O(1). Since 1.1.
+    # @raise [Error] if the axes do not span space (ERROR_SINGULAR)
+    # @raise [InvalidArgument] if they mirror, the last row is not 0 0 0 1, or the camera would be beyond
+    #     MAX_COORDINATE
+    def set_view_matrix(view)
+      Low.check(Low.gphys_camera_set_view_matrix(opened, Mat4.pack(view)))
       nil
     end
 
@@ -895,7 +1002,26 @@ module Gamephys
       Orbit.unpack(out_orbit)
     end
 
-    # Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit.
+    # Set a speed for each input of the orbit, in place of the two of Orbit, which Camera#set_orbit starts
+    # from. Input since the last update counts by the new ones.
+    # Cost: O(1). Since 1.1.
+    # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
+    def set_orbit_speeds(speeds)
+      Low.check(Low.gphys_camera_set_orbit_speeds(opened, OrbitSpeeds.pack(speeds)))
+      nil
+    end
+
+    # The present speeds of the orbit's inputs.
+    # Cost: O(1). Since 1.1.
+    # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
+    def get_orbit_speeds
+      out_speeds = OrbitSpeeds.room
+      Low.check(Low.gphys_camera_get_orbit_speeds(opened, out_speeds))
+      OrbitSpeeds.unpack(out_speeds)
+    end
+
+    # Add input to the orbit: yaw by units_x, pitch by units_y, times radians_per_unit or the speeds that
+    # were set.
     # Cost: O(1).
     # @param units_x finite, any size
     # @param units_y finite, any size
@@ -905,7 +1031,8 @@ module Gamephys
       nil
     end
 
-    # Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+    # Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+    # away if negative.
     # Cost: O(1).
     # @param units finite, any size
     # @raise [Error] if the camera was never set to orbit (ERROR_UNSUPPORTED)
@@ -915,7 +1042,7 @@ module Gamephys
     end
 
     # Add input to the orbit: move the target to the camera's right and up, as the last update left them,
-    # by units times metres_per_unit.
+    # by units times metres_per_unit or the speeds that were set.
     # Cost: O(1).
     # @param units_right finite, any size
     # @param units_up finite, any size
@@ -950,6 +1077,32 @@ module Gamephys
     def get_corners
       out_corners = Vec3.room(8)
       Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_camera_get_corners(opened, out_corners))
+    end
+
+    # What is seen in a rectangle of pixels, as Camera#get_frustum: of a tile, a marquee, a portal.
+    # Cost: O(1). Since 1.1.
+    # @param x0 pixels, opposite corners in any order; may lie outside the viewport
+    # @param y0 pixels, opposite corners in any order; may lie outside the viewport
+    # @param x1 pixels, opposite corners in any order; may lie outside the viewport
+    # @param y1 pixels, opposite corners in any order; may lie outside the viewport
+    # @raise [InvalidArgument] if the rectangle has no area, or a side of what a matrix shows in it lies
+    #     at infinity or beyond MAX_COORDINATE
+    def get_rectangle_frustum(x0, y0, x1, y1)
+      out_frustum = Frustum.room
+      Low.check(Low.gphys_camera_get_rectangle_frustum(opened, x0, y0, x1, y1, out_frustum))
+      Frustum.unpack(out_frustum)
+    end
+
+    # World positions of the corners of what is seen in a rectangle of pixels, as Camera#get_corners.
+    # Cost: O(1). Since 1.1.
+    # @param x0 as Camera#get_rectangle_frustum
+    # @param y0 as Camera#get_rectangle_frustum
+    # @param x1 as Camera#get_rectangle_frustum
+    # @param y1 as Camera#get_rectangle_frustum
+    # @return nil as Camera#get_corners.
+    def get_rectangle_corners(x0, y0, x1, y1)
+      out_corners = Vec3.room(8)
+      Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_camera_get_rectangle_corners(opened, x0, y0, x1, y1, out_corners))
     end
 
     # World point to pixel, within 1e-3 pixel and 1 ulp, depth within 2^-22. x, y may lie outside the
@@ -994,11 +1147,12 @@ module Gamephys
       out
     end
 
-    # The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
-    # the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
-    # image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
-    # half an ulp of a direction can be; Camera#pick is not so limited. For perspective the stretch before
-    # the near plane is part of the ray.
+    # The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+    # (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's position.
+    # Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+    # near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
+    # moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
+    # Camera#pick is not so limited.
     # Cost: O(1).
     # @param pixel_x pixels; may lie outside the viewport
     # @param pixel_y pixels; may lie outside the viewport
@@ -1022,7 +1176,7 @@ module Gamephys
     end
 
     # The model under a pixel: the first hit of Camera#pick_ray, before that is rounded to float32; t is
-    # in metres.
+    # in metres from where it starts.
     # Cost: O(log n) expected.
     # @param pixel_x pixels; may lie outside the viewport
     # @param pixel_y pixels; may lie outside the viewport
@@ -1810,6 +1964,42 @@ module Gamephys
   def self.frustum_corners(frustum)
     out_corners = Vec3.room(8)
     Vec3.unpack_all(out_corners, 8) if Low.found(Low.gphys_frustum_corners(Frustum.pack(frustum), out_corners))
+  end
+
+  # The point that three planes have in common, within an ulp of each coordinate.
+  # Cost: O(1). Source: Cramer's rule. Since 1.1.
+  # @return nil if the planes have no single point in common, which is decided exactly, or one beyond
+  #     MAX_COORDINATE.
+  def self.planes_intersection(a, b, c)
+    out_point = Vec3.room
+    Vec3.unpack(out_point) if Low.found(Low.gphys_planes_intersection(Plane.pack(a), Plane.pack(b), Plane.pack(c), out_point))
+  end
+
+  # The points of the triples of planes, as Gamephys.planes_intersection; one without gets x = y = z =
+  # INFINITY.
+  # Cost: that of as many single calls. Since 1.1.
+  # @param a the planes each
+  # @param b the planes each
+  # @param c the planes each
+  def self.planes_intersection_batch(a, b, c, out: nil)
+    a = Low.array(Plane, a)
+    b = Low.array(Plane, b)
+    c = Low.array(Plane, c)
+    count = Low.common(a, b, c)
+    out = Low.results(Vec3, out, count)
+    Low.check(Low.gphys_planes_intersection_batch(a.pointer, a.stride, b.pointer, b.stride, c.pointer, c.stride, count, out.pointer, Vec3::BYTES))
+    out
+  end
+
+  # How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
+  # the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
+  # for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+  # Cost: O(1). Since 1.1.
+  # @param matrix elements within MAX_COORDINATE
+  def self.mat4_orthonormality(matrix)
+    out_deviation = Float32.room
+    Low.check(Low.gphys_mat4_orthonormality(Mat4.pack(matrix), out_deviation))
+    Float32.unpack(out_deviation)
   end
 
   # The frustum of any view-projection matrix (Gribb and Hartmann 2001), in double precision, with

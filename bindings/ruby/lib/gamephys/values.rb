@@ -44,6 +44,8 @@ module Gamephys
   PROJECTION_USER = 2
   LEFT_HANDED = 0
   RIGHT_HANDED = 1
+  PICK_FROM_NEAR_PLANE = 0
+  PICK_FROM_CENTRE = 1
   CLOTH_SHEAR = 1
   CLOTH_BEND = 2
   BODY_PARTICLES = 1
@@ -270,6 +272,15 @@ module Gamephys
     def numbers = [*target, *up, distance, yaw, pitch, radians_per_unit, metres_per_unit, min_distance, max_distance, min_pitch, max_pitch]
   end
   Orbit::FORMAT, Orbit::COUNT, Orbit::BYTES = 'f15', 15, 60
+
+  # What a unit of each input moves an orbit by; negative to turn one round. Frozen.  Since 1.1.
+  OrbitSpeeds = ::Struct.new(:rotate_x, :rotate_y, :zoom, :pan_x, :pan_y) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2], n[3], n[4])
+    def numbers = [rotate_x, rotate_y, zoom, pan_x, pan_y]
+  end
+  OrbitSpeeds::FORMAT, OrbitSpeeds::COUNT, OrbitSpeeds::BYTES = 'f5', 5, 20
 
   # Frozen.
   BodyInfo = ::Struct.new(:kind, :method, :particle_count, :constraint_count, :triangle_count) do

@@ -94,6 +94,30 @@ public final class Camera extends Owned {
     }
 
     /**
+     * As Camera.setPerspective, with an aspect of its own: the viewport stretches the image, as one of
+     * pixels that are not square, and does not change what is seen.
+     * Cost: O(1). Since 1.1.
+     * @param aspect width over height of what is seen, 1e-6 .. 1e6
+     */
+    public void setPerspectiveAspect(float fovY, float aspect, float nearDistance, float farDistance) {
+        int status = Low.gphys_camera_set_perspective_aspect(opened(), fovY, aspect, nearDistance, farDistance);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * As Camera.setOrthographic, with a width of its own, which the viewport does not change.
+     * Cost: O(1). Since 1.1.
+     * @param width metres seen from left to right and from top to bottom, &gt;= 1e-6
+     * @param height metres seen from left to right and from top to bottom, &gt;= 1e-6
+     */
+    public void setOrthographicSize(float width, float height, float nearDistance, float farDistance) {
+        int status = Low.gphys_camera_set_orthographic_size(opened(), width, height, nearDistance, farDistance);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
      * The viewport was resized. Perspective keeps fovY, orthographic its height; it is refused if that
      * makes the width more than twice MAX_COORDINATE.
      * Cost: O(1).
@@ -106,6 +130,30 @@ public final class Camera extends Owned {
         Low.check(status);
     }
 
+    /**
+     * Where the viewport is in its window, as one of several of a split screen: pixels of all functions
+     * count from the window's top left corner. (0, 0) at creation.
+     * Cost: O(1). Since 1.1.
+     * @param x pixels of the window, of the viewport's top left corner
+     * @param y pixels of the window, of the viewport's top left corner
+     */
+    public void setViewportOrigin(float x, float y) {
+        int status = Low.gphys_camera_set_viewport_origin(opened(), x, y);
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * Where the rays of a perspective begin, for all functions that pick. From the near plane at creation;
+     * rays of other projections always begin there.
+     * Cost: O(1). Since 1.1.
+     */
+    public void setPickStart(int start) {
+        int status = Low.gphys_camera_set_pick_start(opened(), start);
+        Low.keep(this);
+        Low.check(status);
+    }
+
     /** What getProjection returns. */
     public record ProjectionResult(int kind, float size, float near, float far) {}
 
@@ -113,9 +161,9 @@ public final class Camera extends Owned {
      * How the camera projects, as it was set.
      * Cost: O(1).
      * @return what of the following was called last: Camera.setPerspective, as at creation,
-     *     Camera.setOrthographic or Camera.setProjection. the vertical field of view in radians of a
-     *     perspective, the height in metres of an orthographic projection, 0 of a matrix. metres; INFINITY
-     *     without a far plane; 0 of a matrix.
+     *     Camera.setOrthographic (or those with a width of their own), or Camera.setProjection. the
+     *     vertical field of view in radians of a perspective, the height in metres of an orthographic
+     *     projection, 0 of a matrix. metres; INFINITY without a far plane; 0 of a matrix.
      */
     public ProjectionResult getProjection() {
         Scratch scratch = Scratch.get();
@@ -141,6 +189,67 @@ public final class Camera extends Owned {
         return new ViewportResult(scratch.getFloat(1), scratch.getFloat(2));
     }
 
+    /** What getViewportOrigin returns. */
+    public record ViewportOriginResult(float x, float y) {}
+
+    /**
+     * Where the viewport is in its window, in pixels, as it was set.
+     * Cost: O(1). Since 1.1.
+     */
+    public ViewportOriginResult getViewportOrigin() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_viewport_origin(opened(), scratch.slot(1), scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return new ViewportOriginResult(scratch.getFloat(1), scratch.getFloat(2));
+    }
+
+    /** What getAspect returns. */
+    public record AspectResult(float aspect, boolean isFixed) {}
+
+    /**
+     * Width over height of what is seen, as it was set or, with a matrix too, as the viewport has it.
+     * Cost: O(1). Since 1.1.
+     * @return 1 if Camera.setPerspectiveAspect or Camera.setOrthographicSize was the last to set the
+     *     projection; 0 if it follows the viewport.
+     */
+    public AspectResult getAspect() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_aspect(opened(), scratch.slot(1), scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return new AspectResult(scratch.getFloat(1), scratch.getInt(2) != 0);
+    }
+
+    /** What getImageSize returns. */
+    public record ImageSizeResult(float width, float height) {}
+
+    /**
+     * Width and height of what is seen, within an ulp: at a distance of one metre by a perspective (twice
+     * the tangents of half the angles; over the viewport's size, what a pixel spans there), at any
+     * distance by an orthographic projection, in metres as they were set; 0 by a matrix.
+     * Cost: O(1). Since 1.1.
+     */
+    public ImageSizeResult getImageSize() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_image_size(opened(), scratch.slot(1), scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return new ImageSizeResult(scratch.getFloat(1), scratch.getFloat(2));
+    }
+
+    /**
+     * Where the rays of a perspective begin, as it was set.
+     * Cost: O(1). Since 1.1.
+     */
+    public int getPickStart() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_pick_start(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(1);
+    }
+
     /**
      * Place the camera.
      * Cost: O(1).
@@ -164,6 +273,22 @@ public final class Camera extends Owned {
     public void setWorldMatrix(Mat4 world) {
         Scratch scratch = Scratch.get();
         int status = Low.gphys_camera_set_world_matrix(opened(), scratch.put(1, world));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * Place it by a view matrix (world to camera): by the world matrix that is its inverse, as
+     * Camera.setWorldMatrix. That of Camera.getViewMatrix puts a camera back within 2^-22 of its distance
+     * from the origin and 2^-22 rad.
+     * Cost: O(1). Since 1.1.
+     * @throws GamephysException with ERROR_SINGULAR: if the axes do not span space
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: if they mirror, the last row is not 0 0 0 1,
+     *     or the camera would be beyond MAX_COORDINATE
+     */
+    public void setViewMatrix(Mat4 view) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_set_view_matrix(opened(), scratch.put(1, view));
         Low.keep(this);
         Low.check(status);
     }
@@ -271,7 +396,34 @@ public final class Camera extends Owned {
     }
 
     /**
-     * Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit.
+     * Set a speed for each input of the orbit, in place of the two of Orbit, which Camera.setOrbit starts
+     * from. Input since the last update counts by the new ones.
+     * Cost: O(1). Since 1.1.
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
+     */
+    public void setOrbitSpeeds(OrbitSpeeds speeds) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_set_orbit_speeds(opened(), scratch.put(1, speeds));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * The present speeds of the orbit's inputs.
+     * Cost: O(1). Since 1.1.
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
+     */
+    public OrbitSpeeds getOrbitSpeeds() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_orbit_speeds(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return OrbitSpeeds.read(scratch.memory, Scratch.at(1));
+    }
+
+    /**
+     * Add input to the orbit: yaw by unitsX, pitch by unitsY, times radians_per_unit or the speeds that
+     * were set.
      * Cost: O(1).
      * @param unitsX finite, any size
      * @param unitsY finite, any size
@@ -284,7 +436,8 @@ public final class Camera extends Owned {
     }
 
     /**
-     * Add input to the orbit: move closer by units times metres_per_unit, or away if negative.
+     * Add input to the orbit: move closer by units times metres_per_unit or the speed that was set, or
+     * away if negative.
      * Cost: O(1).
      * @param units finite, any size
      * @throws GamephysException with ERROR_UNSUPPORTED: if the camera was never set to orbit
@@ -297,7 +450,7 @@ public final class Camera extends Owned {
 
     /**
      * Add input to the orbit: move the target to the camera's right and up, as the last update left them,
-     * by units times metres_per_unit.
+     * by units times metres_per_unit or the speeds that were set.
      * Cost: O(1).
      * @param unitsRight finite, any size
      * @param unitsUp finite, any size
@@ -345,6 +498,40 @@ public final class Camera extends Owned {
         int status = Low.gphys_camera_get_corners(opened(), scratch.slot(1));
         Low.keep(this);
         return Low.found(status) ? Optional.of(scratch.list(1, 8, Vec3.LAYOUT)) : Optional.empty();
+    }
+
+    /**
+     * What is seen in a rectangle of pixels, as Camera.getFrustum: of a tile, a marquee, a portal.
+     * Cost: O(1). Since 1.1.
+     * @param x0 pixels, opposite corners in any order; may lie outside the viewport
+     * @param y0 pixels, opposite corners in any order; may lie outside the viewport
+     * @param x1 pixels, opposite corners in any order; may lie outside the viewport
+     * @param y1 pixels, opposite corners in any order; may lie outside the viewport
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: if the rectangle has no area, or a side of
+     *     what a matrix shows in it lies at infinity or beyond MAX_COORDINATE
+     */
+    public Frustum getRectangleFrustum(float x0, float y0, float x1, float y1) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_rectangle_frustum(opened(), x0, y0, x1, y1, scratch.slot(5));
+        Low.keep(this);
+        Low.check(status);
+        return Frustum.read(scratch.memory, Scratch.at(5));
+    }
+
+    /**
+     * World positions of the corners of what is seen in a rectangle of pixels, as Camera.getCorners.
+     * Cost: O(1). Since 1.1.
+     * @param x0 as Camera.getRectangleFrustum
+     * @param y0 as Camera.getRectangleFrustum
+     * @param x1 as Camera.getRectangleFrustum
+     * @param y1 as Camera.getRectangleFrustum
+     * @return empty as Camera.getCorners.
+     */
+    public Optional<java.util.List<Vec3>> getRectangleCorners(float x0, float y0, float x1, float y1) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_camera_get_rectangle_corners(opened(), x0, y0, x1, y1, scratch.slot(5));
+        Low.keep(this);
+        return Low.found(status) ? Optional.of(scratch.list(5, 8, Vec3.LAYOUT)) : Optional.empty();
     }
 
     /**
@@ -414,11 +601,12 @@ public final class Camera extends Owned {
     }
 
     /**
-     * The ray through a pixel, of unit direction. It starts at the camera's position (perspective) or on
-     * the near plane (orthographic, user) and t_max ends on the far plane (INFINITY without one). Its
-     * image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as near as
-     * half an ulp of a direction can be; Camera.pick is not so limited. For perspective the stretch before
-     * the near plane is part of the ray.
+     * The ray through a pixel, of unit direction, from the near plane on; t_max ends on the far plane
+     * (INFINITY without one). With PICK_FROM_CENTRE that of a perspective starts at the camera's position.
+     * Its image is within 1e-3 pixel of the given one or, for fields of view below about 3 degrees, as
+     * near as half an ulp of a direction can be. Where it starts is rounded to float32 besides, which
+     * moves it by half an ulp of the coordinates (not from the camera's position, which is one of floats);
+     * Camera.pick is not so limited.
      * Cost: O(1).
      * @param pixelX pixels; may lie outside the viewport
      * @param pixelY pixels; may lie outside the viewport
@@ -455,7 +643,7 @@ public final class Camera extends Owned {
 
     /**
      * The model under a pixel: the first hit of Camera.pickRay, before that is rounded to float32; t is in
-     * metres.
+     * metres from where it starts.
      * Cost: O(log n) expected.
      * @param pixelX pixels; may lie outside the viewport
      * @param pixelY pixels; may lie outside the viewport

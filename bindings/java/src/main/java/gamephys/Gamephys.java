@@ -49,6 +49,8 @@ public final class Gamephys extends GamephysBase {
     public static final int PROJECTION_USER = 2;
     public static final int LEFT_HANDED = 0;
     public static final int RIGHT_HANDED = 1;
+    public static final int PICK_FROM_NEAR_PLANE = 0;
+    public static final int PICK_FROM_CENTRE = 1;
     public static final int CLOTH_SHEAR = 1;
     public static final int CLOTH_BEND = 2;
     public static final int BODY_PARTICLES = 1;
@@ -386,6 +388,54 @@ public final class Gamephys extends GamephysBase {
         Scratch scratch = Scratch.get();
         int status = Low.gphys_frustum_corners(scratch.put(0, frustum), scratch.slot(1));
         return Low.found(status) ? Optional.of(scratch.list(1, 8, Vec3.LAYOUT)) : Optional.empty();
+    }
+
+    /**
+     * The point that three planes have in common, within an ulp of each coordinate.
+     * Cost: O(1). Source: Cramer's rule. Since 1.1.
+     * @return empty if the planes have no single point in common, which is decided exactly, or one beyond
+     *     MAX_COORDINATE.
+     */
+    public static Optional<Vec3> planesIntersection(Plane a, Plane b, Plane c) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_planes_intersection(scratch.put(0, a), scratch.put(1, b), scratch.put(2, c), scratch.slot(3));
+        return Low.found(status) ? Optional.of(Vec3.read(scratch.memory, Scratch.at(3))) : Optional.empty();
+    }
+
+    /**
+     * The points of the triples of planes, as Gamephys.planesIntersection; one without gets x = y = z =
+     * INFINITY.
+     * Cost: that of as many single calls. Since 1.1.
+     * @param a the planes each
+     * @param b the planes each
+     * @param c the planes each
+     */
+    public static Batch<Vec3> planesIntersectionBatch(Batch<Plane> a, Batch<Plane> b, Batch<Plane> c, Batch<Vec3> out) {
+        int count = Low.common(a.common(), b.common(), c.common());
+        Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
+        int status = Low.gphys_planes_intersection_batch(a.pointer(), a.stride(), b.pointer(), b.stride(), c.pointer(), c.stride(), count, room.pointer(), Vec3.LAYOUT.bytes());
+        Low.keep(a, b, c, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public static Batch<Vec3> planesIntersectionBatch(Batch<Plane> a, Batch<Plane> b, Batch<Plane> c) {
+        return planesIntersectionBatch(a, b, c, (Batch<Vec3>) null);
+    }
+
+    /**
+     * How far the axes of a matrix (its first three columns without the last row) are from orthonormal:
+     * the largest |a_i . a_j - d_ij|, where d_ij is 1 for i = j, else 0. 0 for the identity, below 2^-22
+     * for the matrices that a camera gives, about 2e for axes that are too long by a share of e.
+     * Cost: O(1). Since 1.1.
+     * @param matrix elements within MAX_COORDINATE
+     */
+    public static float mat4Orthonormality(Mat4 matrix) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_mat4_orthonormality(scratch.put(0, matrix), scratch.slot(1));
+        Low.check(status);
+        return scratch.getFloat(1);
     }
 
     /**

@@ -27,8 +27,30 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
+     * Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
+     * Solver.getPositions writes it. All models of the mesh have the new form from then on, in every
+     * scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
+     * leaves the mesh and the scenes as they were. A solver sees the new form at its next step, as a
+     * surface that stands still.
+     * Threads: an edit of the mesh and of every scene that has a model of it: not beside other calls on
+     * these.
+     * Cost: O(vertices + triangles + log n for each model), some percent of a creation: the tree is
+     * refitted, and built again by parts where it has degraded. If the triangles have come apart so that
+     * their groups of eight have boxes of twice the area, once that of a creation. Since 1.1.
+     * @param vertices elements of 3 floats, metres; copied
+     * @throws GamephysException with ERROR_UNSUPPORTED: if the mesh is not deformable
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: for a vertex that is not finite or too large,
+     *     or if a model of the mesh would reach beyond the range of coordinates
+     */
+    public void setVertices(Batch<Float> vertices) {
+        int status = Low.gphys_mesh_set_vertices(opened(), vertices.pointer(), vertices.stride(12), vertices.size(3));
+        Low.keep(this, vertices);
+        Low.check(status);
+    }
+
+    /**
      * What the mesh was built from: the report that Gamephys.meshCheck makes of its arrays.
-     * Cost: O(1).
+     * Cost: O(1); O(triangles) for a deformable mesh.
      */
     public MeshReport getReport() {
         Scratch scratch = Scratch.get();

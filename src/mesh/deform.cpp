@@ -1,0 +1,79 @@
+// New vertices for the same triangles. Packets keep their triangles, and the tree its packets: both are refitted, and
+// the tree is built again by parts where it has degraded, as that of a scene is (octree_renew.cpp). Neighbours on the
+// surface stay neighbours however it bends, so packets hardly degrade; where they do, as when a surface is torn apart,
+// all triangles are cut into packets anew.
+#include "mesh/mesh.h"
+
+namespace gphys {
+
+namespace {
+
+/// By how much the boxes of the packets have grown, absolutely or against the box of all, when triangles are cut into
+/// packets anew. A flat sheet that is turned grows to three times its boxes at most, and that once: what is compared
+/// with is the last cut.
+constexpr double packed_growth = 2;
+
+}  // namespace
+
+gphys_mesh_report Mesh::report() const {
+    gphys_mesh_report now = report_;
+    if (deformable()) count_degenerate(arrays(), now);
+    return now;
+}
+
+const char* Mesh::set_vertices(const MeshArrays& arrays) {
+    for (uint32_t i = 0; i < arrays.vertex_count; ++i) next_vertices_[i] = arrays.vertex(i);
+    double magnification;
+    const Mesh* magnified = make_magnified(next_vertices_, magnification);
+    const auto change = [&] {
+        vertices_.swap(next_vertices_);
+        std::swap(magnified_, magnified);
+        std::swap(magnification_, magnification);
+        const double area = refit();
+        measure();
+        return area;
+    };
+    const double area = change();
+    const char* const refusal = users_->refusal();
+    if (refusal) {
+        change();
+    } else {
+        users_->mesh_changed();
+    }
+    if (magnified) release(magnified);
+    if (refusal || packets_.empty()) return refusal;
+    if (area > packed_growth * packed_area_ ||
+        area * packed_root_area_ > packed_growth * packed_area_ * half_area(bounds())) {
+        try {
+            pack();
+        } catch (const std::bad_alloc&) {
+            return nullptr;  // an improvement less
+        }
+    }
+    return nullptr;
+}
+
+double Mesh::refit() noexcept {
+    double area = 0;
+    octree_.update_many(static_cast<uint32_t>(packets_.size()), [&](const auto& put, bool) {
+        for (uint32_t number = 0; number < packets_.size(); ++number) {
+            TrianglePacket& packet = packets_[number];
+            for (int lane = 0; lane < 8; ++lane) {
+                const uint32_t index = packet.index[lane];
+                const uint32_t* corner = indices_.data() + size_t{3} * (index != packet.none ? index : packet.index[0]);
+                for (int c = 0; c < 3; ++c) {
+                    const gphys_vec3& v = vertices_[corner[c]];
+                    packet.corner[c][0][lane] = v.x;
+                    packet.corner[c][1][lane] = v.y;
+                    packet.corner[c][2][lane] = v.z;
+                }
+            }
+            const Box box = packet.box();
+            area += half_area(box);
+            put(number, box);
+        }
+    });
+    return area;
+}
+
+}  // namespace gphys
