@@ -7,8 +7,10 @@
 
 namespace gphys {
 
-/// step.cpp: one substep of a body on its own.
-void move(Body& body, const Surroundings& around, Vec3 gravity, double h);
+class RopeContacts;
+
+/// step.cpp: one substep of a body on its own. `contacts`: of a rope beside models that stand still, or null.
+void move(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeContacts* contacts = nullptr);
 /// The same in two parts, between which others may push its particles: those without constraints are moved by
 /// the first, all others only predicted.
 void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
@@ -24,7 +26,7 @@ void finish_chains(Body& body, const TimeScheme& scheme);
 void give_tensions(Body& body, const Surroundings& around, const TimeScheme& scheme);
 
 /// All of them for a rope alone; and what follows begin_chains.
-void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeContacts* contacts);
 void end_rope(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
 
 /// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds.

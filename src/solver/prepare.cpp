@@ -200,10 +200,13 @@ void Solver::look_around(const Scene& scene, double dt) {
         const double fastest = moving.fastest = length(body.extent->fastest);
         const Aabb box = body.extent->box;
         body.extent.reset();
-        // Twice as far as a particle may come in this step, and a model in the next: what it can meet then.
-        const double margin = 2 * dt * (fastest + dt * length(state_.settings.gravity)) + dt * fastest_model;
-        const double room = 2 * body.largest_radius + margin;
-        moving.nearby = bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
+        // Twice as far as a particle may come in this step; and a model in the next: what it can meet then.
+        const double way = 2 * body.largest_radius + 2 * dt * (fastest + dt * length(state_.settings.gravity));
+        const auto within = [&](double room) {
+            return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
+        };
+        moving.close = within(way);
+        moving.nearby = within(way + dt * fastest_model);
     }
     for (Moving& moving : moving_) {
         const size_t before = next_seen_.size();
@@ -211,10 +214,11 @@ void Solver::look_around(const Scene& scene, double dt) {
             // The box around a terrain or a turned slab holds bodies that are far from its surface.
             if (!scene.touches_box(model, moving.nearby)) return;
             next_seen_.push_back({model, scene.world(model)});
+            // One that has moved is met on its way (find_disturbed).
+            if (moving.undisturbed && scene.touches_box(model, moving.close)) moving.undisturbed = false;
         });
         moving.models_near = static_cast<uint32_t>(next_seen_.size() - before);
         if (moving.models_near == 0) continue;
-        moving.undisturbed = false;
         const uint32_t least = substeps_near_models(state_.bodies[moving.slot], state_.settings, moving.fastest, dt);
         moving.substeps = std::max(moving.substeps, least);
     }
@@ -241,7 +245,10 @@ void Solver::find_disturbed(const Scene& scene) {
         const bool bounded = way_of(scene, before, way);
         for (Moving& moving : moving_) {
             const uint32_t layers = scene.layers(before.model) & state_.bodies[moving.slot].settings.layers;
-            if (layers != 0 && (!bounded || overlaps(way, moving.nearby))) moving.undisturbed = false;
+            if (layers != 0 && (!bounded || overlaps(way, moving.nearby))) {
+                moving.undisturbed = false;
+                moving.models_move = true;
+            }
         }
     }
 }
@@ -285,6 +292,7 @@ void Solver::divide_work() {
     }
     for (RopeRoom& room : rooms_) {
         if (room.one.size() < alone) room.one.resize(alone);
+        room.contacts.reserve(static_cast<uint32_t>(alone));
         if (room.eight.size() < together) room.eight.resize(together);
     }
 }

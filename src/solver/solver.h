@@ -199,8 +199,10 @@ private:
         bool undisturbed = false;  // a rope that meets nothing while it stays in the box
         bool starts = false;       // again: of undisturbed ropes
         double fastest = 0;        // m/s, no particle is faster
-        Box nearby{};              // where it may come near to models,
+        Box close{};               // where it may come to in this step,
+        Box nearby{};              // and near to models that move,
         uint32_t models_near = 0;  // and how many are there
+        bool models_move = false;  // some that have come by there
         bool together = false;     // with others, in an island
 
         /// Of undisturbed ropes: whether they can be moved together.
@@ -267,7 +269,7 @@ private:
     void move_shared(const Moving& moving, const Scene* scene, double dt);
     void begin_moving(const Moving& moving, const Scene* scene, double dt);
     void end_moving(const Moving& moving, const Scene* scene, double dt, uint32_t substeps);
-    uint32_t move_in_substeps(Body& body, uint32_t count, const Surroundings& step);
+    uint32_t move_in_substeps(Body& body, uint32_t count, const Surroundings& step, RopeContacts* contacts);
     void move_through(const Moving& moving, RopeRoom& room, const Scene* scene, double dt);
     void move_part(const Task& task, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);

@@ -24,14 +24,14 @@ void follow_models(Body& body, double fraction, double h, uint32_t first, uint32
     }
 }
 
-void move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void move(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeContacts* contacts) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
             fly(body, around, gravity, h);
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);
-            move_rope(body, around, gravity, h);
+            move_rope(body, around, gravity, h, contacts);
             end_friction(body);
             break;
         default:
@@ -87,12 +87,12 @@ void Solver::end_moving(const Moving& moving, const Scene* scene, double dt, uin
 }
 
 /// In so many, or more if the first show that these are too long. Returns how many it were.
-uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const Surroundings& step) {
+uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const Surroundings& step, RopeContacts* contacts) {
     Surroundings rest = step;
     uint32_t made = 0;
     for (uint32_t i = 0; i < count;) {
         const Surroundings part = part_of_step(rest, i++, count);
-        move(body, part, state_.settings.gravity, step.step_time * (rest.end - rest.begin) / count);
+        move(body, part, state_.settings.gravity, step.step_time * (rest.end - rest.begin) / count, contacts);
         ++made;
         const uint32_t wanted = substeps_of_rest(body, state_.settings, step.step_time, part.end, made);
         if (wanted <= count - i) continue;
@@ -116,8 +116,13 @@ void Solver::move_through(const Moving& moving, RopeRoom& room, const Scene* sce
     } else {
         begin_touches(body);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
-        if (body.plan.method == GPHYS_SOLVE_DIRECT) choose_stages(body, room, {gravity, dt, substeps, false});
-        substeps = move_in_substeps(body, substeps, whole);
+        RopeContacts* contacts = nullptr;
+        if (body.plan.method == GPHYS_SOLVE_DIRECT) {
+            choose_stages(body, room, {gravity, dt, substeps, false});
+            if (moving.models_near > 0 && !moving.models_move) contacts = &room.contacts;
+        }
+        if (contacts) contacts->begin_step();
+        substeps = move_in_substeps(body, substeps, whole, contacts);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
         end_touches(body);
     }
@@ -139,7 +144,7 @@ void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* sce
     const Moving* const first = &moving_[task.first];
     for (uint32_t i = 0; i < task.count; ++i) {
         Body& body = state_.bodies[first[i].slot];
-        ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].nearby : nullptr, false};
+        ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].close : nullptr, false};
     }
     move_ropes(ropes, task.count, room, {state_.settings.gravity, dt, first->substeps, state_.settings.tolerance > 0});
     for (uint32_t i = 0; i < task.count; ++i) {

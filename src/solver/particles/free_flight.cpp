@@ -10,6 +10,7 @@
 #include "solver/motion.h"
 #include "solver/particles/flight.h"
 #include "solver/particles/flight_kernels.h"
+#include "solver/particles/flight_walls.h"
 
 namespace gphys {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr int most_bounces = 8;
 // Particles that ask the scene together: enough that its answer costs each of them little, and few enough
 // to stay in the innermost cache.
-constexpr uint32_t block_size = 512, block_groups = block_size / flight_group;
+constexpr uint32_t block_size = FlightWalls::most_particles, block_groups = block_size / flight_group;
 // Boxes around what is near; more are not looked through by each group.
 constexpr uint32_t most_obstacles = 48;
 
@@ -39,6 +40,10 @@ public:
         for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
     }
 
+    /// Before the substeps of a block.
+    void begin_block(const Surroundings& step, uint32_t first, uint32_t count) {
+        walls_.begin(body_, step, first, count);
+    }
     /// One substep.
     void fly_block(const Surroundings& around, uint32_t first, uint32_t count);
 
@@ -52,6 +57,8 @@ private:
     void fly_one(const Collider* collider, uint32_t p, uint32_t obstacle);
     void fly_freely(uint32_t p);
     void fly_among(const Collider& collider, uint32_t p);
+    /// What it meets first on the whole path of the substep.
+    bool meets(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact);
     bool lies_still(const Collider& collider, uint32_t p, uint32_t obstacle) const {
         const Vec3 acceleration = flight_of(p).acceleration;
         return collider.holds(body_, p, obstacle, acceleration * whole_.fall, acceleration * whole_.reach);
@@ -65,6 +72,7 @@ private:
     Vec3 gravity_;
     double h_;
     FlightTime whole_;  // the substep
+    FlightWalls walls_;
     const FlightKernels& kernels_ = flight_kernels(chosen_isa());
     // Of a block:
     double acceleration_[flight_numbers * block_groups];  // or of one group that stands for all
@@ -81,6 +89,14 @@ void FreeFlight::fly_freely(uint32_t p) {
     keep_in_range(body_.position[p], body_.velocity[p]);
 }
 
+bool FreeFlight::meets(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact) {
+    // As far as it comes in the rest of the step, and half as far again.
+    const double rest = around_.step_time * (1 - around_.begin);
+    const double reach = 1.5 * rest * (length(body_.velocity[p]) + rest * length(flight_of(p).acceleration));
+    if (walls_.sweep(body_, p, body_.position[p], displacement, reach, impact)) return impact.model != 0;
+    return collider.sweep(p, body_.position[p], displacement, around_.begin, impact);
+}
+
 void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
     const Flight flight = flight_of(p);
     const double damping = body_.settings.damping, restitution = body_.settings.restitution;
@@ -95,7 +111,9 @@ void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
     for (int bounce = 0;; ++bounce) {
         const Vec3 displacement = flight.displacement(velocity, ahead);
         Impact impact;
-        if (!collider.sweep(p, at, displacement, time, impact)) {
+        const bool hit =
+            bounce == 0 ? meets(collider, p, displacement, impact) : collider.sweep(p, at, displacement, time, impact);
+        if (!hit) {
             at += displacement;
             velocity = flight.velocity(velocity, ahead);
             return;
@@ -242,7 +260,9 @@ void FreeFlight::fly_block(const Surroundings& around, uint32_t first, uint32_t 
 void fly(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     FreeFlight flight(body, {body.impulses, body.touched}, gravity, h);
     for (uint32_t first = 0; first < body.size(); first += block_size) {
-        flight.fly_block(around, first, std::min(block_size, body.size() - first));
+        const uint32_t count = std::min(block_size, body.size() - first);
+        flight.begin_block(around, first, count);
+        flight.fly_block(around, first, count);
     }
 }
 
@@ -267,6 +287,7 @@ Extent fly_through(Body& body, uint32_t first, uint32_t end, const Tally& tally,
     for (; first < end; first += block_size) {
         const uint32_t count = std::min(block_size, end - first);
         begin_touches(body, first, first + count);
+        flight.begin_block(step, first, count);
         for (uint32_t i = 0; i < substeps; ++i) flight.fly_block(part_of_step(step, i, substeps), first, count);
         end_touches(body, first, first + count);
         extent.add(extent_of(body, first, first + count));

@@ -22,6 +22,7 @@
 // (the primal-dual active set; Hintermueller, Ito, Kunisch 2002).
 #include "solver/body.h"
 #include "solver/rope/rope.h"
+#include "solver/rope/rope_contacts.h"
 #include "solver/rope/rope_kernels.h"
 #include "solver/state_range.h"
 
@@ -32,6 +33,8 @@ namespace {
 constexpr int most_iterations = 4;
 // While it has to be found which links pull, one may change in each iteration.
 constexpr int most_limited_iterations = 16;
+// And while it has to be found what presses and what friction holds.
+constexpr int most_touching_iterations = 16;
 // A link is settled within this part of its length: below it float32 output shows no difference.
 constexpr double settled = 1e-9;
 
@@ -108,7 +111,7 @@ struct Factors {
 Vec3 column(const DirectRow& row, int c) { return {row.next[0][c], row.next[1][c], row.next[2][c]}; }
 
 /// Eliminate from the first particle to the last. Writes one row per particle.
-void eliminate(const ChainView& view, DirectRow* rows) {
+void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
     const Body& body = view.body;
     Link arriving;        // none arrives at the first particle
     bool joined = false;  // the particle before is free, so that its row couples to this one
@@ -128,6 +131,11 @@ void eliminate(const ChainView& view, DirectRow* rows) {
             y = y * m + arriving.geometric(y) + leaving.geometric(y);
             z = z * m + arriving.geometric(z) + leaving.geometric(z);
             force = (body.predicted[p] - body.position[p]) * m;
+            if (contacts && contacts->any(p)) {
+                const ContactTerm term = contacts->term(body, p, m + arriving.stiffness + leaving.stiffness);
+                x += term.x, y += term.y, z += term.z;
+                force += term.force;
+            }
         }
         double softness = -arriving.softness;
         double violation = arriving.acts ? -arriving.error : 0;
@@ -220,13 +228,15 @@ bool is_found(const ChainView& view) {
 }
 
 /// Whether the lengths of all links have been found.
-bool solve_chain(Body& body, const Chain& chain, double step) {
+bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* contacts) {
     const ChainView view{body, chain, 1 / (step * step)};
     DirectRow* rows = body.plan.direct_rows.data();
     set_targets(body, chain);
-    const int iterations = body.plan.limited ? most_limited_iterations : most_iterations;
+    const int iterations = body.plan.limited ? most_limited_iterations
+                           : contacts        ? most_touching_iterations
+                                             : most_iterations;
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        eliminate(view, rows);
+        eliminate(view, rows, contacts);
         substitute(chain, rows);
         const double fraction = step_fraction(view, rows);
         for (uint32_t i = 0; i <= chain.link_count; ++i) {
@@ -235,7 +245,8 @@ bool solve_chain(Body& body, const Chain& chain, double step) {
             if (!body.pinned(p)) body.position[p] += Vec3{value[0], value[1], value[2]} * fraction;
             if (i > 0) body.plan.tension[chain.first_link + i - 1] = value[3];
         }
-        if (iteration > 0 && is_settled(view)) return true;
+        const bool contacts_settled = !contacts || contacts->update(body, iteration);
+        if (iteration > 0 && contacts_settled && is_settled(view)) return true;
     }
     return is_found(view);
 }
@@ -269,12 +280,14 @@ void set_targets(Body& body, const Chain& chain) {
     }
 }
 
-bool solve_directly(Body& body, double step) {
+bool solve_directly(Body& body, double step) { return solve_touching(body, step, nullptr); }
+
+bool solve_touching(Body& body, double step, RopeContacts* contacts) {
     // Tensions are kept in newtons, so that they are a good first guess whatever the next step is,
     // and are times step^2 while they are solved for.
     for (double& tension : body.plan.tension) tension *= step * step;
     bool found = true;
-    for (const Chain& chain : body.plan.chains) found = solve_chain(body, chain, step) && found;
+    for (const Chain& chain : body.plan.chains) found = solve_chain(body, chain, step, contacts) && found;
     for (double& tension : body.plan.tension) {
         tension /= step * step;
         if (!is_finite(tension)) tension = 0;  // and no guess for the next solution

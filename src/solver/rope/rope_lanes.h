@@ -4,16 +4,18 @@
 #pragma once
 
 #include "solver/body.h"
+#include "solver/rope/rope_contacts.h"
 #include "solver/rope/rope_kernels.h"
 
 namespace gphys {
 
 /// Room for the ropes of one worker.
 struct RopeRoom {
-    explicit RopeRoom(std::pmr::memory_resource* memory) : one(memory), eight(memory) {}
+    explicit RopeRoom(std::pmr::memory_resource* memory) : one(memory), eight(memory), contacts(memory) {}
 
     Vector<RopeNode<1>> one;
     Vector<RopeNode<8>> eight;
+    RopeContacts contacts;  // of one that is moved alone
 };
 
 struct StepOfRopes {

@@ -11,6 +11,7 @@
 #include "solver/motion.h"
 #include "solver/rope/damping.h"
 #include "solver/rope/rope.h"
+#include "solver/rope/rope_contacts.h"
 
 namespace gphys {
 
@@ -168,6 +169,17 @@ void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const Time
     body.earlier_step = body.touched || captured ? 0 : scheme.advance;
 }
 
+/// The same of a rope that has been solved with its contacts.
+void end_touching(Body& body, RopeContacts& contacts, const Surroundings& around, Vec3 gravity,
+                  const TimeScheme& scheme) {
+    contacts.keep_out(body);
+    finish_chains(body, scheme);
+    const bool captured = body.plan.limited && capture(body, around, scheme);
+    contacts.finish(body, around, quiet_speed(gravity, scheme.advance), scheme);
+    if (!body.attachments.empty()) give_tensions(body, around, scheme);
+    body.earlier_step = body.touched || captured ? 0 : scheme.advance;
+}
+
 bool began_in_shape(const Body& body) {
     const Plan& plan = body.plan;
     for (const Chain& chain : plan.chains) {
@@ -182,20 +194,53 @@ bool began_in_shape(const Body& body) {
     return true;
 }
 
+/// Gives links that are far from their lengths, as the caller has placed them, these before the rope moves: in a
+/// substep that would take a speed which throws the rope about. Once it is predicted.
+void restore_shape(Body& body, RopeContacts& contacts, double step) {
+    body.solved = body.predicted;
+    body.predicted = body.position = body.start;
+    constexpr int most_solutions = 8;
+    for (int i = 0; i < most_solutions && !solve_touching(body, step, &contacts); ++i) {
+    }
+    contacts.keep_out(body);
+    std::fill(body.plan.tension.begin(), body.plan.tension.end(), 0.0);
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p)) continue;
+        const Vec3 way = body.position[p] - body.start[p];
+        body.start[p] += way;
+        body.earlier[p] += way;
+        body.position[p] = body.predicted[p] = body.solved[p] + way;
+    }
+    contacts.begin_step();  // from where they are now
+}
+
 /// Of a rope alone.
 struct RopeMotion {
     Body& body;
     const Vec3 gravity;
     bool leans;  // by the trapezoid rule; never in halves
+    RopeContacts* const contacts;
     TimeScheme scheme{1, 0};
+    bool beside = false;  // whether contacts are solved for together with the links
 
     void begin(const Surroundings& around, double h) {
         scheme = leans ? TimeScheme::trapezoid(h) : TimeScheme(h, body.earlier_step);
         begin_chains(body, around, gravity, scheme);
+        const auto look = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
+        beside = look();
+        if (!beside || gphys::began_in_shape(body)) return;
+        restore_shape(body, *contacts, scheme.step(body.settings.damping));
+        beside = look();
     }
-    bool solve() { return solve_directly(body, scheme.step(body.settings.damping)); }
+    bool solve() { return solve_touching(body, scheme.step(body.settings.damping), beside ? contacts : nullptr); }
     bool began_in_shape() const { return gphys::began_in_shape(body); }
-    void finish(const Surroundings& around, double) { end_chains(body, around, gravity, scheme); }
+    void finish(const Surroundings& around, double) {
+        if (beside) {
+            end_touching(body, *contacts, around, gravity, scheme);
+        } else {
+            end_chains(body, around, gravity, scheme);
+        }
+    }
     void take_back() {
         take_back_chains(body);
         leans = false;
@@ -206,9 +251,9 @@ struct RopeMotion {
 
 bool starts_again(const Body& body) { return body.earlier_step == 0 && !body.touched; }
 
-void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeContacts* contacts) {
     const auto move_by = [&](const Surroundings& within, double part, bool leans) {
-        RopeMotion motion{body, gravity, leans};
+        RopeMotion motion{body, gravity, leans, contacts};
         move_in_halves(motion, within, part);
     };
     const auto move_part = [&](const Surroundings& within, double part) { move_by(within, part, false); };

@@ -1,0 +1,375 @@
+#include "solver/rope/rope_contacts.h"
+
+namespace gphys {
+namespace {
+
+// How much stiffer than the particle and its links a contact is. What presses moves a particle by this part less of
+// what it would without contacts into the model: a hundredth of a skin. With 2^27 the other directions would lose half
+// of the digits of a double.
+constexpr double stiffness = 1 << 17;
+// In these iterations planes follow what they belong to; afterwards they stay, so that the iterations end.
+constexpr int most_turns = 6;
+// So many iterations find what slides and what sticks. If that is not all, friction becomes a spring everywhere, as
+// soft as Coulomb's law needs it to be: this always converges, but slowly on the border between the two.
+constexpr int most_tries = 8;
+// What pressures, of which friction is made, may be off by, as a part.
+constexpr double pressure_settled = 1e-4;
+// Among more parts a particle sees less far.
+constexpr uint32_t many_parts = 64;
+
+double friction_of(const Body& body, uint32_t p) {
+    const BodySettings& settings = body.settings;
+    return settings.sticks() && body.stuck[p] ? settings.static_friction : settings.friction;
+}
+
+/// Along a plane, from where the particle was.
+Vec3 slid(const RopeContact& contact, const Body& body, uint32_t p) {
+    const Vec3 way = body.position[p] - body.start[p];
+    return way - contact.normal * dot(way, contact.normal);
+}
+
+double clearance(const Body& body, uint32_t p, Vec3 at) { return body.radius[p] + skin(body.radius[p], at); }
+
+/// stiffness * (1 - n n^T) or stiffness * n n^T
+void add_across(ContactTerm& term, Vec3 n, double k) {
+    term.x += (Vec3{1, 0, 0} - n * n.x) * k, term.y += (Vec3{0, 1, 0} - n * n.y) * k;
+    term.z += (Vec3{0, 0, 1} - n * n.z) * k;
+}
+void add_along(ContactTerm& term, Vec3 n, double k) {
+    term.x += n * (n.x * k), term.y += n * (n.y * k), term.z += n * (n.z * k);
+}
+
+}  // namespace
+
+void RopeContacts::reserve(uint32_t particles) {
+    contacts_.reserve(size_t{most_parts} * particles);
+    if (first_.size() < particles + 1) first_.resize(particles + 1);
+    if (balls_.size() < particles) balls_.resize(particles);
+}
+
+/// Models that the balls around some particles touch. False if there is too much.
+bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
+    Aabb places{body.start[first], body.start[first]};
+    double farthest = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t p = first + i;
+        probes_[i] = {body.start[p], clearance(body, p, body.start[p]) + balls_[p].reach};
+        places = {min(places.min, body.start[p]), max(places.max, body.start[p])};
+        farthest = std::max(farthest, probes_[i].radius);
+    }
+    const Vec3 room{farthest, farthest, farthest};
+    parts_.clear(count);
+    bool complete = true, any = false;
+    scene_->for_each_in_box(bounds(Aabb{places.min - room, places.max + room}), body.settings.layers,
+                            [&](gphys_model_id model) {
+                                any = true;
+                                complete &= parts_.add(*scene_, model, 0, probes_);
+                            });
+    if (complete && !any) {
+        for (uint32_t i = 0; i < count; ++i) first_[first + i] = static_cast<uint32_t>(contacts_.size());
+        return true;
+    }
+    for (uint32_t i = 0; i < count && complete; ++i) settle(body, first + i, i);
+    return complete;
+}
+
+/// The ball and the contacts of a particle from what was collected around it.
+void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
+    first_[p] = static_cast<uint32_t>(contacts_.size());
+    const Vec3 at = body.start[p];
+    const double off = clearance(body, p, at);
+    double& reach = balls_[p].reach;
+    for (int halvings = 0; parts_.look_from(point) > many_parts && halvings < 3; ++halvings) {
+        reach /= 2;
+        probes_[point].radius = off + reach;
+    }
+    uint32_t count = 0;
+    for (NearPart part; count < most_parts && parts_.take_nearest(part); ++count) {
+        RopeContact contact{};
+        contact.model = part.model;
+        contact.normal = part.normal;
+        contact.outside = dot(part.normal, part.closest) + off;
+        contact.is_fixed = part.is_triangle || scene_->type(part.model) == GPHYS_SHAPE_PLANE;
+        contacts_.push_back(contact);
+        // Coplanar triangles share a plane.
+        if (part.is_triangle) {
+            parts_.leave_out_behind(part.normal, contact.outside - body.radius[p] - skin(body.radius[p], at) / 2, 0);
+        }
+    }
+    if (count < most_parts) return;
+    parts_.for_each_left([&](uint32_t, double distance) { reach = std::max(0.0, std::min(reach, distance - off)); });
+}
+
+/// As far as they come in the rest of the step, and half as far again.
+void RopeContacts::look(const Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    contacts_.clear();
+    scene_ = around.scene;
+    const double rest = std::max(h, around.step_time * (1 - around.begin)), fall = rest * length(gravity);
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        balls_[p] = {body.start[p], 1.5 * rest * (length(body.start_velocity[p]) + fall)};
+    }
+    for (uint32_t first = 0, count; first < body.size(); first += count) {
+        Aabb places{body.start[first], body.start[first]};
+        const double size = 8 * (clearance(body, first, body.start[first]) + balls_[first].reach);
+        for (count = 1; count < NearParts::most_points && first + count < body.size(); ++count) {
+            const Vec3 at = body.start[first + count];
+            places = {min(places.min, at), max(places.max, at)};
+            if (max_component(places.max - places.min) > size) break;
+        }
+        const size_t before = contacts_.size();
+        if (collect(body, first, count)) continue;
+        for (uint32_t p = first; p < first + count; ++p) {
+            contacts_.resize(p == first ? before : contacts_.size());
+            const size_t of_this = contacts_.size();
+            bool complete = collect(body, p, 1);
+            for (int halvings = 0; !complete && halvings < 3; ++halvings) {
+                balls_[p].reach /= 2;
+                contacts_.resize(of_this);
+                complete = collect(body, p, 1);
+            }
+            if (complete) continue;
+            // It is swept.
+            contacts_.resize(of_this);
+            first_[p] = static_cast<uint32_t>(of_this);
+            balls_[p].reach = 0;
+        }
+    }
+    first_[body.size()] = static_cast<uint32_t>(contacts_.size());
+    looked_ = true;
+}
+
+void RopeContacts::place_plane(RopeContact& contact, const Body& body, uint32_t p, Vec3 at) const {
+    Vec3 closest, normal;
+    double distance;
+    if (!scene_->closest_point_model(contact.model, at, closest, normal, distance)) return;
+    contact.normal = normal;
+    contact.outside = dot(normal, closest) + clearance(body, p, at);
+}
+
+void RopeContacts::allow_within_skin(RopeContact& contact, const Body& body, uint32_t p) const {
+    const double missing = contact.outside - dot(contact.normal, body.start[p]);
+    const double allowed = std::clamp(missing, 0.0, skin(body.radius[p], body.start[p]));
+    contact.offset = contact.outside - allowed;
+    contact.depth = missing - allowed;
+}
+
+bool RopeContacts::begin(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+    const auto stays = [&] {
+        for (uint32_t p = 0; p < body.size(); ++p) {
+            if (!body.pinned(p) && !in_ball(body, p)) return false;
+        }
+        return true;
+    };
+    if (!looked_ || !stays()) look(body, around, gravity, h);
+    active_ = !contacts_.empty();
+    const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p)) continue;
+        bool sunk = false;
+        each(p, [&](RopeContact& contact) {
+            if (!contact.is_fixed) place_plane(contact, body, p, body.start[p]);
+            allow_within_skin(contact, body, p);
+            contact.approach = -dot(contact.normal, body.velocity[p]);
+            contact.iterations = 0;
+            contact.force = {};
+            sunk = sunk || contact.depth > most_push;
+        });
+        if (!sunk) continue;
+        looked_ = false;
+        return false;
+    }
+    return true;
+}
+
+ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
+    ContactTerm term;
+    each(p, [&](RopeContact& contact) {
+        contact.force = {};
+        if (contact.state == RopeContact::apart) return;
+        contact.stiffness = stiffness * mass;
+        const Vec3 n = contact.normal, way = slid(contact, body, p);
+        add_along(term, n, contact.stiffness);
+        term.force += n * (contact.stiffness * (contact.offset - dot(n, body.position[p])));
+        const double hold = friction_of(body, p) * contact.pressed, length = gphys::length(way);
+        if (hold == 0) return;
+        // Across its way what slides is held by this, as friction turns with it.
+        const double turning = length * contact.stiffness > hold ? hold / length : contact.stiffness;
+        if (contact.iterations >= most_tries || contact.state == RopeContact::sticks) {
+            contact.drag = contact.iterations >= most_tries ? turning : contact.stiffness;
+            add_across(term, n, contact.drag);
+            term.force -= way * contact.drag;
+        } else {
+            contact.drag = 0;
+            add_across(term, n, turning);
+            add_along(term, contact.way, -turning);
+            contact.force = contact.way * -hold;
+            term.force += contact.force;
+        }
+    });
+    return term;
+}
+
+bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, int iteration) const {
+    const Vec3 at = body.position[p];
+    const double gap = dot(contact.normal, at) - contact.offset, room = skin(body.radius[p], at);
+    const double friction = friction_of(body, p);
+    bool settled = true;
+    if (contact.state == RopeContact::apart) {
+        if (gap >= 0) return true;
+        // At first without friction, which is not known yet.
+        contact.state = RopeContact::sticks;
+        contact.pressed = 0;
+        settled = false;
+    } else {
+        const double pressed = -contact.stiffness * gap, before = contact.pressed;
+        const Vec3 way = slid(contact, body, p);
+        const double length = gphys::length(way), hold = friction * before;
+        contact.pressed = std::max(0.0, pressed);
+        contact.force += contact.normal * contact.pressed - way * (hold > 0 ? contact.drag : 0);
+        if (pressed < 0) {
+            contact.state = RopeContact::apart;
+            settled = false;
+        } else if (before == 0) {
+            // To stop what is fast would take pressures that are not there.
+            const Vec3 speed = body.start_velocity[p];
+            const Vec3 along = speed - contact.normal * dot(speed, contact.normal);
+            const bool slow = length_squared(along) <= 4 * length_squared(body.velocity[p] - speed);
+            contact.state = slow || length == 0 ? RopeContact::sticks : RopeContact::slides;
+            if (!slow && length > 0) contact.way = way / length;
+        } else if (hold > 0 && contact.iterations < most_tries) {
+            const bool sticks =
+                contact.state == RopeContact::sticks ? length * contact.stiffness <= hold : dot(way, contact.way) <= 0;
+            if (sticks != (contact.state == RopeContact::sticks)) settled = false;
+            contact.state = sticks ? RopeContact::sticks : RopeContact::slides;
+            if (!sticks) contact.way = way / length;
+        }
+        ++contact.iterations;
+        if (friction > 0 && std::fabs(pressed - before) > pressure_settled * pressed) settled = false;
+    }
+    // From behind a plane the nearest point may be on the far side.
+    if (contact.is_fixed || iteration >= most_turns || gap < -room) return settled;
+    RopeContact turned = contact;
+    place_plane(turned, body, p, at);
+    turned.offset = turned.outside - (contact.outside - contact.offset);
+    const double moved = dot(turned.normal, at) - turned.offset - gap;
+    if (contact.state != RopeContact::apart && std::fabs(moved) > 0.01 * room) settled = false;
+    contact.normal = turned.normal;
+    contact.outside = turned.outside;
+    contact.offset = turned.offset;
+    contact.way -= contact.normal * dot(contact.way, contact.normal);
+    return settled;
+}
+
+bool RopeContacts::update(const Body& body, int iteration) {
+    bool settled = true;
+    for (uint32_t p = 0; p < body.size() && active_; ++p) {
+        if (body.pinned(p)) continue;
+        each(p, [&](RopeContact& contact) { settled = update(contact, body, p, iteration) && settled; });
+    }
+    return settled;
+}
+
+void RopeContacts::keep_out(Body& body) const {
+    constexpr int most_passes = 8;
+    for (uint32_t p = 0; p < body.size() && active_; ++p) {
+        if (body.pinned(p)) continue;
+        const double room = skin(body.radius[p], body.position[p]) / 8;
+        bool out = false;
+        for (int pass = 0; pass < most_passes && !out; ++pass) {
+            out = true;
+            for (uint32_t i = first_[p]; i < first_[p + 1]; ++i) {
+                const RopeContact& contact = contacts_[i];
+                const double depth = contact.offset - dot(contact.normal, body.position[p]);
+                if (depth <= room) continue;
+                body.position[p] += contact.normal * depth;
+                out = false;
+            }
+        }
+    }
+}
+
+void RopeContacts::sweep_escaped(Body& body, const Surroundings& around, double quiet) {
+    const auto escaped = [&](uint32_t p) { return !body.pinned(p) && !in_ball(body, p); };
+    bool any = false;
+    for (uint32_t p = 0; p < body.size(); ++p) any = any || escaped(p);
+    if (!any) return;
+    looked_ = false;
+    const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
+    if (collider.idle()) return;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (escaped(p)) {
+            collider.slide(body, p, body.start[p], body.position[p] - body.start[p], around.begin, quiet);
+        }
+    }
+}
+
+namespace {
+
+/// By particle, what has moved it from where it was predicted besides its links, kg m: of all particles together this
+/// is what their momentum shows, however far the iterations have come.
+void find_pushes(Body& body, double step) {
+    const Plan& plan = body.plan;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        body.solved[p] = (body.position[p] - body.predicted[p]) * body.mass[p];
+    }
+    for (const Chain& chain : plan.chains) {
+        for (uint32_t i = 0; i < chain.link_count; ++i) {
+            const uint32_t a = plan.particles[chain.first_particle + i],
+                           b = plan.particles[chain.first_particle + i + 1];
+            const Vec3 pull = link_direction(body, a, b) * (plan.tension[chain.first_link + i] * step * step);
+            body.solved[a] -= pull;
+            body.solved[b] += pull;
+        }
+    }
+}
+
+}  // namespace
+
+void RopeContacts::finish(Body& body, const Surroundings& around, double quiet, const TimeScheme& scheme) {
+    body.touched = body.sunk = false;
+    std::fill(body.held.begin(), body.held.end(), uint8_t{0});
+    const BodySettings& settings = body.settings;
+    const double rate = scheme.next / scheme.h;  // by which a correction of the position has changed the velocity
+    if (active_) find_pushes(body, scheme.step(settings.damping));
+    for (uint32_t p = 0; p < body.size() && active_; ++p) {
+        if (body.pinned(p)) continue;
+        bool sticks = false;
+        const RopeContact* most = nullptr;
+        Vec3 rest = body.solved[p];
+        each(p, [&](RopeContact& contact) {
+            // One that the iterations have left out, and that has kept it out afterwards.
+            const double gap = dot(contact.normal, body.position[p]) - contact.offset;
+            if (contact.force == Vec3{} && gap <= skin(body.radius[p], body.position[p]) / 8) {
+                contact.force = contact.normal * std::max(0.0, dot(contact.normal, rest));
+            }
+            rest -= contact.force;
+            if (!most || length_squared(contact.force) > length_squared(most->force)) most = &contact;
+        });
+        each(p, [&](RopeContact& contact) {
+            if (contact.force == Vec3{}) return;
+            Vec3& velocity = body.velocity[p];
+            const Vec3 before = velocity;
+            // What brings it out of a model is no speed, and with what is left of its approach it does not go on.
+            velocity -= contact.normal * (std::max(0.0, contact.depth) * rate);
+            const double wanted = contact.approach > quiet ? settings.restitution * contact.approach : 0;
+            const double given = wanted - dot(velocity, contact.normal);
+            if (given > 0) {
+                velocity += contact.normal * given;
+                const Vec3 along = velocity - contact.normal * dot(velocity, contact.normal);
+                const double speed = length(along), taken = friction_of(body, p) * given;
+                velocity -= speed > taken ? along * (taken / speed) : along;
+            }
+            const Vec3 point = body.position[p] - contact.normal * body.radius[p];
+            give(body, around, contact.model, point,
+                 (contact.force + (&contact == most ? rest : Vec3{})) * -rate - (velocity - before) * body.mass[p]);
+            body.touched = true;
+            body.held[p] =
+                static_cast<uint8_t>(record_touch(body, p, *around.scene, contact.model, point, contact.normal) + 1);
+            sticks = sticks || contact.state == RopeContact::sticks;
+        });
+        if (settings.sticks()) body.stuck[p] = sticks;
+    }
+    sweep_escaped(body, around, quiet);
+}
+
+}  // namespace gphys
