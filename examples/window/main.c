@@ -35,7 +35,7 @@ typedef struct program {
     int paused, step_once, recording, helping, quit, log, shift;
     gesture gesture;
     int x, y; /* of the mouse, pixels */
-    double step_ms, pick_ms, draw_ms, cull_ms, first_energy;
+    double step_ms, pick_ms, cull_ms, first_energy;
 } program;
 
 void check(gphys_status status, const char* what) {
@@ -256,14 +256,13 @@ static void panel(program* p, int width, int height) {
                  p->hand.hover.t, 0.5 * (double)(nextafterf(p->hand.hover.t, INFINITY) - p->hand.hover.t));
     }
     snprintf(text, sizeof text,
-             "%u  %s%s\n\nstep   %6.2f ms   x%g\ncull   %6.3f ms   %u of %u models\npick   %6.3f ms   %s\ndraw   %6.1f "
-             "ms\n\n"
+             "%u  %s%s\n\nstep   %6.2f ms   x%g\ncull   %6.3f ms   %u of %u models\npick   %6.3f ms   %s\n\n"
              "particles %u, links %u, contacts %u\nstrain  max %.3f %%   rms %.4f %%\nenergy  %.1f J, %.1f since the "
-             "start\noctree  %u nodes, depth %u%s",
+             "start\noctree  %u nodes, depth %u",
              p->preset + 1, preset_names[p->preset], p->paused ? "   paused" : "", p->step_ms, p->speed, p->cull_ms,
-             p->drawn, tree.item_count + tree.unbounded_count, p->pick_ms, hover, p->draw_ms, stats.particle_count,
+             p->drawn, tree.item_count + tree.unbounded_count, p->pick_ms, hover, stats.particle_count,
              stats.constraint_count, stats.contact_count, 100 * stats.strain_max, 100 * stats.strain_rms, now,
-             now - p->first_energy, tree.node_count, tree.depth, p->recording ? "\n\nrecording" : "");
+             now - p->first_energy, tree.node_count, tree.depth);
     const float scale = height >= 700 ? 1.6f : 1.2f;
     float text_width, text_height;
     canvas_size_of_text(text, scale, &text_width, &text_height);
@@ -289,7 +288,6 @@ static void draw(program* p) {
     p->marks.selected_count = p->hand.selected_count;
     p->marks.observed = p->observed;
     double cull = 0;
-    const double start = seconds();
     p->drawn = canvas_draw(p->canvas, &p->stage, p->camera, width, height, &p->marks, &cull);
     panel(p, width, height);
     if (p->recording) {
@@ -306,8 +304,8 @@ static void draw(program* p) {
         }
         free(pixels);
     }
+    SDL_SetWindowTitle(p->window, p->recording ? "gamephys, recording" : "gamephys");
     SDL_GL_SwapWindow(p->window);
-    p->draw_ms += 0.05 * (1e3 * (seconds() - start) - p->draw_ms);
     p->cull_ms += 0.05 * (cull - p->cull_ms);
 }
 

@@ -40,7 +40,7 @@ mkdir "$work/pictures"
 "$program" --size 640x480 --preset 3 --log --record "$work/pictures" >"$work/log" 2>&1 &
 window=$!
 wait_for '^preset 2 4$'
-id=$(xdotool search --sync --onlyvisible --name '^gamephys$' | head -n 1)
+id=$(xdotool search --sync --onlyvisible --name '^gamephys' | head -n 1)
 at() { xdotool mousemove --window "$id" "$@"; }
 
 # Over a cliff of stone, then a rectangle over the picture.
