@@ -295,7 +295,7 @@ public class GamephysTest {
         assertEquals(0, mat4Orthonormality(view), 0);
         assertEquals(camera.getCorners(), camera.getRectangleCorners(800, 0, 1600, 600));
         assertEquals(ZERO, camera.getRectangleFrustum(800, 0, 1200, 600).origin());
-        camera.setOrbit(Orbit.defaults());
+        camera.setOrbit(defaultOrbit());
         OrbitSpeeds speeds = new OrbitSpeeds(0.5f, 1, 2, 3, 4);
         camera.setOrbitSpeeds(speeds);
         assertEquals(speeds, camera.getOrbitSpeeds());

@@ -199,7 +199,7 @@ test('cameras see by aspect, in a window, from the near plane on', () => {
     assert.strictEqual(gp.mat4Orthonormality(view), 0);
     same(camera.getRectangleCorners(800, 0, 1600, 600), camera.getCorners());
     same([...camera.getRectangleFrustum(800, 0, 1200, 600).origin], [0, 0, 0]);
-    camera.setOrbit(gp.orbit());
+    camera.setOrbit(gp.defaultOrbit());
     camera.setOrbitSpeeds([0.5, 1, 2, 3, 4]);
     assert.strictEqual(camera.getOrbitSpeeds().pan_y, 4);
     const x1 = [[1, 0, 0], 1], y2 = [[0, 1, 0], 2], z3 = [[0, 0, 1], 3];

@@ -232,7 +232,7 @@ function tests.cameras_see_by_aspect_in_a_window_from_the_near_plane_on()
     local corner = camera:get_corners()[6]
     assert(is(camera:get_rectangle_corners(800, 0, 1600, 600)[6], corner.x, corner.y, corner.z))
     assert(is(camera:get_rectangle_frustum(800, 0, 1200, 600).origin, 0, 0, 0))
-    camera:set_orbit(gp.orbit())
+    camera:set_orbit(gp.default_orbit())
     camera:set_orbit_speeds(gp.OrbitSpeeds(0.5, 1, 2, 3, 4))
     assert(camera:get_orbit_speeds().pan_y == 4)
     local x1, y2, z3 = gp.Plane({ 1, 0, 0 }, 1), gp.Plane({ 0, 1, 0 }, 2), gp.Plane({ 0, 0, 1 }, 3)

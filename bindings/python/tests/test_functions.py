@@ -213,7 +213,7 @@ class Functions(unittest.TestCase):
         corners = camera.get_rectangle_corners(800, 0, 1600, 600)
         self.assertEqual([tuple(c) for c in corners], [tuple(c) for c in camera.get_corners()])
         self.assertEqual(tuple(camera.get_rectangle_frustum(800, 0, 1200, 600).origin), (0, 0, 0))
-        camera.set_orbit(gp.orbit())
+        camera.set_orbit(gp.default_orbit())
         camera.set_orbit_speeds(gp.OrbitSpeeds(0.5, 1, 2, 3, 4))
         self.assertEqual(camera.get_orbit_speeds().pan_y, 4)
         x1, y2, z3 = gp.Plane((1, 0, 0), 1), gp.Plane((0, 1, 0), 2), gp.Plane((0, 0, 1), 3)

@@ -230,7 +230,7 @@ class TestGamephys < Minitest::Test
     corners = camera.get_rectangle_corners(800, 0, 1600, 600)
     assert_equal camera.get_corners.map(&:to_a), corners.map(&:to_a)
     assert_equal [0, 0, 0], camera.get_rectangle_frustum(800, 0, 1200, 600).origin.to_a
-    camera.set_orbit(Gamephys.orbit)
+    camera.set_orbit(Gamephys.default_orbit)
     camera.set_orbit_speeds(OrbitSpeeds.new(0.5, 1, 2, 3, 4))
     assert_equal 4, camera.get_orbit_speeds.pan_y
     x1, y2, z3 = Plane.new([1, 0, 0], 1), Plane.new([0, 1, 0], 2), Plane.new([0, 0, 1], 3)
