@@ -321,7 +321,7 @@ TEST_CASE("cameras see by aspect, in a window, from the near plane on") {
     const Mat4 view = camera.get_view_matrix();
     camera.set_view_matrix(view);
     CHECK(mat4_orthonormality(view) < 1e-6f);
-    CHECK(near(camera.get_transform().first, {1, 2, 3}));
+    CHECK(near(std::get<0>(camera.get_transform()), {1, 2, 3}));
     const auto corners = camera.get_rectangle_corners(800, 0, 1600, 600), all = camera.get_corners();
     for (int i = 0; i < 8; ++i) CHECK(near((*corners)[i], (*all)[i]));
     CHECK(near(camera.get_rectangle_frustum(800, 0, 1200, 600).origin, {1, 2, 3}));
