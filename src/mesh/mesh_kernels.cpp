@@ -80,7 +80,7 @@ void walk_ray(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pack
     const TriangleTest test(ray.triangles);
     float limit = ray.limit;
     traverse_ordered(
-        nodes, root, RayTest(ray.along), limit,
+        nodes, root, SingleRayTest(ray.along), limit,
         [&](uint32_t number) {
             const uint32_t lanes = test.hits(packets[number], limit);
             if (lanes != 0) limit = to.visit(to.context, packets[number], lanes);

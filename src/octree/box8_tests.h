@@ -51,6 +51,34 @@ private:
     const RayProbe* probe_;
 };
 
+/// The same of a ray that is alone, whose numbers stay in registers.
+class SingleRayTest {
+public:
+    explicit SingleRayTest(const RayProbe& probe) {
+        for (int k = 0; k < 3; ++k) {
+            near_origin_[k] = splat(probe.near_origin[k]);
+            far_origin_[k] = splat(probe.far_origin[k]);
+            back_[k] = splat(probe.back[k]);
+            near_face_[k] = probe.near_face[k];
+            far_face_[k] = probe.far_face[k];
+        }
+    }
+
+    uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
+        const auto enters = [&](int k) {
+            return (near_origin_[k] - load_aligned(boxes.from(near_face_[k]))) * back_[k];
+        };
+        const auto leaves = [&](int k) { return (far_origin_[k] - load_aligned(boxes.from(far_face_[k]))) * back_[k]; };
+        const SlabInterval within(enters, leaves, splat(limit));
+        entry = within.entry;
+        return within.hits();
+    }
+
+private:
+    Float8 near_origin_[3], far_origin_[3], back_[3];
+    uint32_t near_face_[3], far_face_[3];
+};
+
 class PointTest {
 public:
     explicit PointTest(const PointProbe& probe) {

@@ -28,9 +28,10 @@ void closest_hit(const OctreeNode* nodes, uint32_t root, const Probe& probe, flo
     traverse_ordered(
         nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); },
         [&](const OctreeNode& leaf) GPHYS_INLINE_LAMBDA {
-            if (to.items.size == 0) return;
-            // Which of them will be visited is not known yet; of those that are in use most are.
-            for (const uint32_t item : leaf.child) prefetch_item(to.items, item);
+            // Which of them will be visited is not known yet; of those that are in use most are. A prefetch of no
+            // memory does no harm.
+            const char* const first = static_cast<const char*>(to.items.first);
+            for (const uint32_t item : leaf.child) prefetch(first + size_t{item} * to.items.size);
         });
 }
 
@@ -65,7 +66,7 @@ void many_rays(const OctreeNode* nodes, uint32_t root, const RayProbe* probes, c
 
 void any_hit(const OctreeNode* nodes, uint32_t root, const RayProbe& probe, float limit, const OctreeVisitor& to) {
     if (!(limit >= 0)) return;
-    const RayTest test(probe);
+    const SingleRayTest test(probe);
     traverse_unordered(
         nodes, root,
         [&](const Box8& boxes) {
@@ -130,7 +131,7 @@ void around_node(const OctreeNode& node, Box& out) {
 
 extern const OctreeKernels octree_kernels{
     make_probes,
-    closest_hit<RayTest, RayProbe>,
+    closest_hit<SingleRayTest, RayProbe>,
     many_rays<ClosestHit>,
     many_rays<AnyHit>,
     closest_hit<PointTest, PointProbe>,

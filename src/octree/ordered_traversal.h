@@ -51,24 +51,7 @@ public:
         size_ = push_sorted(stack_, size_, here.child, hits, is_leaf(child_of(at_)));
         return next();
     }
-    /// The same for a traversal that is not interleaved, in less time: the next child is found without waiting for the
-    /// others to be sorted, which the processor then does while it waits for the memory of that child.
-    bool leave_node_at_once(const OctreeNode& here, const NodeHits& hits) {
-        const bool leaf = is_leaf(child_of(at_));
-        if ((hits.lanes & (hits.lanes - 1)) == 0) {
-            if (hits.lanes == 0) return next();
-            at_ = uint64_t{leaf ? item_mark : 0} << 32 | here.child[lowest_bit(hits.lanes)];
-            return true;
-        }
-        const uint32_t nearest = here.child[nearest_lane(hits)];
-        const StackEntry direct = uint64_t{leaf ? item_mark : 0} << 32 | nearest, top = stack_[size_ - 1];
-        at_ = hits.lanes != 0 ? direct : top;
-        size_ = push_sorted(stack_, size_, here.child, hits, leaf) - 1;
-        return at_ != sentinel;
-    }
     bool leave_item() { return next(); }
-    /// What comes after the node or item that the traversal is at.
-    uint32_t next_on_stack() const { return child_of(stack_[size_ - 1]); }
     /// A lower limit. Pruned at once: to test each entry as it is popped would be an unpredictable branch each time.
     void set_limit(float limit) {
         limit_ = limit;
@@ -140,32 +123,49 @@ private:
 };
 
 /// The closest hit of one query alone. visit(item) returns the limit that holds from then on; a negative one ends the
-/// traversal. What is needed soon is prefetched: of an inner node the child after the next, of a leaf what
-/// prefetch_items(leaf) does, before its boxes are tested.
+/// traversal.
+///
+/// The items of a leaf are visited at once, nearest first, and never lie on the stack. Of the children of an inner node
+/// the nearest is found without waiting for the others to be sorted, which the processor then does while it waits for
+/// the memory of that child; the one after it is prefetched. prefetch_items(leaf) comes before the boxes of a leaf
+/// are tested.
 template <class Test, class Visit, class PrefetchItems>
 void traverse_ordered(const OctreeNode* nodes, uint32_t root, const Test& test, float limit, const Visit& visit,
                       const PrefetchItems& prefetch_items) {
     if (!(limit >= 0)) return;
-    ClosestHit::Stack stack;
-    ClosestHit traversal;
-    traversal.begin(root, limit, stack);
-    NodeHits hits;
-    bool goes_on;
-    do {
-        if (traversal.at_item()) {
-            const float before = limit;
-            limit = visit(traversal.item());
-            if (limit < before) traversal.set_limit(limit);
-            goes_on = traversal.leave_item();
-        } else {
-            const OctreeNode& here = traversal.node(nodes);
-            const bool leaf = traversal.at_leaf();
-            if (leaf) prefetch_items(here);
-            traversal.test_node(here, test, hits);
-            goes_on = traversal.leave_node_at_once(here, hits);
-            if (goes_on && !leaf) prefetch_range(&node_at(nodes, traversal.next_on_stack()), sizeof(OctreeNode));
+    StackEntry stack[stack_size];
+    int size = 0;
+    uint32_t at = root;
+    for (;;) {
+        const OctreeNode& here = node_at(nodes, at);
+        if (is_leaf(at)) prefetch_items(here);
+        Float8 keys;
+        NodeHits hits;
+        hits.lanes = test.hits(here.boxes, limit, keys) & lanes_of(here);
+        store(hits.keys, keys);
+        if (is_leaf(at)) {
+            while (hits.lanes != 0) {
+                const bool one = (hits.lanes & (hits.lanes - 1)) == 0;
+                const uint32_t lane = one ? static_cast<uint32_t>(lowest_bit(hits.lanes)) : nearest_lane(hits);
+                const float before = limit;
+                limit = visit(here.child[lane]);
+                hits.lanes &= ~(1u << lane);
+                if (!(limit < before)) continue;
+                size = prune(limit, stack, size);
+                hits.lanes &= bits(keys <= splat(limit));
+            }
+        } else if ((hits.lanes & (hits.lanes - 1)) != 0) {
+            at = here.child[nearest_lane(hits)];
+            size = push_sorted(stack, size, here.child, hits, false) - 1;
+            prefetch_range(&node_at(nodes, child_of(stack[size - 1])), sizeof(OctreeNode));
+            continue;
+        } else if (hits.lanes != 0) {
+            at = here.child[lowest_bit(hits.lanes)];
+            continue;
         }
-    } while (goes_on);
+        if (size == 0) return;
+        at = child_of(stack[--size]);
+    }
 }
 
 }  // namespace gphys::GPHYS_ISA
