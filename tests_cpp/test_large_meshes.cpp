@@ -32,8 +32,12 @@ struct Level {
         meshes.push_back(model);
     }
 
-    /// How many rays hit; each gives what a single call gives.
+    /// How many rays hit; each gives what a single call gives, and so does any hit.
     uint32_t cast(const std::vector<gphys_ray>& rays, uint32_t layers) const {
+        std::vector<int32_t> any(rays.size());
+        REQUIRE(gphys_scene_raycast_any_batch(scene.scene, rays.data(), sizeof rays[0],
+                                              static_cast<uint32_t>(rays.size()), layers, any.data(),
+                                              sizeof any[0]) == GPHYS_OK);
         std::vector<gphys_hit> hits(rays.size());
         REQUIRE(gphys_scene_raycast_batch(scene.scene, rays.data(), sizeof rays[0], static_cast<uint32_t>(rays.size()),
                                           layers, hits.data(), sizeof hits[0]) == GPHYS_OK);
@@ -42,7 +46,9 @@ struct Level {
             gphys_hit single{};
             single.t = INFINITY;
             single.triangle = GPHYS_NO_TRIANGLE;
-            found += gphys_scene_raycast(scene.scene, &rays[i], layers, &single) == GPHYS_OK;
+            const bool hit = gphys_scene_raycast(scene.scene, &rays[i], layers, &single) == GPHYS_OK;
+            REQUIRE(any[i] == hit);
+            found += hit;
             of_large += single.model == meshes[0] || single.model == meshes[1];
             REQUIRE(std::memcmp(&single, &hits[i], sizeof single) == 0);
         }
@@ -98,6 +104,49 @@ TEST_CASE("batches of rays in a scene inside a mesh have the bits of single call
         }
         level.meshes[0] = level.scene.add_sphere(30, test::at(0, 0, 0));
         level.cast(rays, 3);
+    }
+}
+
+TEST_CASE("batches of rays have the bits of single calls where there is nothing but meshes") {
+    // The smaller ones are magnified for rays.
+    for (const float size : {1.0f, 0x1p-40f}) {
+        const test::Arrays mesh = test::sphere(3).placed({}, {size, size, size});
+        test::SceneFixture scene;
+        gphys_mesh* shared = nullptr;
+        REQUIRE(gphys_mesh_create(nullptr, &mesh.vertices[0].x, sizeof mesh.vertices[0],
+                                  static_cast<uint32_t>(mesh.vertices.size()), mesh.indices.data(),
+                                  static_cast<uint32_t>(mesh.indices.size()), &shared) == GPHYS_OK);
+        const gphys_vec3 places[] = {{0, 0, 0}, {1, 0.5f, 0}};
+        for (const gphys_vec3& place : places) {
+            scene.add(GPHYS_SHAPE_MESH, shared, {place, {0.1f, -0.5f, 0.3f, 0.7f}, 2 / size});
+        }
+        test::Random random{43};
+        std::vector<gphys_ray> rays(500);
+        for (gphys_ray& ray : rays) {
+            const auto number = [&](float reach) { return random.uniform_float(-reach, reach); };
+            ray = {{number(5), number(5), number(5)}, {number(1), number(1), number(1)}, 20};
+            if (random.index(2) == 0) ray.direction = {-ray.origin.x, -ray.origin.y, number(2) - ray.origin.z};
+        }
+        std::vector<gphys_hit> hits(rays.size());
+        std::vector<int32_t> any(rays.size());
+        const auto count = static_cast<uint32_t>(rays.size());
+        REQUIRE(gphys_scene_raycast_batch(scene.scene, rays.data(), sizeof rays[0], count, 1, hits.data(),
+                                          sizeof hits[0]) == GPHYS_OK);
+        REQUIRE(gphys_scene_raycast_any_batch(scene.scene, rays.data(), sizeof rays[0], count, 1, any.data(),
+                                              sizeof any[0]) == GPHYS_OK);
+        uint32_t found = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            gphys_hit single{};
+            single.t = INFINITY;
+            single.triangle = GPHYS_NO_TRIANGLE;
+            const bool hit = gphys_scene_raycast(scene.scene, &rays[i], 1, &single) == GPHYS_OK;
+            REQUIRE(std::memcmp(&single, &hits[i], sizeof single) == 0);
+            REQUIRE(any[i] == hit);
+            found += hit;
+        }
+        CHECK(found > count / 4);
+        CHECK(found < count);
+        gphys_mesh_destroy(shared);
     }
 }
 

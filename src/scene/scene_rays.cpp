@@ -111,10 +111,9 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
 /// through the octree, for all rays at once: then rays that go together share the walk through the mesh as well.
 class Scene::LargeMeshes {
 public:
-    LargeMeshes() = default;
-    /// `first` are those of the rays.
-    template <class Filters>
-    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, Later<FirstOfRay>* first) {
+    /// take(ray, slot, hit) gets what rays hit.
+    template <class Filters, class Take>
+    LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, const Take& take) {
         if (count < fewest_rays || std::any_of(rays, rays + count, [](const Ray& ray) { return ray.is_segment; }))
             return;
         for (uint32_t i = 0; i < scene.large_mesh_count_; ++i) {
@@ -122,12 +121,13 @@ public:
             if (!all_see(scene, slot, count, filters)) continue;
             with_placed(scene.stored<const Mesh*>(slot), scene.models_[slot].world, [&](const MeshInstance& mesh) {
                 if (!most_come_near(mesh, rays, count)) return;
-                cast(mesh, slot, rays, count, first);
+                cast(mesh, slot, rays, count, take);
                 slots_[count_++] = slot;
             });
         }
     }
 
+    uint32_t count() const { return count_; }
     bool hold(uint32_t slot) const { return std::find(slots_, slots_ + count_, slot) != slots_ + count_; }
 
 private:
@@ -150,13 +150,13 @@ private:
     }
 
     // Apart, so that its arrays are on the stack only while they are needed.
+    template <class Take>
     GPHYS_NOINLINE static void cast(const MeshInstance& mesh, uint32_t slot, const Ray* rays, uint32_t count,
-                                    Later<FirstOfRay>* first) {
+                                    const Take& take) {
         Hit hits[rays_at_once];
         for (uint64_t met = gphys::raycast_many(mesh, rays, count, hits); met != 0; met &= met - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(met));
-            first[i]->take(slot, reported(hits[i].t),
-                           [&](uint32_t model, uint32_t tag) { return to_hit(hits[i], model, tag); });
+            take(i, slot, hits[i]);
         }
     }
 
@@ -168,7 +168,7 @@ class Scene::EightPairs {
 public:
     template <class Filters>
     EightPairs(const Scene& scene, const uint32_t* numbers, const uint32_t* slots, uint32_t count,
-               const Filters& filters, const LargeMeshes& asked = {})
+               const Filters& filters, const LargeMeshes& asked)
         : scene_(scene), numbers_(numbers), slots_(slots) {
         static_assert(offsetof(Model, world) == 0 && offsetof(Model, shape) == shape_at * sizeof(float));
         for (uint32_t k = 0; k < count; ++k) {
@@ -301,7 +301,10 @@ template <class Filters>
 void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, gphys_hit* const* out) const {
     Later<FirstOfRay> first[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
-    const LargeMeshes asked(*this, rays, count, filters, first);
+    const LargeMeshes asked(*this, rays, count, filters, [&](uint32_t i, uint32_t slot, const Hit& hit) {
+        first[i]->take(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return to_hit(hit, model, tag); });
+    });
+    if (asked.count() == octree_.size()) return;
     QuickRays quick(*this, rays, hit_kernels_ ? 0 : count);
     SharedModel shared(*this);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
@@ -364,9 +367,14 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
         // Those that are done already have no way to go.
         rays[i].t_max = -1;
     }
+    const LargeMeshes asked(*this, rays, count, filters, [&](uint32_t i, uint32_t, const Hit&) {
+        met |= uint64_t{1} << i;
+        rays[i].t_max = -1;
+    });
+    if (asked.count() == octree_.size()) return met;
     const QuickRays quick(*this, rays, count);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
-        const EightPairs pairs(*this, numbers, slots, size, filters);
+        const EightPairs pairs(*this, numbers, slots, size, filters, asked);
         const Verdicts8 verdicts = quick.ask(pairs);
         const auto is_seen = [&](uint32_t k) { return sees(filter_of_ray(filters, numbers[k]), slots[k]); };
         uint32_t done = verdicts.yes;
