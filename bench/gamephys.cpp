@@ -1,4 +1,8 @@
 // gamephys through its public interface, as a user links it.
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -27,9 +31,17 @@ const gphys_hit nothing = [] {
     return hit;
 }();
 
+/// Counts, and otherwise does as the library does without hooks (src/foundation/memory.cpp): large blocks ask for huge
+/// pages, as those of Embree do.
 void* allocate(void* heap, size_t size, size_t alignment) {
+    constexpr size_t huge_page = size_t{1} << 21;
+    if (size >= huge_page) alignment = std::max(alignment, huge_page);
     void* const memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-    if (memory) static_cast<Heap*>(heap)->add(static_cast<int64_t>(size));
+    if (!memory) return nullptr;
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    if (size >= huge_page) madvise(memory, size / huge_page * huge_page, MADV_HUGEPAGE);
+#endif
+    static_cast<Heap*>(heap)->add(static_cast<int64_t>(size));
     return memory;
 }
 void release(void* heap, void* memory, size_t size, size_t) {

@@ -108,24 +108,25 @@ TEST_CASE("batches of rays in a scene inside a mesh have the bits of single call
 }
 
 TEST_CASE("batches of rays have the bits of single calls where there is nothing but meshes") {
-    // The smaller ones are magnified for rays.
-    for (const float size : {1.0f, 0x1p-40f}) {
+    // The smaller ones are magnified for rays, and their models are still small.
+    for (const float size : {1.0f, 0x1p-34f}) {
+        const float scale = std::fmin(2 / size, 0x1p19f), radius = scale * size;
         const test::Arrays mesh = test::sphere(3).placed({}, {size, size, size});
         test::SceneFixture scene;
         gphys_mesh* shared = nullptr;
         REQUIRE(gphys_mesh_create(nullptr, &mesh.vertices[0].x, sizeof mesh.vertices[0],
                                   static_cast<uint32_t>(mesh.vertices.size()), mesh.indices.data(),
                                   static_cast<uint32_t>(mesh.indices.size()), &shared) == GPHYS_OK);
-        const gphys_vec3 places[] = {{0, 0, 0}, {1, 0.5f, 0}};
+        const gphys_vec3 places[] = {{0, 0, 0}, {radius / 2, radius / 4, 0}};
         for (const gphys_vec3& place : places) {
-            scene.add(GPHYS_SHAPE_MESH, shared, {place, {0.1f, -0.5f, 0.3f, 0.7f}, 2 / size});
+            scene.add(GPHYS_SHAPE_MESH, shared, {place, {0.5f, -0.5f, 0.1f, 0.7f}, scale});
         }
         test::Random random{43};
         std::vector<gphys_ray> rays(500);
         for (gphys_ray& ray : rays) {
-            const auto number = [&](float reach) { return random.uniform_float(-reach, reach); };
-            ray = {{number(5), number(5), number(5)}, {number(1), number(1), number(1)}, 20};
-            if (random.index(2) == 0) ray.direction = {-ray.origin.x, -ray.origin.y, number(2) - ray.origin.z};
+            const auto number = [&] { return radius * random.uniform_float(-1, 1); };
+            ray = {{3 * number(), 3 * number(), 3 * number()}, {number(), number(), number()}, 20};
+            if (random.index(2) == 0) ray.direction = {-ray.origin.x, -ray.origin.y, number() - ray.origin.z};
         }
         std::vector<gphys_hit> hits(rays.size());
         std::vector<int32_t> any(rays.size());
