@@ -47,10 +47,24 @@ void World::run() {
     constexpr Op views[] = {&World::create_camera,  &World::place_camera, &World::project_camera, &World::orbit,
                             &World::inspect_camera, &World::project,      &World::pick,           &World::pick_lists,
                             &World::place_camera,   &World::pick,         &World::view_camera,    &World::rectangles};
-    constexpr Op motions[] = {&World::create_solver, &World::add_body,  &World::add_body,       &World::remove_body,
-                              &World::set_state,     &World::set_state, &World::constrain,      &World::join,
-                              &World::attach,        &World::volume,    &World::settings,       &World::step,
-                              &World::step,          &World::snapshot,  &World::inspect_solver, &World::solver_misuse};
+    constexpr Op motions[] = {&World::create_solver,
+                              &World::add_body,
+                              &World::add_body,
+                              &World::remove_body,
+                              &World::set_state,
+                              &World::set_state,
+                              &World::constrain,
+                              &World::join,
+                              &World::attach,
+                              &World::volume,
+                              &World::settings,
+                              &World::change_body,
+                              &World::change_constraints,
+                              &World::step,
+                              &World::step,
+                              &World::snapshot,
+                              &World::inspect_solver,
+                              &World::solver_misuse};
     // Most programs are about one part.
     const uint32_t part = p_.below(6);
     for (int i = 0; i < 200 && !p_.done(); ++i) {

@@ -105,6 +105,8 @@ private:
     void attach();
     void volume();
     void settings();
+    void change_body();
+    void change_constraints();
     void move_solver_origin(const double* origin);
     void step();
     void follow_solver();

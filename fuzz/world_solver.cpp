@@ -166,7 +166,7 @@ void World::set_state() {
     if (p_.one_in(10)) p_.spoil(vectors[p_.below(count + 1)], 1);
     if (p_.one_in(10)) scalars[p_.below(count + 1)] = p_.hostile();
     const uint32_t strides[] = {12, 12, 12, 0, 7}, stride = strides[p_.below(5)];
-    const uint32_t choice = p_.below(6);
+    const uint32_t choice = p_.below(7);
     const int32_t pinned = static_cast<int32_t>(p_.below(8) ? p_.below(2) : 3);
     on_both("a setter that fails changes nothing", [&](gphys_solver* s) {
         switch (choice) {
@@ -180,9 +180,67 @@ void World::set_state() {
                 return call(gphys_solver_set_masses, s, body, first, count, scalars.data(), stride / 3);
             case 4:
                 return call(gphys_solver_set_radii, s, body, first, count, scalars.data(), stride / 3);
+            case 5:
+                return call(gphys_solver_set_air_velocities, s, body, first, count, vectors.data(), stride);
             default:
                 return call(gphys_solver_set_pinned, s, body, first, count, pinned);
         }
+    });
+    std::vector<gphys_vec3> read(count + 1);
+    std::vector<float> radii(count + 1);
+    std::vector<int32_t> held(count + 1);
+    const gphys_status status = call(gphys_solver_get_forces, solver_, body, first, count, read.data(), 12u);
+    FUZZ_CHECK(call(gphys_solver_get_air_velocities, solver_, body, first, count, read.data(), 12u) == status &&
+                   call(gphys_solver_get_radii, solver_, body, first, count, radii.data(), 4u) == status &&
+                   call(gphys_solver_get_pinned, solver_, body, first, count, held.data(), 4u) == status,
+               "what is set of particles is read");
+    if (status == GPHYS_OK && count > 0) note(held[0]);
+}
+
+void World::change_body() {
+    if (!solver_) return create_solver();
+    const gphys_body_id body = any_body();
+    gphys_body_settings settings{};
+    if (call(gphys_solver_get_body_settings, solver_, body, &settings) == GPHYS_OK) note(settings);
+    settings.friction = p_.one_in(2) ? 0.3f : 0;
+    settings.static_friction = p_.one_in(2) ? 0.6f : 0;
+    settings.layers = p_.one_in(4) ? 0 : 0xffffffff;
+    settings.body_layers = p_.below(3);
+    settings.self_collision = p_.below(2);
+    settings.restitution = p_.one_in(3) ? 0.5f : 0;
+    p_.spoil(settings, 12);
+    on_both("settings of a body that are refused change nothing",
+            [&](gphys_solver* s) { return call(gphys_solver_set_body_settings, s, body, &settings); });
+    gphys_wind wind{};
+    if (call(gphys_solver_get_wind, solver_, body, &wind) == GPHYS_OK) note(wind);
+    wind = {p_.point(), p_.one_in(3) ? 0 : p_.size(), 1.2f, p_.one_in(2) ? 0 : p_.size()};
+    p_.spoil(wind, 12);
+    const gphys_body_id blown = p_.one_in(4) ? 0 : body;
+    on_both("a wind that is refused changes nothing",
+            [&](gphys_solver* s) { return call(gphys_solver_set_wind, s, blown, &wind); });
+}
+
+void World::change_constraints() {
+    if (!solver_) return create_solver();
+    const gphys_body_id body = any_body();
+    std::vector<gphys_constraint_info> known(8);
+    uint32_t total = 0;
+    call(gphys_solver_get_constraints, solver_, body, known.data(), 8u, &total);
+    std::vector<gphys_constraint_id> ids;
+    for (uint32_t i = 0; i < std::min<uint32_t>(total, 1 + p_.below(8)); ++i) ids.push_back(known[i].id);
+    if (p_.one_in(12)) ids.push_back(p_.word());
+    const uint32_t count = static_cast<uint32_t>(ids.size());
+    std::vector<gphys_constraint_settings> settings(count + 1);
+    const gphys_status read =
+        call(gphys_solver_get_constraint_settings, solver_, body, ids.data(), count, settings.data(), 12u);
+    for (gphys_constraint_settings& each : settings) {
+        if (read != GPHYS_OK || p_.one_in(2)) each.rest_length = p_.one_in(6) ? -1 : p_.size();
+        if (p_.one_in(4)) each.compliance = p_.one_in(2) ? 0 : 1e-3f;
+        if (p_.one_in(4)) each.damping = p_.size();
+    }
+    p_.spoil(settings[0], 12);
+    on_both("settings of constraints that are refused change nothing", [&](gphys_solver* s) {
+        return call(gphys_solver_set_constraint_settings, s, body, ids.data(), settings.data(), 12u, count);
     });
 }
 
@@ -270,6 +328,18 @@ void World::settings() {
     if (substeps <= 4 || substeps > 1000 || substeps == 0) {
         on_both("settings that are refused change nothing",
                 [&](gphys_solver* s) { return call(gphys_solver_set_substeps, s, substeps); });
+    }
+    gphys_solver_settings all{};
+    call(gphys_solver_get_settings, solver_, &all);
+    note(all);
+    all.max_work = p_.one_in(3) ? 1 + p_.below(400) : 0;
+    p_.spoil(all, 6);
+    // Thousands of substeps or steps would take the time of a campaign.
+    const bool many = (all.substeps > 4 && all.substeps <= 1000) ||
+                      (all.max_substeps > 64 && all.max_substeps <= 1000) || all.max_steps > 3;
+    if (!many) {
+        on_both("settings that are refused change nothing",
+                [&](gphys_solver* s) { return call(gphys_solver_set_settings, s, &all); });
     }
     const gphys_body_id body = p_.one_in(3) ? 0 : any_body();
     on_both("wake that fails changes nothing", [&](gphys_solver* s) { return call(gphys_solver_wake, s, body); });
@@ -460,7 +530,20 @@ void World::solver_misuse() {
         call(gphys_solver_get_snapshot, solver_, nullptr, 0u, nullptr),
         call(gphys_solver_restore, solver_, words, 8u),
         call(gphys_solver_restore, solver_, nullptr, 8u),
-        call(gphys_solver_get_hash, solver_, nullptr)};
+        call(gphys_solver_get_hash, solver_, nullptr),
+        call(gphys_solver_get_settings, none, nullptr),
+        call(gphys_solver_set_settings, solver_, nullptr),
+        call(gphys_solver_get_body_settings, solver_, body, nullptr),
+        call(gphys_solver_set_body_settings, none, body, nullptr),
+        call(gphys_solver_get_constraint_settings, solver_, body, nullptr, 1u, nullptr, 12u),
+        call(gphys_solver_set_constraint_settings, solver_, body, nullptr, nullptr, 12u, 1u),
+        call(gphys_solver_get_wind, solver_, body, nullptr),
+        call(gphys_solver_set_wind, none, body, nullptr),
+        call(gphys_solver_set_air_velocities, solver_, body, 0u, 1u, nullptr, 12u),
+        call(gphys_solver_get_air_velocities, solver_, body, 1000u, 1u, &out, 12u),
+        call(gphys_solver_get_radii, none, body, 0u, 1u, &value, 4u),
+        call(gphys_solver_get_forces, solver_, body, 0u, 1u, &out, 5u),
+        call(gphys_solver_get_pinned, solver_, body, 1000u, 1u, nullptr, 4u)};
     for (const gphys_status status : refused) FUZZ_CHECK(status < 0, "a call that makes no sense is refused");
     FUZZ_CHECK(hash(solver_) == before, "calls that make no sense change nothing");
     // What was refused has woken no body of the twin's either, or the hashes part from here.

@@ -1649,7 +1649,7 @@ typedef struct gphys_solver_desc {
     float max_strain;      /* of rigid constraints, see gphys_solver_get_substeps; 0: none, of cloth 0.02; default 0 */
     float tolerance;       /* target of positions: metres of error that a second of motion adds; 0: none; default 0 */
     uint32_t max_substeps; /* the most that a target may ask for, 1 .. 1000; default 64 */
-    uint32_t reserved;     /* must be 0 */
+    uint32_t max_work;     /* see gphys_solver_settings; 0: no bound; default 0 */
 } gphys_solver_desc;
 
 /** Fill a desc with the defaults of gphys_solver_create, which are stated beside its fields.
@@ -1691,6 +1691,31 @@ GPHYS_API gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphy
  *  @param substeps  1 .. 1000
  *  Cost: O(1). */
 GPHYS_API gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps);
+
+/** What a solver was created with and may change later. Fields as in gphys_solver_desc. Frozen. */
+typedef struct gphys_solver_settings {
+    gphys_vec3 gravity;    /* m/s^2 */
+    uint32_t substeps;     /* 1 .. 1000 */
+    float fixed_step;      /* seconds, 1e-6 .. 0.5 */
+    uint32_t max_steps;    /* >= 1 */
+    float sleep_speed;     /* m/s, >= 0 */
+    float sleep_strain;    /* >= 0 */
+    float sleep_time;      /* seconds, >= 0 */
+    float max_strain;      /* >= 0 */
+    float tolerance;       /* m/s, >= 0 */
+    uint32_t max_substeps; /* 1 .. 1000 */
+    uint32_t max_work;     /* most particles times substeps of a step; 0: no bound. Where bodies would take more, all
+                              take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
+                              the time of a step on every machine alike: the same bits everywhere */
+} gphys_solver_settings;
+
+/** The settings of a solver as they are. Cost: O(1). */
+GPHYS_API gphys_status gphys_solver_get_settings(const gphys_solver* solver, gphys_solver_settings* out_settings);
+/** Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake if
+ *  gravity or the settings of sleep change. Time that gphys_solver_advance owes beyond the new fixed_step is
+ *  dropped.
+ *  Cost: O(bodies). */
+GPHYS_API gphys_status gphys_solver_set_settings(gphys_solver* solver, const gphys_solver_settings* settings);
 
 enum {
     GPHYS_CLOTH_SHEAR = 1, /* constraints along both diagonals of each grid cell: stiff like paper */
@@ -1790,6 +1815,28 @@ GPHYS_API gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gph
  *  Cost: O(1) a body. */
 GPHYS_API gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id body);
 
+/** What all particles of a body share and may change later. Fields as in gphys_body_desc. Frozen. */
+typedef struct gphys_body_settings {
+    float damping;         /* 1/s, >= 0 */
+    float friction;        /* >= 0 */
+    float static_friction; /* at least friction, or 0: as friction */
+    float restitution;     /* 0 .. 1 */
+    uint32_t layers;       /* of models */
+    uint32_t body_layers;  /* of bodies */
+    uint32_t
+        self_collision; /* 0 or 1; particles that are nearer than their radii reach when it is set do not collide */
+} gphys_body_settings;
+
+/** The settings of a body as they are; static_friction as it acts, friction at least.
+ *  Cost: O(1). */
+GPHYS_API gphys_status gphys_solver_get_body_settings(const gphys_solver* solver, gphys_body_id body,
+                                                      gphys_body_settings* out_settings);
+/** Change all settings of a body, from the next step on: read them, change some, and give them back. Wakes
+ *  the body.
+ *  Cost: O(1); O(particles) when self_collision changes, and it allocates. */
+GPHYS_API gphys_status gphys_solver_set_body_settings(gphys_solver* solver, gphys_body_id body,
+                                                      const gphys_body_settings* settings);
+
 typedef int32_t gphys_body_kind;
 enum { GPHYS_BODY_PARTICLES = 1, GPHYS_BODY_ROPE = 2, GPHYS_BODY_CLOTH = 3 };
 
@@ -1862,18 +1909,36 @@ GPHYS_API gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                const float* masses, uint32_t stride);
+/** Collision radii of particles, metres.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param out_radii     count elements
+ *  Cost: O(count). */
+GPHYS_API gphys_status gphys_solver_get_radii(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                              uint32_t count, float* out_radii, uint32_t out_stride);
 /** Change the collision radii of particles. Wakes the body.
  *  @param first, count  as in gphys_solver_get_positions
  *  @param radii         metres, >= 0; a stride of 0 gives all the same
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                               const float* radii, uint32_t stride);
+/** The forces that were set for particles, newtons.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param out_forces    count elements
+ *  Cost: O(count). */
+GPHYS_API gphys_status gphys_solver_get_forces(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                               uint32_t count, gphys_vec3* out_forces, uint32_t out_stride);
 /** Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
  *  @param first, count  as in gphys_solver_get_positions
  *  @param forces        newtons; a stride of 0 gives all the same
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                const gphys_vec3* forces, uint32_t stride);
+/** Which particles are pinned or attached.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param out_pinned    count elements, 1 or 0
+ *  Cost: O(count). */
+GPHYS_API gphys_status gphys_solver_get_pinned(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                               uint32_t count, int32_t* out_pinned, uint32_t out_stride);
 /** Pin or release particles. A pinned particle stays where it is put and moves only by
  *  gphys_solver_set_positions; its speed is 0. Both pinning and releasing end an attachment.
  *  @param first, count  as in gphys_solver_get_positions
@@ -1881,6 +1946,46 @@ GPHYS_API gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_
  *  Cost: O(count). */
 GPHYS_API gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                                int32_t pinned);
+
+/** The air around a body. Frozen. */
+typedef struct gphys_wind {
+    gphys_vec3 velocity; /* of the air, m/s */
+    float density;       /* kg/m^3, >= 0; 1.2 is air at 20 degrees; 0: none */
+    float drag;          /* coefficient C_D, >= 0: a plate across has 1.2, a cylinder 1.2, a sphere 0.5 */
+    float lift;          /* coefficient C_L of cloth, >= 0; a plate has as much lift as drag */
+} gphys_wind;
+
+/** Put a body into moving air. Until this is called there is none. Wakes the body.
+ *  With u the velocity relative to the air, the force is
+ *    on a triangle of cloth   -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u + C_L (u . n) n),   cos a = |u . n| / |u|,
+ *                             the first term not below 0: drag as A cos a, which is what the wind sees of it, and
+ *                             lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling effects of wind
+ *                             fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+ *                             along n;
+ *    on a link of a rope      -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the cross-flow
+ *                             principle: Hoerner 1965, "Fluid-dynamic drag");
+ *    on a free particle       -rho/2 C_D pi r^2 |u| u.
+ *  Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse u.
+ *  @param body  0: all bodies there are
+ *  @param wind  of density 0: no air
+ *  Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much for each link
+ *  or particle. */
+GPHYS_API gphys_status gphys_solver_set_wind(gphys_solver* solver, gphys_body_id body, const gphys_wind* wind);
+/** The air around a body as it was set; zeros if it was not. Cost: O(1). */
+GPHYS_API gphys_status gphys_solver_get_wind(const gphys_solver* solver, gphys_body_id body, gphys_wind* out_wind);
+/** Give the air at particles a velocity beside that of gphys_wind, from now on until set again: gusts, eddies,
+ *  a field of your own that is sampled at the particles' positions. Wakes the body.
+ *  @param first, count  as in gphys_solver_get_positions
+ *  @param velocities    m/s; a stride of 0 gives all the same
+ *  Cost: O(count); the first time O(particles), and it allocates. */
+GPHYS_API gphys_status gphys_solver_set_air_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                       uint32_t count, const gphys_vec3* velocities, uint32_t stride);
+/** Velocities of the air at particles, m/s, beside that of gphys_wind.
+ *  @param first, count    as in gphys_solver_get_positions
+ *  @param out_velocities  count elements
+ *  Cost: O(count). */
+GPHYS_API gphys_status gphys_solver_get_air_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                                       uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride);
 
 /** Fix a particle to a model: it follows the model's transform in each step, and is released when
  *  the model is gone. Steps must then be given this scene.
@@ -1959,6 +2064,33 @@ typedef struct gphys_constraint_info {
 GPHYS_API gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,
                                                     gphys_constraint_info* out_constraints, uint32_t capacity,
                                                     uint32_t* out_total);
+
+/** What a constraint is like and may become. Frozen. */
+typedef struct gphys_constraint_settings {
+    float rest_length; /* metres, >= 0; negative, when it is set: the present distance */
+    float compliance;  /* metres per newton, >= 0; 0 is rigid */
+    float damping;     /* N s/m, >= 0, of what has compliance; see gphys_solver_set_constraint_damping */
+} gphys_constraint_settings;
+
+/** What constraints are like.
+ *  @param constraints   count ids; one may stand twice
+ *  @param out_settings  count elements
+ *  Cost: O(count). */
+GPHYS_API gphys_status gphys_solver_get_constraint_settings(const gphys_solver* solver, gphys_body_id body,
+                                                            const gphys_constraint_id* constraints, uint32_t count,
+                                                            gphys_constraint_settings* out_settings,
+                                                            uint32_t out_stride);
+/** Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to the
+ *  new one at constant speed during the next step; a winch that reels in at v m/s is given a length that is v dt
+ *  shorter before each step of dt. Wakes the body.
+ *  @param constraints  count ids; one that stands twice gets the last
+ *  @param settings     count elements; a stride of 0 gives all the same
+ *  Cost: O(count); in the next step O(constraints) to pack them again, of rigid cloth with pins that gets longer
+ *  links O(n log n). Chains are not planned again. */
+GPHYS_API gphys_status gphys_solver_set_constraint_settings(gphys_solver* solver, gphys_body_id body,
+                                                            const gphys_constraint_id* constraints,
+                                                            const gphys_constraint_settings* settings,
+                                                            uint32_t setting_stride, uint32_t count);
 
 typedef uint32_t gphys_joint_id;
 

@@ -677,6 +677,195 @@ static void an_origin_is_checked_kept_and_returned(void** state) {
     gphys_solver_destroy(solver);
 }
 
+static void test_solver_settings(void** state) {
+    fixture* f = *state;
+    gphys_solver_settings settings, other;
+    float* const amounts[] = {&settings.sleep_speed, &settings.sleep_strain, &settings.sleep_time,
+                              &settings.max_strain,  &settings.tolerance,    &settings.fixed_step};
+    size_t field, i;
+    assert_int_equal(gphys_solver_get_settings(NULL, &settings), BAD);
+    assert_int_equal(gphys_solver_get_settings(f->solver, NULL), BAD);
+    assert_int_equal(gphys_solver_get_settings(f->solver, &settings), GPHYS_OK);
+    assert_true(settings.substeps == 8 && settings.gravity.y == -9.81f && settings.max_work == 0);
+    assert_int_equal(gphys_solver_set_settings(NULL, &settings), BAD);
+    assert_int_equal(gphys_solver_set_settings(f->solver, NULL), BAD);
+    for (field = 0; field < sizeof amounts / sizeof *amounts; ++field) {
+        const float fine = *amounts[field];
+        for (i = 0; i < BAD_COUNT; ++i) {
+            *amounts[field] = bad_values[i];
+            assert_int_equal(gphys_solver_set_settings(f->solver, &settings), BAD);
+        }
+        *amounts[field] = fine;
+    }
+    settings.substeps = 0;
+    assert_int_equal(gphys_solver_set_settings(f->solver, &settings), BAD);
+    settings.substeps = 3;
+    settings.gravity.x = NAN;
+    assert_int_equal(gphys_solver_set_settings(f->solver, &settings), BAD);
+    settings.gravity.x = 2;
+    settings.max_steps = 0;
+    assert_int_equal(gphys_solver_set_settings(f->solver, &settings), BAD);
+    settings.max_steps = 4;
+    settings.max_substeps = 1001;
+    assert_int_equal(gphys_solver_set_settings(f->solver, &settings), BAD);
+    assert_int_equal(gphys_solver_get_settings(f->solver, &other), GPHYS_OK);
+    assert_int_equal(other.substeps, 8);
+    settings.max_substeps = 12;
+    settings.max_work = 100000;
+    settings.tolerance = 0.5f;
+    assert_int_equal(gphys_solver_set_settings(f->solver, &settings), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_settings(f->solver, &other), GPHYS_OK);
+    assert_memory_equal(&other, &settings, sizeof other);
+}
+
+static void test_body_settings(void** state) {
+    fixture* f = *state;
+    gphys_body_settings settings, other;
+    float* const amounts[] = {&settings.damping, &settings.friction, &settings.static_friction, &settings.restitution};
+    size_t field, i;
+    assert_int_equal(gphys_solver_get_body_settings(NULL, f->rope, &settings), BAD);
+    assert_int_equal(gphys_solver_get_body_settings(f->solver, f->removed, &settings), STALE);
+    assert_int_equal(gphys_solver_get_body_settings(f->solver, f->rope, NULL), BAD);
+    assert_int_equal(gphys_solver_get_body_settings(f->solver, f->rope, &settings), GPHYS_OK);
+    assert_true(settings.friction == 0.5f && settings.static_friction == 0.5f && settings.layers == 0xffffffff);
+    assert_int_equal(gphys_solver_set_body_settings(NULL, f->rope, &settings), BAD);
+    assert_int_equal(gphys_solver_set_body_settings(f->solver, f->removed, &settings), STALE);
+    assert_int_equal(gphys_solver_set_body_settings(f->solver, f->rope, NULL), BAD);
+    for (field = 0; field < sizeof amounts / sizeof *amounts; ++field) {
+        const float fine = *amounts[field];
+        for (i = 0; i < BAD_COUNT; ++i) {
+            *amounts[field] = bad_values[i];
+            assert_int_equal(gphys_solver_set_body_settings(f->solver, f->rope, &settings), BAD);
+        }
+        *amounts[field] = fine;
+    }
+    settings.static_friction = 0.4f;
+    assert_int_equal(gphys_solver_set_body_settings(f->solver, f->rope, &settings), BAD);
+    settings.static_friction = 0.75f;
+    settings.self_collision = 2;
+    assert_int_equal(gphys_solver_set_body_settings(f->solver, f->rope, &settings), BAD);
+    settings.self_collision = 1;
+    settings.body_layers = 3;
+    settings.layers = 5;
+    settings.damping = 0.25f;
+    settings.restitution = 1;
+    assert_int_equal(gphys_solver_set_body_settings(f->solver, f->rope, &settings), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_body_settings(f->solver, f->rope, &other), GPHYS_OK);
+    assert_memory_equal(&other, &settings, sizeof other);
+    assert_int_equal(gphys_solver_step(f->solver, f->scene, 0.01f), GPHYS_OK);
+}
+
+static void test_constraint_settings(void** state) {
+    fixture* f = *state;
+    gphys_constraint_info links[3];
+    gphys_constraint_id ids[3];
+    gphys_constraint_settings settings[3], bad;
+    uint32_t total = 0;
+    size_t i;
+    assert_int_equal(gphys_solver_get_constraints(f->solver, f->rope, links, 3, &total), GPHYS_OK);
+    for (i = 0; i < 3; ++i) ids[i] = links[i].id;
+    assert_int_equal(gphys_solver_get_constraint_settings(NULL, f->rope, ids, 3, settings, 12), BAD);
+    assert_int_equal(gphys_solver_get_constraint_settings(f->solver, f->removed, ids, 3, settings, 12), STALE);
+    assert_int_equal(gphys_solver_get_constraint_settings(f->solver, f->rope, NULL, 3, settings, 12), BAD);
+    assert_int_equal(gphys_solver_get_constraint_settings(f->solver, f->rope, ids, 3, NULL, 12), BAD);
+    assert_int_equal(gphys_solver_get_constraint_settings(f->solver, f->rope, ids, 3, settings, 8), BAD);
+    assert_int_equal(gphys_solver_get_constraint_settings(f->solver, f->rope, ids, 3, settings, 12), GPHYS_OK);
+    assert_true(settings[1].rest_length == 1 && settings[1].compliance == 0 && settings[1].damping == 0);
+    settings[0].rest_length = 2;
+    settings[1].compliance = 0.5f;
+    settings[2].damping = 3;
+    bad = settings[0];
+    bad.compliance = -1;
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, ids, &bad, 0, 3), BAD);
+    bad.compliance = 0;
+    bad.damping = INFINITY;
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, ids, &bad, 0, 3), BAD);
+    bad.damping = 0;
+    bad.rest_length = NAN;
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, ids, &bad, 0, 3), BAD);
+    assert_int_equal(gphys_solver_set_constraint_settings(NULL, f->rope, ids, settings, 12, 3), BAD);
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, NULL, settings, 12, 3), BAD);
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, ids, NULL, 12, 3), BAD);
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, ids, settings, 10, 3), BAD);
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, ids, settings, 12, 3), GPHYS_OK);
+    settings[0].rest_length = 0;
+    assert_int_equal(gphys_solver_get_constraint_settings(f->solver, f->rope, ids, 3, settings, 12), GPHYS_OK);
+    assert_true(settings[0].rest_length == 2 && settings[1].compliance == 0.5f && settings[2].damping == 3);
+    /* The present distance. */
+    settings[0].rest_length = -1;
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, ids, settings, 0, 1), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_constraint_settings(f->solver, f->rope, ids, 1, settings, 12), GPHYS_OK);
+    assert_true(settings[0].rest_length == 1);
+    assert_int_equal(gphys_solver_remove_constraint(f->solver, f->rope, ids[1]), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, ids, settings, 12, 3), STALE);
+    assert_int_equal(gphys_solver_get_constraint_settings(f->solver, f->rope, ids, 3, settings, 12), STALE);
+    assert_int_equal(gphys_solver_set_constraint_settings(f->solver, f->rope, NULL, NULL, 0, 0), GPHYS_OK);
+}
+
+static void test_reading_particles(void** state) {
+    fixture* f = *state;
+    const float radii[2] = {0.25f, 0.5f};
+    const gphys_vec3 force = {1, 2, 3};
+    float got[4] = {0};
+    gphys_vec3 forces[4];
+    int32_t pinned[4] = {7, 7, 7, 7};
+    assert_int_equal(gphys_solver_set_radii(f->solver, f->rope, 1, 2, radii, 4), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_radii(f->solver, f->rope, 0, 4, got, 4), GPHYS_OK);
+    assert_true(got[0] == 0.01f && got[1] == 0.25f && got[2] == 0.5f && got[3] == 0.01f);
+    assert_int_equal(gphys_solver_get_radii(f->solver, f->rope, 0, 5, got, 4), BAD);
+    assert_int_equal(gphys_solver_get_radii(f->solver, f->rope, 0, 4, NULL, 4), BAD);
+    assert_int_equal(gphys_solver_get_radii(NULL, f->rope, 0, 4, got, 4), BAD);
+    assert_int_equal(gphys_solver_set_forces(f->solver, f->rope, 3, 1, &force, 12), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_forces(f->solver, f->rope, 0, 4, forces, 12), GPHYS_OK);
+    assert_true(forces[0].x == 0 && forces[3].x == 1 && forces[3].z == 3);
+    assert_int_equal(gphys_solver_get_forces(f->solver, f->rope, 0, 4, forces, 0), BAD);
+    assert_int_equal(gphys_solver_get_forces(f->solver, f->removed, 0, 4, forces, 12), STALE);
+    assert_int_equal(gphys_solver_set_pinned(f->solver, f->rope, 2, 1, 1), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_pinned(f->solver, f->rope, 1, 3, pinned, 4), GPHYS_OK);
+    assert_true(pinned[0] == 0 && pinned[1] == 1 && pinned[2] == 0 && pinned[3] == 7);
+    assert_int_equal(gphys_solver_get_pinned(f->solver, f->rope, 1, 4, pinned, 4), BAD);
+    assert_int_equal(gphys_solver_get_pinned(f->solver, f->rope, 1, 3, pinned, 3), BAD);
+}
+
+static void test_wind(void** state) {
+    fixture* f = *state;
+    gphys_wind wind = {{1, 2, 3}, 1.2f, 0.5f, 0.25f}, got;
+    const gphys_vec3 gusts[2] = {{4, 5, 6}, {7, 8, 9}}, broken = {0, NAN, 0};
+    float* const fields[] = {&wind.velocity.x, &wind.density, &wind.drag, &wind.lift};
+    gphys_vec3 air[4];
+    size_t field, i;
+    assert_int_equal(gphys_solver_get_wind(f->solver, f->rope, &got), GPHYS_OK);
+    assert_true(got.density == 0 && got.velocity.x == 0);
+    for (field = 0; field < sizeof fields / sizeof *fields; ++field) {
+        const float fine = *fields[field];
+        for (i = 0; i < BAD_COUNT; ++i) {
+            *fields[field] = bad_values[i];
+            assert_int_equal(gphys_solver_set_wind(f->solver, f->rope, &wind), BAD);
+        }
+        *fields[field] = fine;
+    }
+    assert_int_equal(gphys_solver_set_wind(NULL, f->rope, &wind), BAD);
+    assert_int_equal(gphys_solver_set_wind(f->solver, f->rope, NULL), BAD);
+    assert_int_equal(gphys_solver_set_wind(f->solver, f->removed, &wind), STALE);
+    assert_int_equal(gphys_solver_set_wind(f->solver, 0, &wind), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_wind(f->solver, f->rope, NULL), BAD);
+    assert_int_equal(gphys_solver_get_wind(f->solver, f->removed, &got), STALE);
+    assert_int_equal(gphys_solver_get_wind(f->solver, f->rope, &got), GPHYS_OK);
+    assert_memory_equal(&got, &wind, sizeof got);
+    assert_int_equal(gphys_solver_get_air_velocities(f->solver, f->rope, 0, 4, air, 12), GPHYS_OK);
+    assert_true(air[3].x == 0);
+    assert_int_equal(gphys_solver_set_air_velocities(f->solver, f->rope, 1, 2, gusts, 12), GPHYS_OK);
+    assert_int_equal(gphys_solver_set_air_velocities(f->solver, f->rope, 0, 2, &broken, 0), BAD);
+    assert_int_equal(gphys_solver_set_air_velocities(f->solver, f->rope, 3, 2, gusts, 12), BAD);
+    assert_int_equal(gphys_solver_set_air_velocities(f->solver, f->removed, 0, 1, gusts, 12), STALE);
+    assert_int_equal(gphys_solver_get_air_velocities(f->solver, f->rope, 0, 4, air, 12), GPHYS_OK);
+    assert_true(air[0].x == 0 && air[1].y == 5 && air[2].z == 9);
+    assert_int_equal(gphys_solver_get_air_velocities(f->solver, f->rope, 0, 4, NULL, 12), BAD);
+    assert_int_equal(gphys_solver_step(f->solver, NULL, 0.01f), GPHYS_OK);
+    assert_int_equal(gphys_solver_get_velocities(f->solver, f->rope, 0, 4, air, 12), GPHYS_OK);
+    assert_true(air[1].z > 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_origin_is_checked_kept_and_returned),
@@ -696,6 +885,11 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_substeps, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_snapshots, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_sleep, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_solver_settings, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_body_settings, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_constraint_settings, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_reading_particles, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_wind, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

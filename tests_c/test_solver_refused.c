@@ -158,11 +158,34 @@ static void test_bodies_and_settings(void** state) {
     REFUSED(gphys_solver_restore(s, NULL, 0), BAD);
 }
 
+static void test_changes_of_settings(void** state) {
+    fixture* f = *state;
+    gphys_solver* s = f->solver;
+    gphys_solver_settings solver;
+    gphys_body_settings body;
+    const gphys_constraint_settings link = {1, 0, -1};
+    const gphys_wind wind = {{0, 0, 0}, -1, 0, 0};
+    const gphys_vec3 nowhere = {NAN, 0, 0};
+    const gphys_constraint_id none = NONE;
+    assert_int_equal(gphys_solver_get_settings(s, &solver), GPHYS_OK);
+    solver.fixed_step = 1;
+    REFUSED(gphys_solver_set_settings(s, &solver), BAD);
+    assert_int_equal(gphys_solver_get_body_settings(s, f->rope, &body), GPHYS_OK);
+    body.restitution = 2;
+    REFUSED(gphys_solver_set_body_settings(s, f->rope, &body), BAD);
+    body.restitution = 0;
+    REFUSED(gphys_solver_set_body_settings(s, f->removed, &body), STALE);
+    REFUSED(gphys_solver_set_constraint_settings(s, f->rope, &none, &link, 0, 1), STALE);
+    REFUSED(gphys_solver_set_wind(s, f->rope, &wind), BAD);
+    REFUSED(gphys_solver_set_air_velocities(s, f->rope, 0, 1, &nowhere, 12), BAD);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_constraints, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_particles, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_bodies_and_settings, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_changes_of_settings, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,6 +7,7 @@
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
+#include "c_api/solver_settings.h"
 #include "mesh/mesh.h"
 
 using namespace gphys;
@@ -42,15 +43,12 @@ gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) 
     GPHYS_TRY(read_desc(from, desc, body_desc_size));
     GPHYS_REQUIRE(is_amount(desc.mass) && desc.mass > 0, "desc.mass: must be above 0 and in range");
     GPHYS_REQUIRE(is_amount(desc.radius), "desc.radius: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_amount(desc.damping), "desc.damping: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_amount(desc.friction), "desc.friction: must be at least 0 and in range");
-    GPHYS_REQUIRE(
-        desc.static_friction == 0 || (is_amount(desc.static_friction) && desc.static_friction >= desc.friction),
-        "desc.static_friction: must be 0, or at least friction and in range");
-    GPHYS_REQUIRE(desc.restitution >= 0 && desc.restitution <= 1, "desc.restitution: must be 0 to 1");
+    BodySettings ignored;
+    GPHYS_TRY(read_settings(gphys_body_settings{desc.damping, desc.friction, desc.static_friction, desc.restitution,
+                                                desc.layers, desc.body_layers, desc.self_collision},
+                            ignored));
     GPHYS_REQUIRE(is_amount(desc.compliance), "desc.compliance: must be at least 0 and in range");
     GPHYS_REQUIRE(is_amount(desc.bend_compliance), "desc.bend_compliance: must be at least 0 and in range");
-    GPHYS_REQUIRE(desc.self_collision <= 1, "desc.self_collision: must be 0 or 1");
     GPHYS_REQUIRE((desc.cloth_flags & ~uint32_t{GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND}) == 0,
                   "desc.cloth_flags: an unknown flag is set");
     return GPHYS_OK;
@@ -91,25 +89,16 @@ gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** o
     return guarded([&]() -> gphys_status {
         gphys_solver_desc settings = default_solver_desc;
         GPHYS_TRY(read_desc(desc, settings, solver_desc_size));
-        if (settings.reserved != 0) return newer_desc();
         GPHYS_REQUIRE_VALID(settings.allocator);
-        GPHYS_REQUIRE_VALID(settings.gravity);
-        GPHYS_REQUIRE(is_substeps(settings.substeps), "desc.substeps: must be 1 to 1000");
-        GPHYS_REQUIRE(is_step(settings.fixed_step), "desc.fixed_step: must be 1e-6 to 0.5");
-        GPHYS_REQUIRE(settings.max_steps >= 1, "desc.max_steps: must be at least 1");
+        SolverSettings in;
+        GPHYS_TRY(read_settings(
+            gphys_solver_settings{settings.gravity, settings.substeps, settings.fixed_step, settings.max_steps,
+                                  settings.sleep_speed, settings.sleep_strain, settings.sleep_time, settings.max_strain,
+                                  settings.tolerance, settings.max_substeps, settings.max_work},
+            in));
         GPHYS_REQUIRE(!settings.task_runner || settings.task_runner->run, "desc.task_runner: run must be set");
         GPHYS_REQUIRE(settings.worker_count <= Workers::max_count, "desc.worker_count: at most 1024");
-        GPHYS_REQUIRE(is_amount(settings.sleep_speed), "desc.sleep_speed: must be at least 0 and in range");
-        GPHYS_REQUIRE(is_amount(settings.sleep_strain), "desc.sleep_strain: must be at least 0 and in range");
-        GPHYS_REQUIRE(is_amount(settings.sleep_time), "desc.sleep_time: must be at least 0 and in range");
-        GPHYS_REQUIRE(is_amount(settings.max_strain), "desc.max_strain: must be at least 0 and in range");
-        GPHYS_REQUIRE(is_amount(settings.tolerance), "desc.tolerance: must be at least 0 and in range");
-        GPHYS_REQUIRE(is_substeps(settings.max_substeps), "desc.max_substeps: must be 1 to 1000");
         GPHYS_REQUIRE(out_solver, "out_solver is null");
-        const SolverSettings in{widen(settings.gravity), settings.substeps,    settings.fixed_step,
-                                settings.max_steps,      settings.sleep_speed, settings.sleep_strain,
-                                settings.sleep_time,     settings.max_strain,  settings.tolerance,
-                                settings.max_substeps};
         *out_solver = wrap(create<Solver>(settings.allocator, in, settings.worker_count, settings.task_runner));
         return GPHYS_OK;
     });

@@ -115,6 +115,18 @@ gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, u
     });
 }
 
+gphys_status gphys_solver_get_radii(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                    float* out_radii, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_out(out_radii, out_stride, count));
+        const StridedOut<float> to(out_radii, out_stride);
+        const Vector<double>& radius = unwrap(solver)->body(body).radius;
+        for (uint32_t i = 0; i < count; ++i) to[i] = static_cast<float>(radius[first + i]);
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                     const float* radii, uint32_t stride) {
     return guarded([&]() -> gphys_status {
@@ -125,12 +137,54 @@ gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, ui
     });
 }
 
+gphys_status gphys_solver_get_forces(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                     gphys_vec3* out_forces, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        return copy_out(unwrap(solver)->body(body).force, first, count, out_forces, out_stride);
+    });
+}
+
 gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      const gphys_vec3* forces, uint32_t stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
         GPHYS_TRY(check_array(forces, stride, count, is_vector));
         set_forces(unwrap(solver)->edit(body), first, count, forces, stride);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_set_air_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                             const gphys_vec3* velocities, uint32_t stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_array(velocities, stride, count, is_vector));
+        set_air_velocities(unwrap(solver)->body(body), first, count, velocities, stride);
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_air_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
+                                             uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        const Vector<Vec3>& velocity = unwrap(solver)->body(body).air.velocity;
+        if (!velocity.empty()) return copy_out(velocity, first, count, out_velocities, out_stride);
+        GPHYS_TRY(check_out(out_velocities, out_stride, count));
+        const StridedOut<gphys_vec3> to(out_velocities, out_stride);
+        for (uint32_t i = 0; i < count; ++i) to[i] = {0, 0, 0};
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_pinned(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
+                                     int32_t* out_pinned, uint32_t out_stride) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_TRY(check_range(solver, body, first, count));
+        GPHYS_TRY(check_out(out_pinned, out_stride, count));
+        const StridedOut<int32_t> to(out_pinned, out_stride);
+        for (uint32_t i = 0; i < count; ++i) to[i] = unwrap(solver)->body(body).pinned(first + i);
         return GPHYS_OK;
     });
 }

@@ -16,6 +16,7 @@
 #include "solver/contact/impulses.h"
 #include "solver/plan.h"
 #include "solver/time_scheme.h"
+#include "solver/wind.h"
 
 namespace gphys {
 
@@ -25,6 +26,20 @@ struct DistanceConstraint {
     double rest, compliance;
     double damping;  // N s/m
     uint64_t limit;  // 1: a maximum distance, which pulls and never pushes; 64 bits, so that there is no padding
+};
+
+/// A constraint whose length goes from one to that of its constraint during the next step.
+struct LengthChange {
+    uint64_t slot;  // of the constraint; 64 bits, so that there is no padding
+    double from;    // metres
+};
+
+/// Where it is in the plan.
+struct ChangedLink {
+    static constexpr uint32_t none = 0xffffffff;
+
+    uint32_t place = 0;                    // in the arrays of the plan; of cloth in ClothBatches::rest,
+    uint32_t damped = none, limit = none;  // and in its lists of such
 };
 
 /// A particle that follows a model.
@@ -181,9 +196,12 @@ struct Body {
           mass(memory),
           inverse_mass(memory),
           radius(memory),
+          air(memory),
           attachments(memory),
           constraint_ids(memory),
           constraints(memory),
+          length_changes(memory),
+          changed_links(memory),
           links(memory),
           volume(memory),
           rest_position(memory),
@@ -220,10 +238,13 @@ struct Body {
     Vector<double> radius;
     double smallest_radius = 0, largest_radius = -1;  // < 0: not known
     bool forced = false;                              // whether a force may be other than 0
-    Vector<Attachment> attachments;                   // by particle
+    Air air;
+    Vector<Attachment> attachments;  // by particle
 
     IdTable constraint_ids;
     Vector<DistanceConstraint> constraints;  // by slot
+    Vector<LengthChange> length_changes;     // for the next step, by slot
+    Vector<ChangedLink> changed_links;       // the same in the step under way
     Vector<Links> links;                     // by particle
     Volume volume;
     /// Where the particles of a flat sheet stand at rest: the distance of two of them is then the
@@ -263,8 +284,9 @@ struct Body {
     std::optional<Extent> extent;  // if a step has found it and nothing has changed since
 
     Sleep sleep;
-    uint32_t substeps = 0;      // of the last step
-    double wanted_substep = 0;  // seconds, as error targets want the next; 0: not measured yet
+    uint32_t substeps = 0;          // of the last step
+    uint32_t allowed_substeps = 0;  // of the step under way, by SolverSettings::max_work
+    double wanted_substep = 0;      // seconds, as error targets want the next; 0: not measured yet
     ClothState cloth;
     ClothContacts cloth_contacts;
     Plan plan;

@@ -98,16 +98,19 @@ uint32_t count_of(double count, uint32_t most) { return count < most ? static_ca
 
 }  // namespace
 
+uint32_t least_substeps(const Body& body, double dt) {
+    // One sweep over a graph leaves an error that grows with the square of the substep. Beyond 25 ms, at
+    // which a sheet still falls by less than the length of its links, it would throw the sheet about.
+    constexpr double longest = 0.025;
+    return is_graph(body) ? static_cast<uint32_t>(std::ceil(dt / longest)) : 1;
+}
+
 uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt) {
     const bool targeted = settings.max_strain > 0 || settings.tolerance > 0;
     double count = settings.substeps;
     if (targeted && body.wanted_substep > 0) count = std::ceil(dt / body.wanted_substep);
     if (targeted) count = std::min<double>(count, settings.max_substeps);
-    // One sweep over a graph leaves an error that grows with the square of the substep. Beyond 25 ms, at
-    // which a sheet still falls by less than the length of its links, it would throw the sheet about.
-    constexpr double longest = 0.025;
-    if (body.plan.method == GPHYS_SOLVE_GRAPH) count = std::max(count, std::ceil(dt / longest));
-    return static_cast<uint32_t>(std::max(count, 1.0));
+    return std::max(static_cast<uint32_t>(count), least_substeps(body, dt));
 }
 
 uint32_t substeps_near_models(const Body& body, const SolverSettings& settings, double fastest, double dt) {

@@ -176,7 +176,8 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         clear_touches(body);
         body.impulses.clear();
         give_attached(body, beginning, 1, {}, 0);
-        substeps = std::max(substeps, substeps_of(body, state_.settings, dt));
+        begin_air(body, gravity, dt);
+        substeps = std::max(substeps, std::min(substeps_of(body, state_.settings, dt), body.allowed_substeps));
         if (body.plan.method != GPHYS_SOLVE_GRAPH) return;
         begin_cloth(body, beginning, gravity);
         if (body.joined) begin_joined_cloth(body);
@@ -200,9 +201,11 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     bool calm = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
+        body.length_changes.clear();
         stay_in_range(body);
         meet_targets(body, state_.settings, dt, substeps);
         give_attached(body, whole, -1, gravity, dt);
+        end_air(body);
         calm = is_calm(body, state_.settings, dt) && calm;
     });
     if (calm) each_body([&](Body& body) { fall_asleep(body, scene, dt); });

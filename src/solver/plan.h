@@ -122,7 +122,8 @@ struct Plan {
     gphys_solve_method method = GPHYS_SOLVE_FREE;
     // What follows from constraints and from pins; when out of date, what is there of it counts for nothing.
     bool chains_current = false, reach_current = false;
-    bool packed = false;  // whether `batches` are of both
+    bool described = false;  // whether the links of the chains are as their constraints are
+    bool packed = false;     // whether `batches` are of both
 
     /// By family. The chains of a family share no particle, so their order within it is free.
     Vector<Chain> chains;
@@ -148,6 +149,11 @@ struct Plan {
 gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
+
+/// Where the constraints whose lengths change in this step are in the plan, which is up to date; and the lengths of
+/// these at a fraction of the step (constraint_settings.cpp). The first throws std::bad_alloc.
+void find_changed_links(Body& body);
+void change_lengths(Body& body, double fraction);
 
 /// The rest of a plan that came out of a snapshot and has no defect. Throws std::bad_alloc.
 void complete_plan(Body& body);

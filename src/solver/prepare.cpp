@@ -101,6 +101,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         list_islands();
         particle_contacts_.reserve(state_.bodies, islands_, island_bodies_);
         if (scene) look_around(*scene, dt);
+        bound_work(dt);
         std::sort(moving_.begin(), moving_.end());
         divide_work();
         state_.seen.reserve(next_seen_.capacity());  // they change places
@@ -130,6 +131,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     }
     if (changed) joints_current_ = false;
     update_plan(body);
+    if (!body.length_changes.empty()) find_changed_links(body);
     body.joined = body.joined || plan.branched;
     // What systems of joints have placed stays there.
     const bool relaxed = is_graph(body) && !body.joined;
@@ -138,6 +140,7 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     body.cloth.braces_yield = state_.settings.max_strain == 0;
     if (body.settings.self_collision && (changed || body.linked_begin.empty())) list_linked(body);
     make_room(body, scene && body.settings.layers != 0);
+    reserve_air(body);
     // What falls asleep loses its speed.
     if (body.sleep.asleep) body.extent.reset();
     if (body.largest_radius < 0) {
@@ -236,6 +239,35 @@ void Solver::look_around(const Scene& scene, double dt) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth_contacts.movers.reserve(moved_.size());
     }
     find_disturbed(scene);
+}
+
+/// All take fewer substeps in proportion if they would take too many. Bodies of an island take as many as the one that
+/// needs the most.
+void Solver::bound_work(double dt) {
+    const uint32_t most = state_.settings.max_work;
+    for (const Moving& moving : moving_) {
+        state_.bodies[moving.slot].allowed_substeps = most > 0 ? moving.substeps : std::numeric_limits<uint32_t>::max();
+    }
+    if (most == 0) return;
+    for (const Island& island : islands_) {
+        const uint32_t* const slots = &island_bodies_[island.first_body];
+        uint32_t needed = 1;
+        for (uint32_t i = 0; i < island.body_count; ++i) {
+            needed = std::max(needed, state_.bodies[slots[i]].allowed_substeps);
+        }
+        for (uint32_t i = 0; i < island.body_count; ++i) state_.bodies[slots[i]].allowed_substeps = needed;
+    }
+    double work = 0;
+    for (const Moving& moving : moving_) {
+        work += static_cast<double>(state_.bodies[moving.slot].allowed_substeps) * moving.size;
+    }
+    const double kept = work > most ? most / work : 1;
+    for (Moving& moving : moving_) {
+        Body& body = state_.bodies[moving.slot];
+        const uint32_t least = least_substeps(body, dt);
+        body.allowed_substeps = std::max(least, static_cast<uint32_t>(body.allowed_substeps * kept));
+        moving.substeps = std::min(moving.substeps, body.allowed_substeps);
+    }
 }
 
 /// A model that has moved disturbs what it came by, wherever it is now.

@@ -4,11 +4,14 @@
 //
 //   builders.cpp       bodies come and go
 //   state.cpp          their particles and constraints are read and changed, or all moved
+//   settings.cpp       settings of the solver and of bodies, changed while these move
+//   constraint_settings.cpp  the same of constraints: winches and muscles
 //   prepare.cpp        before a step: plans, room, what is around, and who does what
 //   step.cpp           the step: which body is moved how
 //   time_scheme.h      the formulas by which constrained bodies go on
 //   islands.cpp        bodies that influence each other, moved together
 //   sleep.cpp          bodies at rest
+//   wind.cpp           drag and lift
 //   state_range.cpp    the range of numbers that a step ends in
 //   error_targets.cpp  how many substeps a body takes
 //   stats.cpp          strain, energy, contacts
@@ -57,6 +60,7 @@ struct SolverSettings {
     double sleep_time = 0;                 // seconds
     double max_strain = 0, tolerance = 0;  // error targets, of strain and m/s; 0: none
     uint32_t max_substeps = 64;
+    uint32_t max_work = 0;  // particles times substeps of a step; 0: no bound
 };
 /// What links of cloth are relaxed to if no target is set.
 constexpr double usual_cloth_strain = 0.02;
@@ -110,8 +114,10 @@ void fall_asleep(Body& body, const Scene* scene, double dt);
 void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
 void wake(Body& body);
 
-/// error_targets.cpp: in how many substeps a body takes a step; at least, beside models, if its fastest particle has
-/// that speed; for the rest of it, when a part is done in so many; and what it has measured after it.
+/// error_targets.cpp: the fewest substeps that a body may take; in how many substeps a body takes a step; at least,
+/// beside models, if its fastest particle has that speed; for the rest of it, when a part is done in so many; and what
+/// it has measured after it.
+uint32_t least_substeps(const Body& body, double dt);
 uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt);
 uint32_t substeps_near_models(const Body& body, const SolverSettings& settings, double fastest, double dt);
 uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, double dt, double done, uint32_t made);
@@ -131,7 +137,12 @@ public:
 
     /// Wakes all bodies if it changes.
     void set_gravity(Vec3 gravity);
+    /// Of a body, or all: 0.
+    void set_wind(gphys_body_id of, const gphys_wind& wind);
     void set_substeps(uint32_t substeps) { state_.settings.substeps = substeps; }
+    /// settings.cpp
+    void set_settings(const SolverSettings& settings);
+    const SolverSettings& settings() const { return state_.settings; }
     /// All particles stay where they are in the world, and wake; false if one leaves the range of coordinates.
     bool set_origin(Vec3 origin);
     Vec3 origin() const { return state_.origin; }
@@ -284,6 +295,7 @@ private:
     /// Whether the body sleeps and nothing wakes it.
     bool sleeps_on(const Body& body, const Scene* scene);
     void look_around(const Scene& scene, double dt);
+    void bound_work(double dt);
     void find_disturbed(const Scene& scene);
     void add_impulses();
 
@@ -335,12 +347,23 @@ bool is_attached(const Body& body, uint32_t particle);
 void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
 /// rest < 0: the present distance.
 gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out);
+/// GPHYS_OK, or the failure that names a stale id.
+gphys_status check_constraint(const Body& body, gphys_constraint_id id);
 /// N s/m
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping);
 gphys_status remove_constraint(Body& body, gphys_constraint_id id);
 /// rest < 0: the present volume. The body keeps it from then on.
 gphys_status set_volume(Body& body, double rest, double compliance);
 void release_volume(Body& body);
+// constraint_settings.cpp: of one constraint, and of some that are there. May throw std::bad_alloc, and then has
+// changed nothing.
+gphys_constraint_settings settings_of(const DistanceConstraint& constraint);
+void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const gphys_constraint_settings* settings,
+                             uint32_t stride, uint32_t count);
+void forget_length_change(Body& body, uint32_t slot);
+// settings.cpp: may throw std::bad_alloc, and then have changed nothing.
+void set_settings(Body& body, const BodySettings& settings);
+void set_air_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
 void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out);
 
 }  // namespace gphys

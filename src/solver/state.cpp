@@ -147,21 +147,17 @@ gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gp
     return GPHYS_OK;
 }
 
-namespace {
-
 gphys_status check_constraint(const Body& body, gphys_constraint_id id) {
     if (body.constraint_ids.has(id)) return GPHYS_OK;
     return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
 }
-
-}  // namespace
 
 gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
     const gphys_status status = check_constraint(body, id);
     if (status != GPHYS_OK) return status;
     wake(body);
     body.constraints[IdTable::slot_of(id)].damping = damping;
-    body.plan.chains_current = false;
+    body.plan.described = false;
     return GPHYS_OK;
 }
 
@@ -169,7 +165,9 @@ gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
     const gphys_status status = check_constraint(body, id);
     if (status != GPHYS_OK) return status;
     wake(body);
-    change_constraints(body, IdTable::slot_of(id), -1);
+    const uint32_t slot = IdTable::slot_of(id);
+    change_constraints(body, slot, -1);
+    forget_length_change(body, slot);
     body.constraint_ids.remove(id);
     body.rest_position.clear();
     return GPHYS_OK;

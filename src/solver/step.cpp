@@ -71,6 +71,7 @@ void Solver::begin_moving(const Moving& moving, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
     body.impulses.clear();
     give_attached(body, {scene, &moved_, dt, 0, 0}, 1, {}, 0);
+    begin_air(body, state_.settings.gravity, dt);
 }
 
 void Solver::end_moving(const Moving& moving, const Scene* scene, double dt, uint32_t substeps) {
@@ -80,9 +81,11 @@ void Solver::end_moving(const Moving& moving, const Scene* scene, double dt, uin
         if (!body.extent) body.extent.emplace();
         body.extent->add(part.extent);
     }
+    body.length_changes.clear();
     stay_in_range(body);
     meet_targets(body, state_.settings, dt, substeps);
     give_attached(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
+    end_air(body);
     rest(body, scene, state_.settings, dt);
 }
 
@@ -95,9 +98,10 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const Surroundings
         move(body, part, state_.settings.gravity, step.step_time * (rest.end - rest.begin) / count, contacts);
         ++made;
         const uint32_t wanted = substeps_of_rest(body, state_.settings, step.step_time, part.end, made);
-        if (wanted <= count - i) continue;
+        const uint32_t left = std::min(wanted, body.allowed_substeps - std::min(body.allowed_substeps, made));
+        if (left <= count - i) continue;
         rest.begin = part.end;
-        count = wanted;
+        count = left;
         i = 0;
     }
     return made;
@@ -145,14 +149,16 @@ void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* sce
     for (uint32_t i = 0; i < task.count; ++i) {
         Body& body = state_.bodies[first[i].slot];
         ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].close : nullptr, false};
+        begin_air(body, state_.settings.gravity, dt);
     }
     move_ropes(ropes, task.count, room, {state_.settings.gravity, dt, first->substeps, state_.settings.tolerance > 0});
     for (uint32_t i = 0; i < task.count; ++i) {
+        Body& body = *ropes[i].body;
+        end_air(body);
         if (!ropes[i].stayed) {
             move_through(first[i], room, scene, dt);
             continue;
         }
-        Body& body = *ropes[i].body;
         clear_touches(body);
         std::fill(body.stuck.begin(), body.stuck.end(), 0u);
         body.impulses.clear();

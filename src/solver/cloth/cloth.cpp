@@ -353,7 +353,7 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     cloth.average_mass = extent.mass / body.size();
     cloth.wanted_substep = infinity;
     cloth.balance.current = false;
-    cloth.pulled = body.earlier_step == 0 && !body.touched;
+    cloth.pulled = (body.earlier_step == 0 && !body.touched) || !body.length_changes.empty();
     cloth.held = std::find(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) != body.inverse_mass.end();
     share_particles(body, [&](uint32_t p) {
         const size_t i = 4 * size_t{p};
@@ -382,11 +382,13 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
 void predict_cloth(Body& body, const Surroundings& around, double h) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     ClothState& cloth = body.cloth;
+    if (!body.length_changes.empty()) change_lengths(body, around.end);
     soften(body.plan.batches, cloth.average_mass, TimeScheme(h, body.earlier_step).step(body.settings.damping));
     // Moving models and other bodies do work.
     const bool closed = body.attachments.empty() && !cloth.pulled;
     if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(kernels, body);
     cloth.balance.closed = closed;
+    if (body.air.blows()) blow_cloth(body, around, h);
     predict(kernels, cloth, cloth_step(body, h));
     damp_links(body, TimeScheme(h, body.earlier_step));
     follow_models(body, around.end);

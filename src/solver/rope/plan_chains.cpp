@@ -94,17 +94,26 @@ gphys_solve_method method_of(const Body& body) {
     return passed == constraint_count ? GPHYS_SOLVE_DIRECT : GPHYS_SOLVE_GRAPH;
 }
 
+namespace {
+
+void describe_direct_links(Body& body) {
+    Plan& plan = body.plan;
+    describe_links(body, plan);
+    for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
+    plan.damped_rest = plan.rest;
+    plan.damped_compliance = plan.compliance;
+    plan.target = plan.rest;
+}
+
+}  // namespace
+
 void plan_direct_chains(Body& body) {
     Plan& plan = body.plan;
     clear_chains(plan);
     walk_chains(
         body, [&](uint32_t end) { begin_chain(plan, end); },
         [&](uint32_t slot, uint32_t particle) { add_link(plan, slot, particle); });
-    describe_links(body, plan);
-    for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
-    plan.damped_rest = plan.rest;
-    plan.damped_compliance = plan.compliance;
-    plan.target = plan.rest;
+    describe_direct_links(body);
     plan.direct_rows.resize(longest_chain(plan) + 1);
     plan.earlier_tension.assign(plan.rest.size(), 0.0);
     plan.tension.assign(plan.rest.size(), 0.0);
@@ -329,6 +338,7 @@ void complete_plan(Body& body) {
     }
     if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body, plan);
     note_kinds(body);
+    plan.described = true;
 }
 
 void update_plan(Body& body) {
@@ -339,8 +349,15 @@ void update_plan(Body& body) {
         if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
         if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_families(body);
         note_kinds(body);
-        plan.chains_current = true;
+        plan.chains_current = plan.described = true;
         plan.reach_current = false;
+    }
+    if (!plan.described) {
+        if (plan.method == GPHYS_SOLVE_DIRECT) describe_direct_links(body);
+        if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body, plan);
+        note_kinds(body);
+        plan.packed = false;
+        plan.described = true;
     }
     if (!plan.reach_current) {
         plan.reach_limits.clear();

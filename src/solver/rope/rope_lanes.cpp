@@ -203,7 +203,7 @@ void move_lanes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, Und
 bool is_plain_rope(const Body& body) {
     const Plan& plan = body.plan;
     return plan.method == GPHYS_SOLVE_DIRECT && plan.particles.size() == body.size() && !plan.limited && !plan.damped &&
-           body.attachments.empty();
+           body.attachments.empty() && body.length_changes.empty();
 }
 
 void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, const StepOfRopes& step) {

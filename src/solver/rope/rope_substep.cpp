@@ -81,6 +81,7 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
 
 void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
     body.plan.earlier_tension = body.plan.tension;
+    if (!body.length_changes.empty()) change_lengths(body, around.end);
     predict_chains(body, scheme, gravity);
     follow_models(body, around.end, scheme.advance, 0, body.size());
     if (body.plan.damped) damp_chains(body, scheme);

@@ -21,10 +21,10 @@ constexpr uint32_t header_words = sizeof(Header) / 4;
 constexpr uint32_t magic = 0x6770686e;
 constexpr uint32_t swapped_magic = 0x6e687067;
 // Of the list below: to be raised when it changes.
-constexpr uint32_t format = 7;
+constexpr uint32_t format = 8;
 
 // Copied as they lie in memory, so they must have no padding.
-static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(Attachment) == 80);
+static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 && sizeof(Attachment) == 80);
 static_assert(sizeof(Touch) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 &&
               sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
@@ -62,9 +62,12 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.mass);
     archive.array(body.inverse_mass);
     archive.array(body.radius);
+    archive.value(body.air.wind);
+    archive.array(body.air.velocity);
     archive.array(body.attachments);
     IdTable::visit(archive, body.constraint_ids);
     archive.array(body.constraints);
+    archive.array(body.length_changes);
     archive.array(body.rest_position);
     archive.array(body.triangles);
     archive.array(body.placed);
@@ -105,6 +108,7 @@ void visit_globals(Archive& archive, State& state) {
     archive.value(state.settings.max_strain);
     archive.value(state.settings.tolerance);
     archive.value(state.settings.max_substeps);
+    archive.value(state.settings.max_work);
     archive.value(state.origin);
     archive.value(state.owed);
     IdTable::visit(archive, state.ids);

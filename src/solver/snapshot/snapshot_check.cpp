@@ -29,7 +29,7 @@ bool sizes_agree(const Body& body) {
            body.mass.size() == n && body.inverse_mass.size() == n && body.radius.size() == n &&
            body.constraints.size() == body.constraint_ids.slots() && none_or(body.rest_position.size(), n) &&
            body.settings.self_collision <= 1 && body.placed.size() == (body.settings.self_collision ? n : 0) &&
-           none_or(body.start.size(), n) && none_or(body.start_velocity.size(), n) &&
+           none_or(body.air.velocity.size(), n) && none_or(body.start.size(), n) && none_or(body.start_velocity.size(), n) &&
            none_or(body.touches.size(), n * touches_per_particle) && none_or(body.stuck.size(), n) &&
            none_or(body.cloth.looked.size(), 4 * n) && body.triangles.size() % 3 == 0;
 }
@@ -77,6 +77,12 @@ bool particles_fine(const Body& body) {
            is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
+bool air_fine(const Air& air) {
+    const gphys_wind& wind = air.wind;
+    return is_within(range, widen(wind.velocity)) && is_amount(wind.density) && is_amount(wind.drag) &&
+           is_amount(wind.lift) && all(air.velocity, [](Vec3 velocity) { return is_within(range, velocity); });
+}
+
 bool impulses_fine(const Body& body) {
     const auto finite_one = [](const ModelImpulse& given) {
         return is_finite(given.linear) && is_finite(given.angular);
@@ -105,6 +111,19 @@ bool constraints_fine(const Body& body) {
         const DistanceConstraint& c = body.constraints[slot];
         if (c.a >= body.size() || c.b >= body.size() || c.a == c.b) return false;
         if (!is_length(c.rest) || !is_amount(c.compliance) || !is_amount(c.damping) || c.limit > 1) return false;
+    }
+    return true;
+}
+
+/// Each of a constraint, in their order.
+bool length_changes_fine(const Body& body) {
+    for (size_t i = 0; i < body.length_changes.size(); ++i) {
+        const LengthChange& change = body.length_changes[i];
+        if (change.slot >= body.constraint_ids.slots() || !is_length(change.from) ||
+            !body.constraint_ids.live(static_cast<uint32_t>(change.slot))) {
+            return false;
+        }
+        if (i > 0 && change.slot <= body.length_changes[i - 1].slot) return false;
     }
     return true;
 }
@@ -232,9 +251,10 @@ const char* defect(const Body& body) {
     if (!is_finite_amount(volume.rest) || !is_amount(volume.compliance) || !is_finite(volume.pressure)) {
         return "words: a volume is none";
     }
+    if (!air_fine(body.air)) return "words: a wind is none";
     if (!impulses_fine(body)) return "words: an impulse is none";
     if (!attachments_fine(body)) return "words: an attachment is none";
-    if (!constraints_fine(body)) return "words: a constraint is none";
+    if (!constraints_fine(body) || !length_changes_fine(body)) return "words: a constraint is none";
     if (!all(body.triangles, [&](uint32_t p) { return p < body.size(); })) return "words: a triangle is none";
     return nullptr;
 }

@@ -1,0 +1,49 @@
+// Settings that may change while bodies move: those of the solver, and those that all particles of a body share.
+#include "foundation/strided.h"
+#include "solver/solver.h"
+
+namespace gphys {
+
+void Solver::set_settings(const SolverSettings& settings) {
+    const SolverSettings& now = state_.settings;
+    // What is at rest by other measures may not be at rest by these.
+    if (settings.gravity != now.gravity || settings.sleep_speed != now.sleep_speed ||
+        settings.sleep_strain != now.sleep_strain || settings.sleep_time != now.sleep_time) {
+        wake_all();
+    }
+    state_.settings = settings;
+    state_.owed = std::min(state_.owed, settings.fixed_step);
+}
+
+void Solver::set_wind(gphys_body_id of, const gphys_wind& wind) {
+    for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
+        if (!state_.ids.live(slot) || (of != 0 && slot != IdTable::slot_of(of))) continue;
+        wake(state_.bodies[slot]);
+        state_.bodies[slot].air.wind = wind;
+    }
+}
+
+void set_air_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride) {
+    if (body.air.velocity.empty()) body.air.velocity.resize(body.size());
+    wake(body);
+    const Strided<gphys_vec3> from(velocities, stride);
+    for (uint32_t i = 0; i < count; ++i) body.air.velocity[first + i] = widen(from[i]);
+}
+
+void set_settings(Body& body, const BodySettings& settings) {
+    Vector<Vec3> placed(body.placed.get_allocator());
+    if (settings.self_collision && !body.settings.self_collision) placed = body.position;  // which may fail
+    wake(body);
+    if (settings.self_collision != body.settings.self_collision) {
+        body.placed.swap(placed);
+        body.linked_begin.clear();
+        body.linked.clear();
+    }
+    // What friction holds now was not held by the same.
+    if (settings.friction != body.settings.friction || settings.static_friction != body.settings.static_friction) {
+        body.stuck.clear();
+    }
+    body.settings = settings;
+}
+
+}  // namespace gphys

@@ -1,0 +1,175 @@
+#include "solver/wind.h"
+
+#include "solver/contact/collision.h"
+
+namespace gphys {
+namespace {
+
+constexpr double pi = 3.14159265358979324;
+
+/// Adds the forces of triangles and links up, by particle. `Relative` tells velocities relative to the air, `Place`
+/// positions, by particle.
+template <class Place, class Relative>
+class Forces {
+public:
+    Forces(Body& body, const Place& place, const Relative& relative)
+        : body_(body), air_(body.air), place_(place), relative_(relative) {
+        std::fill(air_.force.begin(), air_.force.end(), Vec3{});
+        std::fill(air_.rate.begin(), air_.rate.end(), 0.0);
+    }
+
+    void add_triangles() {
+        for (size_t i = 0; i < body_.triangles.size(); i += 3) add_triangle(&body_.triangles[i]);
+    }
+    void add_links() {
+        for (uint32_t slot = 0; slot < body_.constraint_ids.slots(); ++slot) {
+            if (body_.constraint_ids.live(slot)) add_link(body_.constraints[slot]);
+        }
+    }
+    void add_particles() {
+        const double part = 0.5 * air_.wind.density * air_.wind.drag * pi;
+        for (uint32_t p = 0; p < body_.size(); ++p) {
+            const Vec3 u = relative_(p);
+            const double d = part * body_.radius[p] * body_.radius[p] * length(u);
+            add(p, u * -d, d);
+        }
+    }
+    /// Each force no larger than what ends the motion relative to the air at this rate, 1/s.
+    void limit(double most) {
+        for (uint32_t p = 0; p < body_.size(); ++p) {
+            if (air_.rate[p] > most) air_.force[p] *= most / air_.rate[p];
+        }
+    }
+
+private:
+    /// A force, and by how many newtons it grows at most when all velocities do by 1 m/s.
+    void add(uint32_t p, Vec3 force, double growth) {
+        air_.force[p] += force;
+        air_.rate[p] += growth * body_.inverse_mass[p];
+    }
+
+    void add_triangle(const uint32_t* corners) {
+        const uint32_t a = corners[0], b = corners[1], c = corners[2];
+        const Vec3 twice = cross(place_(b) - place_(a), place_(c) - place_(a));  // the area, along the normal
+        const double area = length(twice);
+        const Vec3 u = (relative_(a) + relative_(b) + relative_(c)) * (1.0 / 3);
+        const double speed = length(u);
+        if (area == 0 || speed == 0) return;
+        const Vec3 n = twice / area;
+        const double across = dot(u, n), cosine = std::fabs(across) / speed;
+        const double pressure = 0.25 * air_.wind.density * area * speed;
+        const double along = std::max(0.0, (air_.wind.drag - air_.wind.lift * cosine) * cosine);
+        const Vec3 third = (u * along + n * (across * air_.wind.lift)) * (pressure * (-1.0 / 3));
+        const double growth = pressure * (along + air_.wind.lift) * (1.0 / 3);
+        for (const uint32_t p : {a, b, c}) add(p, third, growth);
+    }
+
+    void add_link(const DistanceConstraint& link) {
+        const Vec3 way = place_(link.b) - place_(link.a), u = (relative_(link.a) + relative_(link.b)) * 0.5;
+        const double length = gphys::length(way);
+        if (length == 0) return;
+        const Vec3 direction = way / length, across = u - direction * dot(u, direction);
+        const double diameter = body_.radius[link.a] + body_.radius[link.b];
+        const double half = 0.25 * air_.wind.density * air_.wind.drag * diameter * length * gphys::length(across);
+        for (const uint32_t p : {link.a, link.b}) add(p, across * -half, half);
+    }
+
+    Body& body_;
+    Air& air_;
+    const Place& place_;
+    const Relative& relative_;
+};
+
+Vec3 velocity_at(const Air& air, uint32_t p) {
+    const Vec3 wind = widen(air.wind.velocity);
+    return air.velocity.empty() ? wind : wind + air.velocity[p];
+}
+
+template <class Place, class Relative>
+void add_up(Body& body, const Place& place, const Relative& relative, double most_rate) {
+    Forces<Place, Relative> forces(body, place, relative);
+    if (body.kind == GPHYS_BODY_CLOTH) forces.add_triangles();
+    if (body.kind == GPHYS_BODY_ROPE) forces.add_links();
+    if (body.kind == GPHYS_BODY_PARTICLES) forces.add_particles();
+    forces.limit(most_rate);
+}
+
+/// The force of the end of the step, which depends on the velocity that it leaves: without drag that would be u
+/// relative to the air, with it v, and v (1 + c dt |v|) = u. A particle that falls has its terminal velocity exactly.
+void fly_in_air(Body& body, Vec3 gravity, double dt) {
+    const Air& air = body.air;
+    const double part = 0.5 * air.wind.density * air.wind.drag * pi * dt;
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p)) continue;
+        const double w = body.inverse_mass[p];
+        const Vec3 u = body.velocity[p] - velocity_at(air, p) + (gravity + body.force[p] * w) * dt;
+        const double growth = 4 * part * body.radius[p] * body.radius[p] * w * length(u);
+        const double lost = 1 - 2 / (1 + std::sqrt(1 + growth));
+        body.air.force[p] = u * (-lost * body.mass[p] / dt);
+    }
+}
+
+void put(float* to, Vec3 value) {
+    constexpr double hardest = 1e12;  // as in cloth.cpp
+    for (int k = 0; k < 3; ++k) to[k] = to_float(value[k], hardest);
+}
+
+}  // namespace
+
+void reserve_air(Body& body) {
+    if (!body.air.blows()) return;
+    body.air.force.resize(body.size());
+    body.air.rate.resize(body.size());
+    if (is_graph(body)) body.air.steady.resize(body.cloth.acceleration.size());
+}
+
+void begin_air(Body& body, Vec3 gravity, double dt) {
+    if (!body.air.blows() || is_graph(body)) return;
+    if (body.plan.method == GPHYS_SOLVE_FREE && !body.joined && body.kind == GPHYS_BODY_PARTICLES) {
+        fly_in_air(body, gravity, dt);
+    } else {
+        const auto place = [&](uint32_t p) { return body.position[p]; };
+        const auto relative = [&](uint32_t p) { return body.velocity[p] - velocity_at(body.air, p); };
+        add_up(body, place, relative, 1 / dt);
+    }
+    for (uint32_t p = 0; p < body.size(); ++p) body.air.force[p] += body.force[p];
+    body.air.force.swap(body.force);
+    body.air.forced = body.forced;
+    body.forced = true;
+}
+
+void end_air(Body& body) {
+    if (!body.air.blows() || is_graph(body)) return;
+    body.air.force.swap(body.force);
+    body.forced = body.air.forced;
+}
+
+/// The velocities are those that the time scheme goes on with, of a particle that nothing pushes.
+void blow_cloth(Body& body, const Surroundings& around, double h) {
+    ClothState& cloth = body.cloth;
+    if (around.begin == 0) std::copy(cloth.acceleration.begin(), cloth.acceleration.end(), body.air.steady.begin());
+    const TimeScheme scheme(h, body.earlier_step);
+    const double drag = scheme.drag(body.settings.damping);
+    const auto at = [](const Vector<float>& values, uint32_t p) {
+        const float* value = &values[4 * size_t{p}];
+        return Vec3{value[0], value[1], value[2]};
+    };
+    const auto place = [&](uint32_t p) { return at(cloth.at, p); };
+    const auto relative = [&](uint32_t p) {
+        const Vec3 now = at(cloth.velocity, p), air = velocity_at(body.air, p);
+        if (body.pinned(p) || scheme.earlier == 0) return now - air;
+        return scheme.from_history(now, at(cloth.velocity_before, p)) / scheme.next - air;
+    };
+    add_up(body, place, relative, 1 / (drag * h));
+    for (uint32_t p = 0; p < body.size(); ++p) {
+        if (body.pinned(p)) continue;
+        put(&cloth.acceleration[4 * size_t{p}], at(body.air.steady, p) + body.air.force[p] * body.inverse_mass[p]);
+    }
+    if (!around.scene) return;
+    for (const Attachment& attachment : body.attachments) {
+        const uint32_t p = attachment.particle;
+        give(body, around, attachment.model, cloth.origin + at(cloth.at, p), body.air.force[p] * h);
+    }
+}
+
+}  // namespace gphys
