@@ -9,7 +9,8 @@ namespace {
 /// Whether nothing from outside can have done work, and what is needed to tell has not been changed by contacts.
 bool is_closed(const Body& body) {
     return is_graph(body) ? body.cloth.balance.closed
-                          : body.attachments.empty() && !body.touched && !body.near && !body.plan.damped;
+                          : body.attachments.empty() && body.length_changes.empty() && !body.touched && !body.near &&
+                                !body.plan.damped;
 }
 
 /// Joules beyond those that forces gave.
