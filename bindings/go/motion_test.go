@@ -219,6 +219,55 @@ func TestAStringHoldsAWeightAndATetrahedronKeepsItsVolume(t *testing.T) {
 	refused(t, ErrUnsupported, err)
 }
 
+func TestSettingsChangeLive(t *testing.T) {
+	solver := must(NewSolver(nil))
+	settings := must(solver.Settings())
+	settings.Substeps = 5
+	try(t, solver.SetSettings(settings))
+	same(t, must(solver.Settings()).Substeps, 5)
+	rope := must(solver.AddRope([]Vec3{{}, Vec(0, -1, 0)}, 0, nil))
+	try(t, solver.SetPinned(rope, 0, 1, true))
+	pinned := make([]int32, 2)
+	try(t, solver.Pinned(rope, 0, pinned))
+	same(t, pinned, []int32{1, 0})
+	body := must(solver.BodySettings(rope))
+	body.Damping = 0.5
+	try(t, solver.SetBodySettings(rope, body))
+	same(t, must(solver.BodySettings(rope)).Damping, 0.5)
+	links := []ConstraintID{must(solver.Constraints(rope))[0].ID}
+	link := make([]ConstraintSettings, 1)
+	try(t, solver.ConstraintSettings(rope, links, link))
+	link[0].RestLength = 0.5
+	try(t, solver.SetConstraintSettings(rope, links, link))
+	radii, vectors := make([]float32, 2), make([]Vec3, 2)
+	try(t, solver.Radii(rope, 0, radii))
+	try(t, solver.Forces(rope, 0, vectors))
+	same(t, radii[1] == 0.01 && vectors[1].Y == 0, true)
+	for i := 0; i < 10; i++ {
+		try(t, solver.Step(nil, 0.01))
+	}
+	try(t, solver.Positions(rope, 0, vectors))
+	same(t, close(vectors[1].Y, -0.5, 1e-5), true)
+}
+
+func TestWindCarriesBallsAlong(t *testing.T) {
+	desc := DefaultSolverDesc()
+	desc.Gravity = Vec3{}
+	solver := must(NewSolver(&desc))
+	balls := must(solver.AddParticles([]Vec3{{}, Vec(1, 0, 0)}, nil))
+	try(t, solver.SetWind(balls, Wind{Velocity: Vec(2, 0, 0), Density: 1e4, Drag: 0.5}))
+	same(t, must(solver.Wind(balls)).Density, 1e4)
+	try(t, solver.SetAirVelocities(balls, 1, []Vec3{Vec(0, 3, 0)}))
+	vectors := make([]Vec3, 2)
+	try(t, solver.AirVelocities(balls, 0, vectors))
+	same(t, vectors[0].Y == 0 && vectors[1].Y == 3, true)
+	for i := 0; i < 500; i++ {
+		try(t, solver.Step(nil, 0.01))
+	}
+	try(t, solver.Velocities(balls, 0, vectors))
+	same(t, vectors[0].X > 1.8 && vectors[1].Y > 2.7, true)
+}
+
 func TestAJointHoldsAParticleOfAnotherBody(t *testing.T) {
 	solver, body := must(NewSolver(nil)), DefaultBodyDesc()
 	body.Mass = 2

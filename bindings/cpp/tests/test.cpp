@@ -550,6 +550,53 @@ TEST_CASE("a string holds a weight, its hook feels both, a pyramid keeps its vol
     failure(GPHYS_ERROR_UNSUPPORTED, [&] { solver.get_volume(ball); });
 }
 
+TEST_CASE("settings change live: a winch, damping, what was set is read") {
+    Solver solver;
+    auto settings = solver.get_settings();
+    settings.substeps = 5;
+    solver.set_settings(settings);
+    CHECK(solver.get_settings().substeps == 5);
+    const auto rope = solver.add_rope(std::vector<Vec3>{zero, {0, -1, 0}}, 0);
+    solver.set_pinned(rope, 0, 1, true);
+    std::vector<std::int32_t> pinned(2);
+    solver.get_pinned(rope, 0, 2, pinned);
+    CHECK((pinned[0] == 1 && pinned[1] == 0));
+    auto body = solver.get_body_settings(rope);
+    body.damping = 0.5f;
+    solver.set_body_settings(rope, body);
+    CHECK(solver.get_body_settings(rope).damping == 0.5f);
+    const std::vector<gphys_constraint_id> links{solver.get_constraints(rope)[0].id};
+    std::vector<gphys_constraint_settings> link(1);
+    solver.get_constraint_settings(rope, links, link);
+    link[0].rest_length = 0.5f;
+    solver.set_constraint_settings(rope, links, link);
+    std::vector<float> radii(2);
+    solver.get_radii(rope, 0, 2, radii);
+    CHECK(radii[1] == 0.01f);
+    std::vector<Vec3> vectors(2);
+    solver.get_forces(rope, 0, 2, vectors);
+    CHECK(vectors[1].y == 0);
+    for (int i = 0; i < 10; ++i) solver.step(nullptr, 0.01f);
+    solver.get_positions(rope, 0, 2, vectors);
+    CHECK(vectors[1].y == Approx(-0.5).margin(1e-5));
+}
+
+TEST_CASE("wind carries balls along") {
+    auto desc = solver_desc();
+    desc.gravity = zero;
+    Solver solver(&desc);
+    const auto balls = solver.add_particles(std::vector<Vec3>{zero, {1, 0, 0}});
+    solver.set_wind(balls, {{2, 0, 0}, 1e4f, 0.5f, 0});
+    CHECK(solver.get_wind(balls).density == 1e4f);
+    solver.set_air_velocities(balls, 1, std::vector<Vec3>{{0, 3, 0}});
+    std::vector<Vec3> vectors(2);
+    solver.get_air_velocities(balls, 0, 2, vectors);
+    CHECK((vectors[0].y == 0 && vectors[1].y == 3));
+    for (int i = 0; i < 500; ++i) solver.step(nullptr, 0.01f);
+    solver.get_velocities(balls, 0, 2, vectors);
+    CHECK((vectors[0].x > 1.8f && vectors[1].y > 2.7f));
+}
+
 TEST_CASE("a joint holds a particle of another body") {
     Solver solver;
     auto desc = body_desc();

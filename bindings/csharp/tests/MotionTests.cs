@@ -224,6 +224,53 @@ public class MotionTests {
     }
 
     [Test]
+    public void SettingsChangeLive() {
+        var solver = new Solver();
+        var settings = solver.GetSettings();
+        settings.Substeps = 5;
+        solver.SetSettings(settings);
+        Assert.AreEqual(5, solver.GetSettings().Substeps);
+        var rope = solver.AddRope(new Vec3[] { (0, 0, 0), (0, -1, 0) }, 0);
+        solver.SetPinned(rope, 0, 1, true);
+        var pinned = new int[2];
+        solver.GetPinned(rope, 0, pinned);
+        Assert.AreEqual(new[] { 1, 0 }, pinned);
+        var body = solver.GetBodySettings(rope);
+        body.Damping = 0.5f;
+        solver.SetBodySettings(rope, body);
+        Assert.AreEqual(0.5f, solver.GetBodySettings(rope).Damping);
+        var links = new[] { solver.GetConstraints(rope)[0].Id };
+        var link = new ConstraintSettings[1];
+        solver.GetConstraintSettings(rope, links, link);
+        link[0].RestLength = 0.5f;
+        solver.SetConstraintSettings(rope, links, link);
+        var (radii, vectors) = (new float[2], new Vec3[2]);
+        solver.GetRadii(rope, 0, radii);
+        solver.GetForces(rope, 0, vectors);
+        Assert.AreEqual((0.01f, 0f), (radii[1], vectors[1].Y));
+        for (var i = 0; i < 10; ++i) solver.Step(0.01f);
+        solver.GetPositions(rope, 0, vectors);
+        Assert.AreEqual(-0.5, vectors[1].Y, 1e-5);
+    }
+
+    [Test]
+    public void WindCarriesBallsAlong() {
+        var desc = SolverDesc.Default;
+        desc.Gravity = (0, 0, 0);
+        var solver = new Solver(desc);
+        var balls = solver.AddParticles(new Vec3[] { (0, 0, 0), (1, 0, 0) });
+        solver.SetWind(balls, new Wind { Velocity = (2, 0, 0), Density = 1e4f, Drag = 0.5f });
+        Assert.AreEqual(1e4f, solver.GetWind(balls).Density);
+        solver.SetAirVelocities(balls, 1, new Vec3[] { (0, 3, 0) });
+        var vectors = new Vec3[2];
+        solver.GetAirVelocities(balls, 0, vectors);
+        Assert.AreEqual((0f, 3f), (vectors[0].Y, vectors[1].Y));
+        for (var i = 0; i < 500; ++i) solver.Step(0.01f);
+        solver.GetVelocities(balls, 0, vectors);
+        Assert.That(vectors[0].X > 1.8 && vectors[1].Y > 2.7);
+    }
+
+    [Test]
     public void AJointHoldsAParticleOfAnotherBody() {
         var solver = new Solver();
         var body = BodyDesc.Default;

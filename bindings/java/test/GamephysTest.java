@@ -496,6 +496,45 @@ public class GamephysTest {
     }
 
     @Test
+    public void settingsChangeLive() {
+        Solver solver = new Solver();
+        SolverSettings s = solver.getSettings();
+        solver.setSettings(new SolverSettings(
+                s.gravity(), 5, s.fixedStep(), s.maxSteps(), s.sleepSpeed(), s.sleepStrain(), s.sleepTime(),
+                s.maxStrain(), s.tolerance(), s.maxSubsteps(), s.maxWork()));
+        assertEquals(5, solver.getSettings().substeps());
+        int rope = solver.addRope(points(ZERO, v(0, -1, 0)), 0);
+        solver.setPinned(rope, 0, 1, true);
+        assertEquals(List.of(1, 0), solver.getPinned(rope, 0, 2));
+        BodySettings b = solver.getBodySettings(rope);
+        solver.setBodySettings(rope, new BodySettings(
+                0.5f, b.friction(), b.staticFriction(), b.restitution(), b.layers(), b.bodyLayers(), b.selfCollision()));
+        assertEquals(0.5, solver.getBodySettings(rope).damping(), 0);
+        Batch<Integer> links = Batch.ints(solver.getConstraints(rope).get(0).id());
+        Batch<ConstraintSettings> link = solver.getConstraintSettings(rope, links);
+        assertEquals(1, link.get(0).restLength(), 0);
+        link.set(0, new ConstraintSettings(0.5f, 0, 0));
+        solver.setConstraintSettings(rope, links, link);
+        assertEquals(0.01f, solver.getRadii(rope, 0, 2).get(1), 0);
+        assertEquals(ZERO, solver.getForces(rope, 0, 2).get(1));
+        for (int step = 0; step < 10; ++step) solver.step(null, 0.01f);
+        assertEquals(-0.5, solver.getPositions(rope, 1, 1).get(0).y(), 1e-5);
+    }
+
+    @Test
+    public void windCarriesBallsAlong() {
+        Solver solver = new Solver(new SolverDesc().gravity(ZERO));
+        int balls = solver.addParticles(points(ZERO, v(1, 0, 0)));
+        solver.setWind(balls, new Wind(v(2, 0, 0), 1e4f, 0.5f, 0));
+        assertEquals(1e4, solver.getWind(balls).density(), 0);
+        solver.setAirVelocities(balls, 1, points(v(0, 3, 0)));
+        assertEquals(v(0, 3, 0), solver.getAirVelocities(balls, 0, 2).get(1));
+        for (int step = 0; step < 500; ++step) solver.step(null, 0.01f);
+        Batch<Vec3> speeds = solver.getVelocities(balls, 0, 2);
+        assertTrue(speeds.get(0).x() > 1.8 && speeds.get(1).y() > 2.7);
+    }
+
+    @Test
     public void aJointHoldsAParticleOfAnotherBody() {
         Solver solver = new Solver();
         int nail = solver.addParticles(points(ZERO), new BodyDesc().mass(2));

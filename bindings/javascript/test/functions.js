@@ -319,6 +319,36 @@ test('a string holds a weight, a tetrahedron keeps its volume', () => {
     assert.throws(() => solver.getVolume(ball), { status: gp.ERROR_UNSUPPORTED });
 });
 
+test('settings change live', () => {
+    const solver = new gp.Solver();
+    solver.setSettings({ ...solver.getSettings(), substeps: 5 });
+    assert.strictEqual(solver.getSettings().substeps, 5);
+    const rope = solver.addRope(floats(0, 0, 0, 0, -1, 0), 0);
+    solver.setPinned(rope, 0, 1, true);
+    same([...solver.getPinned(rope, 0, 2)], [1, 0]);
+    solver.setBodySettings(rope, { ...solver.getBodySettings(rope), damping: 0.5 });
+    assert.strictEqual(solver.getBodySettings(rope).damping, 0.5);
+    const links = [...solver.getConstraints(rope)].map((link) => link.id);
+    same([...solver.getConstraintSettings(rope, links)].map((link) => link.rest_length), [1]);
+    solver.setConstraintSettings(rope, links, floats(0.5, 0, 0));
+    near(solver.getRadii(rope, 0, 2).get(1), 0.01);
+    near(solver.getForces(rope, 0, 2).get(1), [0, 0, 0]);
+    for (let i = 0; i < 10; ++i) solver.step(null, 0.01);
+    near(solver.getPositions(rope, 1, 1).get(0), [0, -0.5, 0]);
+});
+
+test('wind carries balls along', () => {
+    const solver = new gp.Solver({ gravity: [0, 0, 0] });
+    const balls = solver.addParticles(floats(0, 0, 0, 1, 0, 0));
+    solver.setWind(balls, { velocity: [2, 0, 0], density: 1e4, drag: 0.5, lift: 0 });
+    assert.strictEqual(solver.getWind(balls).density, 1e4);
+    solver.setAirVelocities(balls, 1, floats(0, 3, 0));
+    near(solver.getAirVelocities(balls, 0, 2).get(1), [0, 3, 0]);
+    for (let i = 0; i < 500; ++i) solver.step(null, 0.01);
+    const [first, second] = solver.getVelocities(balls, 0, 2);
+    assert(first[0] > 1.8 && second[1] > 2.7);
+});
+
 test('a joint holds a particle of another body', () => {
     const solver = new gp.Solver();
     const nail = solver.addParticles(floats(0, 0, 0), { mass: 2 });

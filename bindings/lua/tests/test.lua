@@ -397,6 +397,42 @@ function tests.a_string_holds_a_weight_and_a_pyramid_keeps_its_volume()
     fails(gp.ERROR_UNSUPPORTED, solver.get_volume, solver, ball)
 end
 
+function tests.settings_change_live()
+    local solver = gp.Solver()
+    local settings = solver:get_settings()
+    settings.substeps = 5
+    solver:set_settings(settings)
+    assert(solver:get_settings().substeps == 5)
+    local rope = solver:add_rope(gp.array('vec3', { { 0, 0, 0 }, { 0, -1, 0 } }), 0)
+    solver:set_pinned(rope, 0, 1, true)
+    local pinned = solver:get_pinned(rope, 0, 2)
+    assert(pinned[0] == 1 and pinned[1] == 0)
+    local body = solver:get_body_settings(rope)
+    body.damping = 0.5
+    solver:set_body_settings(rope, body)
+    assert(solver:get_body_settings(rope).damping == 0.5)
+    local links = { solver:get_constraints(rope)[0].id }
+    local link = solver:get_constraint_settings(rope, links)
+    link[0].rest_length = 0.5
+    solver:set_constraint_settings(rope, links, link)
+    assert(near(solver:get_radii(rope, 0, 2)[1], 0.01, 1e-6))
+    assert(solver:get_forces(rope, 0, 2)[1].y == 0)
+    for _ = 1, 10 do solver:step(nil, 0.01) end
+    assert(near(solver:get_positions(rope, 1, 1)[0].y, -0.5, 1e-5))
+end
+
+function tests.wind_carries_balls_along()
+    local solver = gp.Solver { gravity = { 0, 0, 0 } }
+    local balls = solver:add_particles(gp.array('vec3', { { 0, 0, 0 }, { 1, 0, 0 } }))
+    solver:set_wind(balls, { { 2, 0, 0 }, 1e4, 0.5, 0 })
+    assert(solver:get_wind(balls).density == 1e4)
+    solver:set_air_velocities(balls, 1, { { 0, 3, 0 } })
+    assert(solver:get_air_velocities(balls, 0, 2)[1].y == 3)
+    for _ = 1, 500 do solver:step(nil, 0.01) end
+    local speeds = solver:get_velocities(balls, 0, 2)
+    assert(speeds[0].x > 1.8 and speeds[1].y > 2.7)
+end
+
 function tests.a_joint_holds_a_particle_of_another_body()
     local solver = gp.Solver()
     local nail = solver:add_particles(gp.array('vec3', { { 0, 0, 0 } }), { mass = 2 })

@@ -371,6 +371,45 @@ class Functions(unittest.TestCase):
             solver.get_volume(ball)
         self.assertEqual(caught.exception.status, gp.ERROR_UNSUPPORTED)
 
+    def test_live_settings(self):
+        """What is set is read, and acts: a winch, an elastic link, a body that is damped."""
+        solver = gp.Solver()
+        settings = solver.get_settings()
+        settings.substeps = 5
+        solver.set_settings(settings)
+        self.assertEqual(solver.get_settings().substeps, 5)
+        rope = solver.add_rope([(0, 0, 0), (0, -1, 0)], 0)
+        solver.set_pinned(rope, 0, 1, True)
+        self.assertEqual(solver.get_pinned(rope, 0, 2).tolist(), [1, 0])
+        body = solver.get_body_settings(rope)
+        body.damping = 0.5
+        solver.set_body_settings(rope, body)
+        self.assertEqual(solver.get_body_settings(rope).damping, 0.5)
+        links = [link["id"] for link in solver.get_constraints(rope)]
+        link = solver.get_constraint_settings(rope, links)
+        link["rest_length"] = 0.5
+        solver.set_constraint_settings(rope, links, link)
+        self.assertAlmostEqual(solver.get_radii(rope, 0, 2)[0], 0.01, 6)
+        self.assertEqual(solver.get_forces(rope, 0, 2)[1].tolist(), [0, 0, 0])
+        for _ in range(10):
+            solver.step(None, 0.01)
+        self.assertAlmostEqual(solver.get_positions(rope, 1, 1)[0][1], -0.5, 5)
+
+    def test_wind(self):
+        """Air carries a ball along; gusts are of single particles."""
+        solver = gp.Solver(gp.SolverDesc(gravity=(0, 0, 0)))
+        balls = solver.add_particles([(0, 0, 0), (1, 0, 0)])
+        wind = gp.Wind((2, 0, 0), 1e4, 0.5, 0)
+        solver.set_wind(balls, wind)
+        self.assertEqual(solver.get_wind(balls).density, 1e4)
+        solver.set_air_velocities(balls, 1, [(0, 3, 0)])
+        self.assertEqual(solver.get_air_velocities(balls, 0, 2)[1].tolist(), [0, 3, 0])
+        for _ in range(500):
+            solver.step(None, 0.01)
+        first, second = solver.get_velocities(balls, 0, 2)
+        self.assertGreater(first[0], 1.8)
+        self.assertGreater(second[1], 2.7)
+
     def test_joints(self):
         """A weight hangs from a nail, which is another body."""
         solver = gp.Solver()

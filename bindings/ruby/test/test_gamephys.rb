@@ -409,6 +409,42 @@ class TestGamephys < Minitest::Test
     assert_fails(ERROR_UNSUPPORTED) { solver.get_volume(ball) }
   end
 
+  def test_settings_change_live
+    solver = Solver.new
+    settings = solver.get_settings
+    settings.substeps = 5
+    solver.set_settings(settings)
+    assert_equal 5, solver.get_settings.substeps
+    rope = solver.add_rope([[0, 0, 0], [0, -1, 0]], 0)
+    solver.set_pinned(rope, 0, 1, true)
+    assert_equal [1, 0], solver.get_pinned(rope, 0, 2).to_a
+    body = solver.get_body_settings(rope)
+    body.damping = 0.5
+    solver.set_body_settings(rope, body)
+    assert_equal 0.5, solver.get_body_settings(rope).damping
+    links = [solver.get_constraints(rope)[0].id]
+    link = solver.get_constraint_settings(rope, links).to_a
+    link[0].rest_length = 0.5
+    solver.set_constraint_settings(rope, links, link)
+    assert_in_delta 0.01, solver.get_radii(rope, 0, 2)[1], 1e-6
+    assert_equal [0, 0, 0], solver.get_forces(rope, 0, 2)[1].to_a
+    10.times { solver.step(nil, 0.01) }
+    assert_in_delta(-0.5, solver.get_positions(rope, 1, 1)[0][1], 1e-5)
+  end
+
+  def test_wind_carries_balls_along
+    solver = Solver.new(gravity: [0, 0, 0])
+    balls = solver.add_particles([[0, 0, 0], [1, 0, 0]])
+    solver.set_wind(balls, Wind.new([2, 0, 0], 1e4, 0.5, 0))
+    assert_equal 1e4, solver.get_wind(balls).density
+    solver.set_air_velocities(balls, 1, [[0, 3, 0]])
+    assert_equal [0, 3, 0], solver.get_air_velocities(balls, 0, 2)[1].to_a
+    500.times { solver.step(nil, 0.01) }
+    first, second = solver.get_velocities(balls, 0, 2).to_a
+    assert_operator first[0], :>, 1.8
+    assert_operator second[1], :>, 2.7
+  end
+
   def test_a_joint_holds_a_particle_of_another_body
     solver = Solver.new
     nail = solver.add_particles([[0, 0, 0]], mass: 2)

@@ -198,6 +198,52 @@ fn a_string_holds_a_weight_and_a_tetrahedron_keeps_its_volume() {
 }
 
 #[test]
+fn settings_change_live() {
+    let mut solver = Solver::new(None).unwrap();
+    let mut settings = solver.get_settings().unwrap();
+    settings.substeps = 5;
+    solver.set_settings(&settings).unwrap();
+    assert_eq!(solver.get_settings().unwrap().substeps, 5);
+    let rope = solver.add_rope(&[[0.0; 3], [0.0, -1.0, 0.0]], 0.0, None).unwrap();
+    solver.set_pinned(rope, 0, 1, true).unwrap();
+    let mut pinned = [7; 2];
+    solver.get_pinned(rope, 0, &mut pinned).unwrap();
+    assert_eq!(pinned, [1, 0]);
+    let mut body = solver.get_body_settings(rope).unwrap();
+    body.damping = 0.5;
+    solver.set_body_settings(rope, &body).unwrap();
+    assert_eq!(solver.get_body_settings(rope).unwrap().damping, 0.5);
+    let links = [solver.get_constraints(rope).unwrap()[0].id];
+    let mut link = [ConstraintSettings::default()];
+    solver.get_constraint_settings(rope, &links, &mut link).unwrap();
+    link[0].rest_length = 0.5;
+    solver.set_constraint_settings(rope, &links, &link).unwrap();
+    let (mut radii, mut vectors) = ([0.0f32; 2], [Vec3::default(); 2]);
+    solver.get_radii(rope, 0, &mut radii).unwrap();
+    solver.get_forces(rope, 0, &mut vectors).unwrap();
+    assert!(radii[1] == 0.01 && vectors[1].y == 0.0);
+    (0..10).for_each(|_| solver.step(None, 0.01).unwrap());
+    solver.get_positions(rope, 0, &mut vectors).unwrap();
+    assert!((vectors[1].y + 0.5).abs() < 1e-5);
+}
+
+#[test]
+fn wind_carries_balls_along() {
+    let desc = SolverDesc { gravity: [0.0; 3].into(), ..Default::default() };
+    let mut solver = Solver::new(Some(&desc)).unwrap();
+    let balls = solver.add_particles(&[[0.0; 3], [1.0, 0.0, 0.0]], None).unwrap();
+    solver.set_wind(balls, &Wind { velocity: [2.0, 0.0, 0.0].into(), density: 1e4, drag: 0.5, lift: 0.0 }).unwrap();
+    assert_eq!(solver.get_wind(balls).unwrap().density, 1e4);
+    solver.set_air_velocities(balls, 1, &[[0.0, 3.0, 0.0]]).unwrap();
+    let mut vectors = [Vec3::default(); 2];
+    solver.get_air_velocities(balls, 0, &mut vectors).unwrap();
+    assert!(vectors[0].y == 0.0 && vectors[1].y == 3.0);
+    (0..500).for_each(|_| solver.step(None, 0.01).unwrap());
+    solver.get_velocities(balls, 0, &mut vectors).unwrap();
+    assert!(vectors[0].x > 1.8 && vectors[1].y > 2.7);
+}
+
+#[test]
 fn a_joint_holds_a_particle_of_another_body() {
     let mut solver = Solver::new(None).unwrap();
     let desc = BodyDesc { mass: 2.0, ..Default::default() };
