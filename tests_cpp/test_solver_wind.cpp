@@ -58,17 +58,27 @@ TEST_CASE("A ball falls with its terminal velocity, and gets there as it should"
 }
 
 TEST_CASE("A sheet falls flat with its terminal velocity") {
-    World world(8);
-    const gphys_body_id sheet = world.cloth({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 6, 6, of_mass(0.2f));
     for (const float lift : {0.0f, 1.2f}) {
+        World world(8);
+        const gphys_body_id sheet = world.cloth({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 6, 6, of_mass(0.2f));
+        // As heavy as the area that each particle carries, or the rim would fall faster.
+        std::vector<uint32_t> corners(150);
+        uint32_t total = 0;
+        REQUIRE(gphys_solver_get_triangles(world.solver, sheet, corners.data(), 150, &total) == GPHYS_OK);
+        std::vector<float> masses(36, 0.0f);
+        for (const uint32_t p : corners) masses[p] += 0.2f / 150;
+        REQUIRE(gphys_solver_set_masses(world.solver, sheet, 0, 36, masses.data(), 4) == GPHYS_OK);
         blow(world, sheet, {{0, 0, 0}, 1.2f, 1.2f, lift});
-        for (int i = 0; i < 300; ++i) world.step(frame);
+        for (int i = 0; i < 120; ++i) world.step(frame);
         const double mass = static_cast<double>(0.2f), c = static_cast<double>(1.2f);
         const double terminal = std::sqrt(2 * mass * g / (c * c));
-        // Its middle and its corners carry different areas, but are held level by nothing: the mean is what is known.
-        const double speed = -momentum(world, sheet, mass / 36).linear.y / mass;
-        figure("falling sheet, error of its speed", std::fabs(speed / terminal - 1), "of itself");
-        CHECK(std::fabs(speed / terminal - 1) < 0.02);
+        double worst = 0;
+        for (const gphys_vec3& v : world.velocities(sheet)) {
+            worst = std::max(worst, std::fabs(static_cast<double>(-v.y) / terminal - 1));
+        }
+        figure("falling sheet, largest error of a speed", worst, "of itself");
+        // Masses and velocities of float32, and what bends the sheet by the rounding of its places.
+        CHECK(worst < 1e-3);
     }
 }
 

@@ -100,8 +100,7 @@ void fly_in_air(Body& body, Vec3 gravity, double dt) {
     const Air& air = body.air;
     const double part = 0.5 * air.wind.density * air.wind.drag * pi * dt;
     for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        const double w = body.inverse_mass[p];
+        const double w = body.inverse_mass[p];  // 0: it gets no force
         const Vec3 u = body.velocity[p] - velocity_at(air, p) + (gravity + body.force[p] * w) * dt;
         const double growth = 4 * part * body.radius[p] * body.radius[p] * w * length(u);
         const double lost = 1 - 2 / (1 + std::sqrt(1 + growth));
