@@ -35,6 +35,14 @@ Momentum momentum(const World& world, gphys_body_id body, double mass) {
     return sum;
 }
 
+/// Per kilogram, of particles of equal masses.
+double energy_in_air(const World& world, gphys_body_id body, gphys_vec3 wind) {
+    const std::vector<gphys_vec3> velocities = world.velocities(body);
+    double sum = 0;
+    for (const gphys_vec3& v : velocities) sum += length_squared(gphys::widen(v) - gphys::widen(wind)) / 2;
+    return sum / static_cast<double>(velocities.size());
+}
+
 }  // namespace
 
 TEST_CASE("A ball falls with its terminal velocity, and gets there as it should") {
@@ -91,8 +99,8 @@ TEST_CASE("The force on an oblique sheet is that of the formula, and turns it by
             const gphys_body_id sheet = world.cloth({0, 0, 0}, {s, c, 0}, {0, 0, 0.5f}, 4, 6, of_mass(1));
             const double wind = 8, density = static_cast<double>(1.2f), area = 0.5;
             blow(world, sheet, {{8, 0, 0}, 1.2f, 1.0f, lift});
-            // Short, so that the sheet gains nothing that counts.
-            const float dt = 1e-5f;
+            // The force is that of the beginning: of a sheet at rest.
+            const float dt = 1e-3f;
             world.step(dt);
             const Vec3 n{std::cos(angle), -std::sin(angle), 0}, u{-wind, 0, 0};
             const double cosine = std::cos(angle), part = density / 2 * area * wind;
@@ -100,7 +108,7 @@ TEST_CASE("The force on an oblique sheet is that of the formula, and turns it by
             const Vec3 force = (u * along + n * (dot(u, n) * static_cast<double>(lift))) * -part;
             const Momentum got = momentum(world, sheet, 1.0 / 24);
             const double h = static_cast<double>(dt), scale = part * wind * h;
-            // float32 velocities of 1e-3 m/s that come from displacements of 1e-8 m; the first substep's scheme.
+            // Places of float32 are off by 3e-8 m, which links take back in a thousandth of a second.
             CHECK(length(got.linear - force * h) < 1e-3 * scale);
             CHECK(length(got.angular) < 1e-3 * scale);
         }
@@ -116,8 +124,7 @@ TEST_CASE("A wind that begins takes bodies along and never beyond, whatever its 
         const gphys_body_id rope = world.rope(line({0, 0, 3}, {0.1f, 0.02f, 0}, 8), 0, desc);
         const gphys_body_id balls = world.particles(line({0, 0, 6}, {0.1f, 0, 0}, 9), desc);
         blow(world, 0, {wind, density, 1.2f, 1.2f});
-        const double speed = 13;
-        double left = speed;
+        double left = 13, energy[2] = {energy_in_air(world, sheet, wind), energy_in_air(world, rope, wind)};
         for (int i = 0; i < 240; ++i) {
             world.step(frame);
             // Balls have nothing that pulls them elsewhere.
@@ -127,12 +134,12 @@ TEST_CASE("A wind that begins takes bodies along and never beyond, whatever its 
                 CHECK(dot(gphys::widen(wind) - gphys::widen(v), gphys::widen(wind)) >= -1e-4);
             }
             left = length(gphys::widen(wind) - gphys::widen(world.velocities(balls)[0]));
-            // The others as a whole.
-            for (const gphys_body_id body : {sheet, rope}) {
-                const double count = static_cast<double>(world.positions(body).size());
-                const Vec3 mean = momentum(world, body, 1 / count).linear;
-                CHECK(length(mean) < 1.001 * speed);
-                CHECK(world.stats(body).kinetic_energy < 0.5f * 0.1f * 169 * 1.01f);
+            // Links pass speed on, and bend links give back what they hold: a hundred-thousandth of the 84 J/kg at
+            // first.
+            for (size_t k = 0; k < 2; ++k) {
+                const double now = energy_in_air(world, k == 0 ? sheet : rope, wind);
+                CHECK(now <= energy[k] * 1.001 + 1e-3);
+                energy[k] = now;
             }
         }
         if (density >= 1e3f) CHECK(left < 0.1);
