@@ -2567,6 +2567,37 @@ func (o *Solver) SetSubsteps(substeps uint32) (err error) {
 	return
 }
 
+// The settings of a solver as they are.
+// Cost: O(1).
+func (o *Solver) Settings() (settings SolverSettings, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_settings(self)
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	settings = *(*SolverSettings)(unsafe.Pointer(&r.out_settings))
+	return
+}
+
+// Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake
+// if gravity or the settings of sleep change. Time that Solver.Advance owes beyond the new fixed_step
+// is dropped.
+// Cost: O(bodies).
+func (o *Solver) SetSettings(settings SolverSettings) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_settings(self, *(*C.gphys_solver_settings)(unsafe.Pointer(&settings)))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // Add a body of particles without constraints.
 //   - desc: nil: the defaults
 //   - positions: metres
@@ -2725,6 +2756,36 @@ func (o *Solver) Wake(body BodyID) (err error) {
 	return
 }
 
+// The settings of a body as they are; static_friction as it acts, friction at least.
+// Cost: O(1).
+func (o *Solver) BodySettings(body BodyID) (settings BodySettings, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_body_settings(self, C.gphys_body_id(body))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	settings = *(*BodySettings)(unsafe.Pointer(&r.out_settings))
+	return
+}
+
+// Change all settings of a body, from the next step on: read them, change some, and give them back.
+// Wakes the body.
+// Cost: O(1); O(particles) when self_collision changes, and it allocates.
+func (o *Solver) SetBodySettings(body BodyID, settings BodySettings) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_body_settings(self, C.gphys_body_id(body), *(*C.gphys_body_settings)(unsafe.Pointer(&settings)))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // What a body is made of and how it is solved.
 // Cost: O(1); after a change of constraints O(particles), and it allocates.
 func (o *Solver) BodyInfo(body BodyID) (info BodyInfo, err error) {
@@ -2871,6 +2932,24 @@ func (o *Solver) SetMasses(body BodyID, first uint32, masses []float32) (err err
 	return
 }
 
+// Collision radii of particles, metres.
+//   - first, count: as in Solver.Positions
+// Cost: O(count).
+func (o *Solver) Radii(body BodyID, first uint32, radii []float32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count := len(radii)
+	if err = checkLength(count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_radii(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.float)(data(radii)), size(radii))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // Change the collision radii of particles. Wakes the body.
 //   - first: as in Solver.Positions
 //   - radii: metres, >= 0
@@ -2885,6 +2964,24 @@ func (o *Solver) SetRadii(body BodyID, first uint32, radii []float32) (err error
 		return
 	}
 	r := C.go_gphys_solver_set_radii(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.float)(data(radii)), step(radii))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// The forces that were set for particles, newtons.
+//   - first, count: as in Solver.Positions
+// Cost: O(count).
+func (o *Solver) Forces(body BodyID, first uint32, forces []Vec3) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count := len(forces)
+	if err = checkLength(count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_forces(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.gphys_vec3)(data(forces)), size(forces))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -2909,6 +3006,24 @@ func (o *Solver) SetForces(body BodyID, first uint32, forces []Vec3) (err error)
 	return
 }
 
+// Which particles are pinned or attached.
+//   - first, count: as in Solver.Positions
+// Cost: O(count).
+func (o *Solver) Pinned(body BodyID, first uint32, pinned []int32) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count := len(pinned)
+	if err = checkLength(count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_pinned(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.int32_t)(data(pinned)), size(pinned))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
 // Pin or release particles. A pinned particle stays where it is put and moves only by
 // Solver.SetPositions; its speed is 0. Both pinning and releasing end an attachment.
 //   - first, count: as in Solver.Positions
@@ -2920,6 +3035,84 @@ func (o *Solver) SetPinned(body BodyID, first uint32, count uint32, pinned bool)
 		return
 	}
 	r := C.go_gphys_solver_set_pinned(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), boolean(pinned))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
+// relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
+// C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
+// the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling
+// effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+// along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
+// cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
+// u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
+// u.
+//   - body: 0: all bodies there are
+//   - wind: of density 0: no air
+// Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much
+// for each link or particle.
+func (o *Solver) SetWind(body BodyID, wind Wind) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_wind(self, C.gphys_body_id(body), *(*C.gphys_wind)(unsafe.Pointer(&wind)))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// The air around a body as it was set; zeros if it was not.
+// Cost: O(1).
+func (o *Solver) Wind(body BodyID) (wind Wind, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_wind(self, C.gphys_body_id(body))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	wind = *(*Wind)(unsafe.Pointer(&r.out_wind))
+	return
+}
+
+// Give the air at particles a velocity beside that of Wind, from now on until set again: gusts,
+// eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+//   - first: as in Solver.Positions
+//   - velocities: m/s
+// Cost: O(elements); the first time O(particles), and it allocates.
+func (o *Solver) SetAirVelocities(body BodyID, first uint32, velocities []Vec3) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, len(velocities))
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_air_velocities(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.gphys_vec3)(data(velocities)), step(velocities))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Velocities of the air at particles, m/s, beside that of Wind.
+//   - first, count: as in Solver.Positions
+// Cost: O(count).
+func (o *Solver) AirVelocities(body BodyID, first uint32, velocities []Vec3) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count := len(velocities)
+	if err = checkLength(count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_air_velocities(self, C.gphys_body_id(body), C.uint32_t(first), C.uint32_t(count), (*C.gphys_vec3)(data(velocities)), size(velocities))
 	runtime.KeepAlive(o)
 	err = check(r.status, r.message)
 	return
@@ -3085,6 +3278,48 @@ func (o *Solver) Constraints(body BodyID) (result []ConstraintInfo, err error) {
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)
+	return
+}
+
+// What constraints are like.
+//   - constraints: the ids; one may stand twice
+// Cost: O(elements).
+func (o *Solver) ConstraintSettings(body BodyID, constraints []ConstraintID, settings []ConstraintSettings) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{len(constraints)}, 1)
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(settings), count); err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_constraint_settings(self, C.gphys_body_id(body), (*C.gphys_constraint_id)(data(constraints)), C.uint32_t(count), (*C.gphys_constraint_settings)(data(settings)), size(settings))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
+	return
+}
+
+// Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
+// the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
+// that is v dt shorter before each step of dt. Wakes the body.
+//   - constraints: the ids; one that stands twice gets the last
+// Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
+// gets longer links O(n log n). Chains are not planned again.
+func (o *Solver) SetConstraintSettings(body BodyID, constraints []ConstraintID, settings []ConstraintSettings) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{len(constraints)}, len(settings))
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_set_constraint_settings(self, C.gphys_body_id(body), (*C.gphys_constraint_id)(data(constraints)), (*C.gphys_constraint_settings)(data(settings)), step(settings), C.uint32_t(count))
+	runtime.KeepAlive(o)
+	err = check(r.status, r.message)
 	return
 }
 

@@ -1900,6 +1900,29 @@ static inline go_gphys_solver_set_substeps_result go_gphys_solver_set_substeps(v
     return r;
 }
 
+typedef struct go_gphys_solver_get_settings_result {
+    gphys_status status;
+    char* message;
+    gphys_solver_settings out_settings;
+} go_gphys_solver_get_settings_result;
+static inline go_gphys_solver_get_settings_result go_gphys_solver_get_settings(void* solver) {
+    go_gphys_solver_get_settings_result r = {0};
+    r.status = gphys_solver_get_settings(solver, &r.out_settings);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_set_settings_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_settings_result;
+static inline go_gphys_solver_set_settings_result go_gphys_solver_set_settings(void* solver, gphys_solver_settings settings) {
+    go_gphys_solver_set_settings_result r = {0};
+    r.status = gphys_solver_set_settings(solver, &settings);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_body_desc_init_result {
     gphys_status status;
     char* message;
@@ -2006,6 +2029,29 @@ static inline go_gphys_solver_wake_result go_gphys_solver_wake(void* solver, gph
     return r;
 }
 
+typedef struct go_gphys_solver_get_body_settings_result {
+    gphys_status status;
+    char* message;
+    gphys_body_settings out_settings;
+} go_gphys_solver_get_body_settings_result;
+static inline go_gphys_solver_get_body_settings_result go_gphys_solver_get_body_settings(void* solver, gphys_body_id body) {
+    go_gphys_solver_get_body_settings_result r = {0};
+    r.status = gphys_solver_get_body_settings(solver, body, &r.out_settings);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_set_body_settings_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_body_settings_result;
+static inline go_gphys_solver_set_body_settings_result go_gphys_solver_set_body_settings(void* solver, gphys_body_id body, gphys_body_settings settings) {
+    go_gphys_solver_set_body_settings_result r = {0};
+    r.status = gphys_solver_set_body_settings(solver, body, &settings);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_get_body_info_result {
     gphys_status status;
     char* message;
@@ -2096,6 +2142,17 @@ static inline go_gphys_solver_set_masses_result go_gphys_solver_set_masses(void*
     return r;
 }
 
+typedef struct go_gphys_solver_get_radii_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_radii_result;
+static inline go_gphys_solver_get_radii_result go_gphys_solver_get_radii(void* solver, gphys_body_id body, uint32_t first, uint32_t count, float * out_radii, uint32_t out_stride) {
+    go_gphys_solver_get_radii_result r = {0};
+    r.status = gphys_solver_get_radii(solver, body, first, count, out_radii, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_set_radii_result {
     gphys_status status;
     char* message;
@@ -2103,6 +2160,17 @@ typedef struct go_gphys_solver_set_radii_result {
 static inline go_gphys_solver_set_radii_result go_gphys_solver_set_radii(void* solver, gphys_body_id body, uint32_t first, uint32_t count, const float * radii, uint32_t stride) {
     go_gphys_solver_set_radii_result r = {0};
     r.status = gphys_solver_set_radii(solver, body, first, count, radii, stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_forces_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_forces_result;
+static inline go_gphys_solver_get_forces_result go_gphys_solver_get_forces(void* solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 * out_forces, uint32_t out_stride) {
+    go_gphys_solver_get_forces_result r = {0};
+    r.status = gphys_solver_get_forces(solver, body, first, count, out_forces, out_stride);
     r.message = go_message(r.status);
     return r;
 }
@@ -2118,6 +2186,17 @@ static inline go_gphys_solver_set_forces_result go_gphys_solver_set_forces(void*
     return r;
 }
 
+typedef struct go_gphys_solver_get_pinned_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_pinned_result;
+static inline go_gphys_solver_get_pinned_result go_gphys_solver_get_pinned(void* solver, gphys_body_id body, uint32_t first, uint32_t count, int32_t * out_pinned, uint32_t out_stride) {
+    go_gphys_solver_get_pinned_result r = {0};
+    r.status = gphys_solver_get_pinned(solver, body, first, count, out_pinned, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_set_pinned_result {
     gphys_status status;
     char* message;
@@ -2125,6 +2204,51 @@ typedef struct go_gphys_solver_set_pinned_result {
 static inline go_gphys_solver_set_pinned_result go_gphys_solver_set_pinned(void* solver, gphys_body_id body, uint32_t first, uint32_t count, int32_t pinned) {
     go_gphys_solver_set_pinned_result r = {0};
     r.status = gphys_solver_set_pinned(solver, body, first, count, pinned);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_set_wind_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_wind_result;
+static inline go_gphys_solver_set_wind_result go_gphys_solver_set_wind(void* solver, gphys_body_id body, gphys_wind wind) {
+    go_gphys_solver_set_wind_result r = {0};
+    r.status = gphys_solver_set_wind(solver, body, &wind);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_wind_result {
+    gphys_status status;
+    char* message;
+    gphys_wind out_wind;
+} go_gphys_solver_get_wind_result;
+static inline go_gphys_solver_get_wind_result go_gphys_solver_get_wind(void* solver, gphys_body_id body) {
+    go_gphys_solver_get_wind_result r = {0};
+    r.status = gphys_solver_get_wind(solver, body, &r.out_wind);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_set_air_velocities_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_air_velocities_result;
+static inline go_gphys_solver_set_air_velocities_result go_gphys_solver_set_air_velocities(void* solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_vec3 * velocities, uint32_t stride) {
+    go_gphys_solver_set_air_velocities_result r = {0};
+    r.status = gphys_solver_set_air_velocities(solver, body, first, count, velocities, stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_air_velocities_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_air_velocities_result;
+static inline go_gphys_solver_get_air_velocities_result go_gphys_solver_get_air_velocities(void* solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 * out_velocities, uint32_t out_stride) {
+    go_gphys_solver_get_air_velocities_result r = {0};
+    r.status = gphys_solver_get_air_velocities(solver, body, first, count, out_velocities, out_stride);
     r.message = go_message(r.status);
     return r;
 }
@@ -2229,6 +2353,28 @@ typedef struct go_gphys_solver_get_constraints_result {
 static inline go_gphys_solver_get_constraints_result go_gphys_solver_get_constraints(void* solver, gphys_body_id body, gphys_constraint_info * out_constraints, uint32_t capacity) {
     go_gphys_solver_get_constraints_result r = {0};
     r.status = gphys_solver_get_constraints(solver, body, out_constraints, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_constraint_settings_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_get_constraint_settings_result;
+static inline go_gphys_solver_get_constraint_settings_result go_gphys_solver_get_constraint_settings(void* solver, gphys_body_id body, const gphys_constraint_id * constraints, uint32_t count, gphys_constraint_settings * out_settings, uint32_t out_stride) {
+    go_gphys_solver_get_constraint_settings_result r = {0};
+    r.status = gphys_solver_get_constraint_settings(solver, body, constraints, count, out_settings, out_stride);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_set_constraint_settings_result {
+    gphys_status status;
+    char* message;
+} go_gphys_solver_set_constraint_settings_result;
+static inline go_gphys_solver_set_constraint_settings_result go_gphys_solver_set_constraint_settings(void* solver, gphys_body_id body, const gphys_constraint_id * constraints, const gphys_constraint_settings * settings, uint32_t setting_stride, uint32_t count) {
+    go_gphys_solver_set_constraint_settings_result r = {0};
+    r.status = gphys_solver_set_constraint_settings(solver, body, constraints, settings, setting_stride, count);
     r.message = go_message(r.status);
     return r;
 }

@@ -529,8 +529,36 @@ type SolverDesc struct {
 	Tolerance float32
 	// the most that a target may ask for, 1 .. 1000; default 64
 	MaxSubsteps uint32
-	// must be 0
-	reserved uint32
+	// see SolverSettings; 0: no bound; default 0
+	MaxWork uint32
+}
+
+// What a solver was created with and may change later. Fields as in SolverDesc. Frozen.
+type SolverSettings struct {
+	// m/s^2
+	Gravity Vec3
+	// 1 .. 1000
+	Substeps uint32
+	// seconds, 1e-6 .. 0.5
+	FixedStep float32
+	// >= 1
+	MaxSteps uint32
+	// m/s, >= 0
+	SleepSpeed float32
+	// >= 0
+	SleepStrain float32
+	// seconds, >= 0
+	SleepTime float32
+	// >= 0
+	MaxStrain float32
+	// m/s, >= 0
+	Tolerance float32
+	// 1 .. 1000
+	MaxSubsteps uint32
+	// most particles times substeps of a step; 0: no bound. Where bodies would take more, all
+	// take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
+	// the time of a step on every machine alike: the same bits everywhere
+	MaxWork uint32
 }
 
 // Settings shared by all kinds of bodies.
@@ -563,6 +591,24 @@ type BodyDesc struct {
 	BodyLayers uint32
 }
 
+// What all particles of a body share and may change later. Fields as in BodyDesc. Frozen.
+type BodySettings struct {
+	// 1/s, >= 0
+	Damping float32
+	// >= 0
+	Friction float32
+	// at least friction, or 0: as friction
+	StaticFriction float32
+	// 0 .. 1
+	Restitution float32
+	// of models
+	Layers uint32
+	// of bodies
+	BodyLayers uint32
+	// 0 or 1; particles that are nearer than their radii reach when it is set do not collide
+	SelfCollision uint32
+}
+
 // Frozen.
 type BodyInfo struct {
 	Kind BodyKind
@@ -571,6 +617,18 @@ type BodyInfo struct {
 	ConstraintCount uint32
 	// of cloth, for drawing
 	TriangleCount uint32
+}
+
+// The air around a body. Frozen.
+type Wind struct {
+	// of the air, m/s
+	Velocity Vec3
+	// kg/m^3, >= 0; 1.2 is air at 20 degrees; 0: none
+	Density float32
+	// coefficient C_D, >= 0: a plate across has 1.2, a cylinder 1.2, a sphere 0.5
+	Drag float32
+	// coefficient C_L of cloth, >= 0; a plate has as much lift as drag
+	Lift float32
 }
 
 // One constraint. Frozen.
@@ -582,6 +640,16 @@ type ConstraintInfo struct {
 	RestLength float32
 	// metres per newton
 	Compliance float32
+}
+
+// What a constraint is like and may become. Frozen.
+type ConstraintSettings struct {
+	// metres, >= 0; negative, when it is set: the present distance
+	RestLength float32
+	// metres per newton, >= 0; 0 is rigid
+	Compliance float32
+	// N s/m, >= 0, of what has compliance; see Solver.SetConstraintDamping
+	Damping float32
 }
 
 // One joint. Frozen.
@@ -803,7 +871,19 @@ var (
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_strain)]byte = [unsafe.Offsetof(SolverDesc{}.MaxStrain)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.tolerance)]byte = [unsafe.Offsetof(SolverDesc{}.Tolerance)]byte{}
 	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_substeps)]byte = [unsafe.Offsetof(SolverDesc{}.MaxSubsteps)]byte{}
-	_ [unsafe.Offsetof(C.gphys_solver_desc{}.reserved)]byte = [unsafe.Offsetof(SolverDesc{}.reserved)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_desc{}.max_work)]byte = [unsafe.Offsetof(SolverDesc{}.MaxWork)]byte{}
+	_ [C.sizeof_gphys_solver_settings]byte = [unsafe.Sizeof(SolverSettings{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.gravity)]byte = [unsafe.Offsetof(SolverSettings{}.Gravity)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.substeps)]byte = [unsafe.Offsetof(SolverSettings{}.Substeps)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.fixed_step)]byte = [unsafe.Offsetof(SolverSettings{}.FixedStep)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.max_steps)]byte = [unsafe.Offsetof(SolverSettings{}.MaxSteps)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.sleep_speed)]byte = [unsafe.Offsetof(SolverSettings{}.SleepSpeed)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.sleep_strain)]byte = [unsafe.Offsetof(SolverSettings{}.SleepStrain)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.sleep_time)]byte = [unsafe.Offsetof(SolverSettings{}.SleepTime)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.max_strain)]byte = [unsafe.Offsetof(SolverSettings{}.MaxStrain)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.tolerance)]byte = [unsafe.Offsetof(SolverSettings{}.Tolerance)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.max_substeps)]byte = [unsafe.Offsetof(SolverSettings{}.MaxSubsteps)]byte{}
+	_ [unsafe.Offsetof(C.gphys_solver_settings{}.max_work)]byte = [unsafe.Offsetof(SolverSettings{}.MaxWork)]byte{}
 	_ [C.sizeof_gphys_body_desc]byte = [unsafe.Sizeof(BodyDesc{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.struct_size)]byte = [unsafe.Offsetof(BodyDesc{}.structSize)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.mass)]byte = [unsafe.Offsetof(BodyDesc{}.Mass)]byte{}
@@ -818,18 +898,35 @@ var (
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.static_friction)]byte = [unsafe.Offsetof(BodyDesc{}.StaticFriction)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.self_collision)]byte = [unsafe.Offsetof(BodyDesc{}.SelfCollision)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_desc{}.body_layers)]byte = [unsafe.Offsetof(BodyDesc{}.BodyLayers)]byte{}
+	_ [C.sizeof_gphys_body_settings]byte = [unsafe.Sizeof(BodySettings{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_settings{}.damping)]byte = [unsafe.Offsetof(BodySettings{}.Damping)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_settings{}.friction)]byte = [unsafe.Offsetof(BodySettings{}.Friction)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_settings{}.static_friction)]byte = [unsafe.Offsetof(BodySettings{}.StaticFriction)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_settings{}.restitution)]byte = [unsafe.Offsetof(BodySettings{}.Restitution)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_settings{}.layers)]byte = [unsafe.Offsetof(BodySettings{}.Layers)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_settings{}.body_layers)]byte = [unsafe.Offsetof(BodySettings{}.BodyLayers)]byte{}
+	_ [unsafe.Offsetof(C.gphys_body_settings{}.self_collision)]byte = [unsafe.Offsetof(BodySettings{}.SelfCollision)]byte{}
 	_ [C.sizeof_gphys_body_info]byte = [unsafe.Sizeof(BodyInfo{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.kind)]byte = [unsafe.Offsetof(BodyInfo{}.Kind)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.method)]byte = [unsafe.Offsetof(BodyInfo{}.Method)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.particle_count)]byte = [unsafe.Offsetof(BodyInfo{}.ParticleCount)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.constraint_count)]byte = [unsafe.Offsetof(BodyInfo{}.ConstraintCount)]byte{}
 	_ [unsafe.Offsetof(C.gphys_body_info{}.triangle_count)]byte = [unsafe.Offsetof(BodyInfo{}.TriangleCount)]byte{}
+	_ [C.sizeof_gphys_wind]byte = [unsafe.Sizeof(Wind{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_wind{}.velocity)]byte = [unsafe.Offsetof(Wind{}.Velocity)]byte{}
+	_ [unsafe.Offsetof(C.gphys_wind{}.density)]byte = [unsafe.Offsetof(Wind{}.Density)]byte{}
+	_ [unsafe.Offsetof(C.gphys_wind{}.drag)]byte = [unsafe.Offsetof(Wind{}.Drag)]byte{}
+	_ [unsafe.Offsetof(C.gphys_wind{}.lift)]byte = [unsafe.Offsetof(Wind{}.Lift)]byte{}
 	_ [C.sizeof_gphys_constraint_info]byte = [unsafe.Sizeof(ConstraintInfo{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.id)]byte = [unsafe.Offsetof(ConstraintInfo{}.ID)]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.particle_a)]byte = [unsafe.Offsetof(ConstraintInfo{}.ParticleA)]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.particle_b)]byte = [unsafe.Offsetof(ConstraintInfo{}.ParticleB)]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.rest_length)]byte = [unsafe.Offsetof(ConstraintInfo{}.RestLength)]byte{}
 	_ [unsafe.Offsetof(C.gphys_constraint_info{}.compliance)]byte = [unsafe.Offsetof(ConstraintInfo{}.Compliance)]byte{}
+	_ [C.sizeof_gphys_constraint_settings]byte = [unsafe.Sizeof(ConstraintSettings{})]byte{}
+	_ [unsafe.Offsetof(C.gphys_constraint_settings{}.rest_length)]byte = [unsafe.Offsetof(ConstraintSettings{}.RestLength)]byte{}
+	_ [unsafe.Offsetof(C.gphys_constraint_settings{}.compliance)]byte = [unsafe.Offsetof(ConstraintSettings{}.Compliance)]byte{}
+	_ [unsafe.Offsetof(C.gphys_constraint_settings{}.damping)]byte = [unsafe.Offsetof(ConstraintSettings{}.Damping)]byte{}
 	_ [C.sizeof_gphys_joint_info]byte = [unsafe.Sizeof(JointInfo{})]byte{}
 	_ [unsafe.Offsetof(C.gphys_joint_info{}.id)]byte = [unsafe.Offsetof(JointInfo{}.ID)]byte{}
 	_ [unsafe.Offsetof(C.gphys_joint_info{}.body_a)]byte = [unsafe.Offsetof(JointInfo{}.BodyA)]byte{}

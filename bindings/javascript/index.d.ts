@@ -351,6 +351,35 @@ export interface SolverDesc {
     tolerance: number;
     /** the most that a target may ask for, 1 .. 1000; default 64 */
     max_substeps: number;
+    /** see SolverSettings; 0: no bound; default 0 */
+    max_work: number;
+}
+/** What a solver was created with and may change later. Fields as in SolverDesc. Frozen. */
+export interface SolverSettings {
+    /** m/s^2 */
+    gravity: number[];
+    /** 1 .. 1000 */
+    substeps: number;
+    /** seconds, 1e-6 .. 0.5 */
+    fixed_step: number;
+    /** >= 1 */
+    max_steps: number;
+    /** m/s, >= 0 */
+    sleep_speed: number;
+    /** >= 0 */
+    sleep_strain: number;
+    /** seconds, >= 0 */
+    sleep_time: number;
+    /** >= 0 */
+    max_strain: number;
+    /** m/s, >= 0 */
+    tolerance: number;
+    /** 1 .. 1000 */
+    max_substeps: number;
+    /** most particles times substeps of a step; 0: no bound. Where bodies would take more, all
+     * take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
+     * the time of a step on every machine alike: the same bits everywhere */
+    max_work: number;
 }
 /** Settings shared by all kinds of bodies. */
 export interface BodyDesc {
@@ -380,6 +409,23 @@ export interface BodyDesc {
     /** two bodies collide with each other if their masks share a bit; 0: with none; default 0 */
     body_layers: number;
 }
+/** What all particles of a body share and may change later. Fields as in BodyDesc. Frozen. */
+export interface BodySettings {
+    /** 1/s, >= 0 */
+    damping: number;
+    /** >= 0 */
+    friction: number;
+    /** at least friction, or 0: as friction */
+    static_friction: number;
+    /** 0 .. 1 */
+    restitution: number;
+    /** of models */
+    layers: number;
+    /** of bodies */
+    body_layers: number;
+    /** 0 or 1; particles that are nearer than their radii reach when it is set do not collide */
+    self_collision: number;
+}
 /** Frozen. */
 export interface BodyInfo {
     kind: number;
@@ -388,6 +434,17 @@ export interface BodyInfo {
     constraint_count: number;
     /** of cloth, for drawing */
     triangle_count: number;
+}
+/** The air around a body. Frozen. */
+export interface Wind {
+    /** of the air, m/s */
+    velocity: number[];
+    /** kg/m^3, >= 0; 1.2 is air at 20 degrees; 0: none */
+    density: number;
+    /** coefficient C_D, >= 0: a plate across has 1.2, a cylinder 1.2, a sphere 0.5 */
+    drag: number;
+    /** coefficient C_L of cloth, >= 0; a plate has as much lift as drag */
+    lift: number;
 }
 /** One constraint. Frozen. */
 export interface ConstraintInfo {
@@ -398,6 +455,15 @@ export interface ConstraintInfo {
     rest_length: number;
     /** metres per newton */
     compliance: number;
+}
+/** What a constraint is like and may become. Frozen. */
+export interface ConstraintSettings {
+    /** metres, >= 0; negative, when it is set: the present distance */
+    rest_length: number;
+    /** metres per newton, >= 0; 0 is rigid */
+    compliance: number;
+    /** N s/m, >= 0, of what has compliance; see Solver.setConstraintDamping */
+    damping: number;
 }
 /** One joint. Frozen. */
 export interface JointInfo {
@@ -481,8 +547,12 @@ export interface Kinds {
     model_info: ModelInfo;
     orbit: Orbit;
     orbit_speeds: OrbitSpeeds;
+    solver_settings: SolverSettings;
+    body_settings: BodySettings;
     body_info: BodyInfo;
+    wind: Wind;
     constraint_info: ConstraintInfo;
+    constraint_settings: ConstraintSettings;
     joint_info: JointInfo;
     solver_stats: SolverStats;
     contact: Contact;
@@ -1198,6 +1268,14 @@ export class Solver {
      * Cost: O(1).
      * @param substeps - 1 .. 1000 */
     setSubsteps(substeps: number): void;
+    /** The settings of a solver as they are.
+     * Cost: O(1). */
+    getSettings(): SolverSettings;
+    /** Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake
+     * if gravity or the settings of sleep change. Time that Solver.advance owes beyond the new fixed_step
+     * is dropped.
+     * Cost: O(bodies). */
+    setSettings(settings: Given<SolverSettings>): void;
     /** Add a body of particles without constraints.
      * Cost: O(elements).
      * @param desc - null: the defaults
@@ -1250,6 +1328,13 @@ export class Solver {
      * Cost: O(1) a body.
      * @param body - 0: all */
     wake(body: number): void;
+    /** The settings of a body as they are; static_friction as it acts, friction at least.
+     * Cost: O(1). */
+    getBodySettings(body: number): BodySettings;
+    /** Change all settings of a body, from the next step on: read them, change some, and give them back.
+     * Wakes the body.
+     * Cost: O(1); O(particles) when self_collision changes, and it allocates. */
+    setBodySettings(body: number, settings: Given<BodySettings>): void;
     /** What a body is made of and how it is solved.
      * Cost: O(1); after a change of constraints O(particles), and it allocates. */
     getBodyInfo(body: number): BodyInfo;
@@ -1291,16 +1376,31 @@ export class Solver {
      * @param first - as in Solver.getPositions
      * @param masses - kg, > 0 */
     setMasses(body: number, first: number, masses: Elements): void;
+    /** Collision radii of particles, metres.
+     * Cost: O(count).
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions */
+    getRadii(body: number, first: number, count: number, out?: Elements): Records<number>;
     /** Change the collision radii of particles. Wakes the body.
      * Cost: O(elements).
      * @param first - as in Solver.getPositions
      * @param radii - metres, >= 0 */
     setRadii(body: number, first: number, radii: Elements): void;
+    /** The forces that were set for particles, newtons.
+     * Cost: O(count).
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions */
+    getForces(body: number, first: number, count: number, out?: Elements): Records<number[]>;
     /** Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
      * Cost: O(elements).
      * @param first - as in Solver.getPositions
      * @param forces - newtons */
     setForces(body: number, first: number, forces: Elements): void;
+    /** Which particles are pinned or attached.
+     * Cost: O(count).
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions */
+    getPinned(body: number, first: number, count: number, out?: Elements): Records<number>;
     /** Pin or release particles. A pinned particle stays where it is put and moves only by
      * Solver.setPositions; its speed is 0. Both pinning and releasing end an attachment.
      * Cost: O(count).
@@ -1308,6 +1408,34 @@ export class Solver {
      * @param count - as in Solver.getPositions
      * @param pinned - true: pin; false: release */
     setPinned(body: number, first: number, count: number, pinned: boolean | number): void;
+    /** Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
+     * relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
+     * C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
+     * the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling
+     * effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+     * along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
+     * cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
+     * u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
+     * u.
+     * Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much
+     * for each link or particle.
+     * @param body - 0: all bodies there are
+     * @param wind - of density 0: no air */
+    setWind(body: number, wind: Given<Wind>): void;
+    /** The air around a body as it was set; zeros if it was not.
+     * Cost: O(1). */
+    getWind(body: number): Wind;
+    /** Give the air at particles a velocity beside that of Wind, from now on until set again: gusts,
+     * eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+     * Cost: O(elements); the first time O(particles), and it allocates.
+     * @param first - as in Solver.getPositions
+     * @param velocities - m/s */
+    setAirVelocities(body: number, first: number, velocities: Elements): void;
+    /** Velocities of the air at particles, m/s, beside that of Wind.
+     * Cost: O(count).
+     * @param first - as in Solver.getPositions
+     * @param count - as in Solver.getPositions */
+    getAirVelocities(body: number, first: number, count: number, out?: Elements): Records<number[]>;
     /** Fix a particle to a model: it follows the model's transform in each step, and is released when the
      * model is gone. Steps must then be given this scene.
      * Cost: O(1).
@@ -1365,6 +1493,17 @@ export class Solver {
     /** All constraints of a body, those of its builder included, by id.
      * Cost: O(constraints). */
     getConstraints(body: number): Records<ConstraintInfo>;
+    /** What constraints are like.
+     * Cost: O(elements).
+     * @param constraints - the ids; one may stand twice */
+    getConstraintSettings(body: number, constraints: Elements, out?: Elements): Records<ConstraintSettings>;
+    /** Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
+     * the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
+     * that is v dt shorter before each step of dt. Wakes the body.
+     * Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
+     * gets longer links O(n log n). Chains are not planned again.
+     * @param constraints - the ids; one that stands twice gets the last */
+    setConstraintSettings(body: number, constraints: Elements, settings: Elements): void;
     /** Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that
      * are equal and opposite; either may be pinned or attached. Joined ropes and free particles are solved
      * as one system, as stiff as one rope; a joined particle of cloth has all that hangs on it for

@@ -36,9 +36,13 @@ using CameraDesc = gphys_camera_desc;
 using Orbit = gphys_orbit;
 using OrbitSpeeds = gphys_orbit_speeds;
 using SolverDesc = gphys_solver_desc;
+using SolverSettings = gphys_solver_settings;
 using BodyDesc = gphys_body_desc;
+using BodySettings = gphys_body_settings;
 using BodyInfo = gphys_body_info;
+using Wind = gphys_wind;
 using ConstraintInfo = gphys_constraint_info;
+using ConstraintSettings = gphys_constraint_settings;
 using JointInfo = gphys_joint_info;
 using SolverStats = gphys_solver_stats;
 using Contact = gphys_contact;
@@ -1362,6 +1366,22 @@ public:
         check(gphys_solver_set_substeps(handle(), substeps));
     }
 
+    // The settings of a solver as they are.
+    // Cost: O(1).
+    SolverSettings get_settings() const {
+        SolverSettings out_settings{};
+        check(gphys_solver_get_settings(handle(), &out_settings));
+        return out_settings;
+    }
+
+    // Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake
+    // if gravity or the settings of sleep change. Time that Solver::advance owes beyond the new fixed_step
+    // is dropped.
+    // Cost: O(bodies).
+    void set_settings(const SolverSettings& settings) {
+        check(gphys_solver_set_settings(handle(), &settings));
+    }
+
     // Add a body of particles without constraints.
     //   - desc: nullptr: the defaults
     //   - positions: metres
@@ -1446,6 +1466,21 @@ public:
         check(gphys_solver_wake(handle(), body));
     }
 
+    // The settings of a body as they are; static_friction as it acts, friction at least.
+    // Cost: O(1).
+    BodySettings get_body_settings(gphys_body_id body) const {
+        BodySettings out_settings{};
+        check(gphys_solver_get_body_settings(handle(), body, &out_settings));
+        return out_settings;
+    }
+
+    // Change all settings of a body, from the next step on: read them, change some, and give them back.
+    // Wakes the body.
+    // Cost: O(1); O(particles) when self_collision changes, and it allocates.
+    void set_body_settings(gphys_body_id body, const BodySettings& settings) {
+        check(gphys_solver_set_body_settings(handle(), body, &settings));
+    }
+
     // What a body is made of and how it is solved.
     // Cost: O(1); after a change of constraints O(particles), and it allocates.
     BodyInfo get_body_info(gphys_body_id body) const {
@@ -1515,6 +1550,14 @@ public:
         check(gphys_solver_set_masses(handle(), body, first, count, masses.data, masses.stride));
     }
 
+    // Collision radii of particles, metres.
+    //   - first, count: as in Solver::get_positions
+    // Cost: O(count).
+    void get_radii(gphys_body_id body, uint32_t first, uint32_t count, Span<float> out_radii) const {
+        require_size(out_radii.size, count);
+        check(gphys_solver_get_radii(handle(), body, first, count, out_radii.data, out_radii.stride));
+    }
+
     // Change the collision radii of particles. Wakes the body.
     //   - first: as in Solver::get_positions
     //   - radii: metres, >= 0
@@ -1522,6 +1565,14 @@ public:
     void set_radii(gphys_body_id body, uint32_t first, Span<const float> radii) {
         const uint32_t count = common_size({radii.sizes()});
         check(gphys_solver_set_radii(handle(), body, first, count, radii.data, radii.stride));
+    }
+
+    // The forces that were set for particles, newtons.
+    //   - first, count: as in Solver::get_positions
+    // Cost: O(count).
+    void get_forces(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_forces) const {
+        require_size(out_forces.size, count);
+        check(gphys_solver_get_forces(handle(), body, first, count, out_forces.data, out_forces.stride));
     }
 
     // Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
@@ -1533,6 +1584,14 @@ public:
         check(gphys_solver_set_forces(handle(), body, first, count, forces.data, forces.stride));
     }
 
+    // Which particles are pinned or attached.
+    //   - first, count: as in Solver::get_positions
+    // Cost: O(count).
+    void get_pinned(gphys_body_id body, uint32_t first, uint32_t count, Span<int32_t> out_pinned) const {
+        require_size(out_pinned.size, count);
+        check(gphys_solver_get_pinned(handle(), body, first, count, out_pinned.data, out_pinned.stride));
+    }
+
     // Pin or release particles. A pinned particle stays where it is put and moves only by
     // Solver::set_positions; its speed is 0. Both pinning and releasing end an attachment.
     //   - first, count: as in Solver::get_positions
@@ -1540,6 +1599,49 @@ public:
     // Cost: O(count).
     void set_pinned(gphys_body_id body, uint32_t first, uint32_t count, int32_t pinned) {
         check(gphys_solver_set_pinned(handle(), body, first, count, pinned));
+    }
+
+    // Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
+    // relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
+    // C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
+    // the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling
+    // effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+    // along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
+    // cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
+    // u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
+    // u.
+    //   - body: 0: all bodies there are
+    //   - wind: of density 0: no air
+    // Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much
+    // for each link or particle.
+    void set_wind(gphys_body_id body, const Wind& wind) {
+        check(gphys_solver_set_wind(handle(), body, &wind));
+    }
+
+    // The air around a body as it was set; zeros if it was not.
+    // Cost: O(1).
+    Wind get_wind(gphys_body_id body) const {
+        Wind out_wind{};
+        check(gphys_solver_get_wind(handle(), body, &out_wind));
+        return out_wind;
+    }
+
+    // Give the air at particles a velocity beside that of Wind, from now on until set again: gusts,
+    // eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+    //   - first: as in Solver::get_positions
+    //   - velocities: m/s
+    // Cost: O(elements); the first time O(particles), and it allocates.
+    void set_air_velocities(gphys_body_id body, uint32_t first, Span<const Vec3> velocities) {
+        const uint32_t count = common_size({velocities.sizes()});
+        check(gphys_solver_set_air_velocities(handle(), body, first, count, velocities.data, velocities.stride));
+    }
+
+    // Velocities of the air at particles, m/s, beside that of Wind.
+    //   - first, count: as in Solver::get_positions
+    // Cost: O(count).
+    void get_air_velocities(gphys_body_id body, uint32_t first, uint32_t count, Span<Vec3> out_velocities) const {
+        require_size(out_velocities.size, count);
+        check(gphys_solver_get_air_velocities(handle(), body, first, count, out_velocities.data, out_velocities.stride));
     }
 
     // Fix a particle to a model: it follows the model's transform in each step, and is released when the
@@ -1631,6 +1733,26 @@ public:
     // Cost: O(constraints).
     std::vector<ConstraintInfo> get_constraints(gphys_body_id body) const {
         return list<ConstraintInfo>([&](ConstraintInfo* out_constraints, uint32_t capacity, uint32_t* total) { return gphys_solver_get_constraints(handle(), body, out_constraints, capacity, total); });
+    }
+
+    // What constraints are like.
+    //   - constraints: the ids; one may stand twice
+    // Cost: O(elements).
+    void get_constraint_settings(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<ConstraintSettings> out_settings) const {
+        const uint32_t count = common_size({constraints.sizes()});
+        require_size(out_settings.size, count);
+        check(gphys_solver_get_constraint_settings(handle(), body, constraints.data, count, out_settings.data, out_settings.stride));
+    }
+
+    // Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
+    // the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
+    // that is v dt shorter before each step of dt. Wakes the body.
+    //   - constraints: the ids; one that stands twice gets the last
+    // Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
+    // gets longer links O(n log n). Chains are not planned again.
+    void set_constraint_settings(gphys_body_id body, Span<const gphys_constraint_id> constraints, Span<const ConstraintSettings> settings) {
+        const uint32_t count = common_size({constraints.sizes(), settings.sizes()});
+        check(gphys_solver_set_constraint_settings(handle(), body, constraints.data, settings.data, settings.stride, count));
     }
 
     // Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that

@@ -177,6 +177,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_origin(SolverHandle solver, double* out_origin);
     [DllImport(Library)] internal static extern Status gphys_solver_set_gravity(SolverHandle solver, Vec3* gravity);
     [DllImport(Library)] internal static extern Status gphys_solver_set_substeps(SolverHandle solver, uint substeps);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_settings(SolverHandle solver, SolverSettings* out_settings);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_settings(SolverHandle solver, SolverSettings* settings);
     [DllImport(Library)] internal static extern Status gphys_body_desc_init(BodyDesc* desc, uint size);
     [DllImport(Library)] internal static extern Status gphys_solver_add_particles(SolverHandle solver, BodyDesc* desc, Vec3* positions, uint position_stride, uint count, uint* out_body);
     [DllImport(Library)] internal static extern Status gphys_solver_add_rope(SolverHandle solver, BodyDesc* desc, Vec3* positions, uint position_stride, uint count, float link_length, uint* out_body);
@@ -186,6 +188,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_bodies(SolverHandle solver, uint* out_bodies, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_get_sleeping(SolverHandle solver, uint* out_bodies, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_wake(SolverHandle solver, uint body);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_body_settings(SolverHandle solver, uint body, BodySettings* out_settings);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_body_settings(SolverHandle solver, uint body, BodySettings* settings);
     [DllImport(Library)] internal static extern Status gphys_solver_get_body_info(SolverHandle solver, uint body, BodyInfo* out_info);
     [DllImport(Library)] internal static extern Status gphys_solver_get_triangles(SolverHandle solver, uint body, uint* out_indices, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_solver_get_positions(SolverHandle solver, uint body, uint first, uint count, Vec3* out_positions, uint out_stride);
@@ -194,9 +198,16 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_set_velocities(SolverHandle solver, uint body, uint first, uint count, Vec3* velocities, uint stride);
     [DllImport(Library)] internal static extern Status gphys_solver_get_masses(SolverHandle solver, uint body, uint first, uint count, float* out_masses, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_masses(SolverHandle solver, uint body, uint first, uint count, float* masses, uint stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_radii(SolverHandle solver, uint body, uint first, uint count, float* out_radii, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_radii(SolverHandle solver, uint body, uint first, uint count, float* radii, uint stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_forces(SolverHandle solver, uint body, uint first, uint count, Vec3* out_forces, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_forces(SolverHandle solver, uint body, uint first, uint count, Vec3* forces, uint stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_pinned(SolverHandle solver, uint body, uint first, uint count, int* out_pinned, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_pinned(SolverHandle solver, uint body, uint first, uint count, int pinned);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_wind(SolverHandle solver, uint body, Wind* wind);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_wind(SolverHandle solver, uint body, Wind* out_wind);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_air_velocities(SolverHandle solver, uint body, uint first, uint count, Vec3* velocities, uint stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_air_velocities(SolverHandle solver, uint body, uint first, uint count, Vec3* out_velocities, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_attach(SolverHandle solver, SceneHandle scene, uint body, uint particle, uint model, Vec3* local_point);
     [DllImport(Library)] internal static extern Status gphys_solver_detach(SolverHandle solver, uint body, uint particle);
     [DllImport(Library)] internal static extern Status gphys_solver_add_distance(SolverHandle solver, uint body, uint particle_a, uint particle_b, float rest_length, float compliance, uint* out_constraint);
@@ -206,6 +217,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_get_volume(SolverHandle solver, uint body, float* out_volume, float* out_pressure);
     [DllImport(Library)] internal static extern Status gphys_solver_remove_constraint(SolverHandle solver, uint body, uint constraint);
     [DllImport(Library)] internal static extern Status gphys_solver_get_constraints(SolverHandle solver, uint body, ConstraintInfo* out_constraints, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_constraint_settings(SolverHandle solver, uint body, uint* constraints, uint count, ConstraintSettings* out_settings, uint out_stride);
+    [DllImport(Library)] internal static extern Status gphys_solver_set_constraint_settings(SolverHandle solver, uint body, uint* constraints, ConstraintSettings* settings, uint setting_stride, uint count);
     [DllImport(Library)] internal static extern Status gphys_solver_join(SolverHandle solver, uint body_a, uint particle_a, uint body_b, uint particle_b, float rest_length, float compliance, uint* out_joint);
     [DllImport(Library)] internal static extern Status gphys_solver_unjoin(SolverHandle solver, uint joint);
     [DllImport(Library)] internal static extern Status gphys_solver_get_joints(SolverHandle solver, uint body, JointInfo* out_joints, uint capacity, uint* out_total);

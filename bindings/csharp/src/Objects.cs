@@ -1720,6 +1720,22 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_set_substeps(Handle, substeps));
     }
 
+    /// <summary>The settings of a solver as they are.
+    /// Cost: O(1).</summary>
+    public unsafe SolverSettings GetSettings() {
+        var settings = default(SolverSettings);
+        Check(Low.gphys_solver_get_settings(Handle, &settings));
+        return settings;
+    }
+
+    /// <summary>Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake
+    /// if gravity or the settings of sleep change. Time that Solver.Advance owes beyond the new fixed_step
+    /// is dropped.
+    /// Cost: O(bodies).</summary>
+    public unsafe void SetSettings(SolverSettings settings) {
+        Check(Low.gphys_solver_set_settings(Handle, &settings));
+    }
+
     /// <summary>Add a body of particles without constraints.
     /// Cost: O(elements).</summary>
     /// <param name="desc">null: the defaults</param>
@@ -1842,6 +1858,21 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_wake(Handle, body));
     }
 
+    /// <summary>The settings of a body as they are; static_friction as it acts, friction at least.
+    /// Cost: O(1).</summary>
+    public unsafe BodySettings GetBodySettings(uint body) {
+        var settings = default(BodySettings);
+        Check(Low.gphys_solver_get_body_settings(Handle, body, &settings));
+        return settings;
+    }
+
+    /// <summary>Change all settings of a body, from the next step on: read them, change some, and give them back.
+    /// Wakes the body.
+    /// Cost: O(1); O(particles) when self_collision changes, and it allocates.</summary>
+    public unsafe void SetBodySettings(uint body, BodySettings settings) {
+        Check(Low.gphys_solver_set_body_settings(Handle, body, &settings));
+    }
+
     /// <summary>What a body is made of and how it is solved.
     /// Cost: O(1); after a change of constraints O(particles), and it allocates.</summary>
     public unsafe BodyInfo GetBodyInfo(uint body) {
@@ -1933,6 +1964,16 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_set_masses(Handle, body, first, count, masses_, StrideOf(masses)));
     }
 
+    /// <summary>Collision radii of particles, metres.
+    /// Cost: O(count).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
+    public unsafe void GetRadii(uint body, uint first, Span<float> radii) {
+        var count = (uint)radii.Length;
+        fixed (float* radii_ = &MemoryMarshal.GetReference(radii))
+        Check(Low.gphys_solver_get_radii(Handle, body, first, count, radii_, (uint)sizeof(float)));
+    }
+
     /// <summary>Change the collision radii of particles. Wakes the body.
     /// Cost: O(elements).</summary>
     /// <param name="first">as in Solver.GetPositions</param>
@@ -1941,6 +1982,16 @@ public sealed partial class Solver : IDisposable {
         var count = CommonLength(-1, radii.Length);
         fixed (float* radii_ = &MemoryMarshal.GetReference(radii))
         Check(Low.gphys_solver_set_radii(Handle, body, first, count, radii_, StrideOf(radii)));
+    }
+
+    /// <summary>The forces that were set for particles, newtons.
+    /// Cost: O(count).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
+    public unsafe void GetForces(uint body, uint first, Span<Vec3> forces) {
+        var count = (uint)forces.Length;
+        fixed (Vec3* forces_ = &MemoryMarshal.GetReference(forces))
+        Check(Low.gphys_solver_get_forces(Handle, body, first, count, forces_, (uint)sizeof(Vec3)));
     }
 
     /// <summary>Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
@@ -1953,6 +2004,16 @@ public sealed partial class Solver : IDisposable {
         Check(Low.gphys_solver_set_forces(Handle, body, first, count, forces_, StrideOf(forces)));
     }
 
+    /// <summary>Which particles are pinned or attached.
+    /// Cost: O(count).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
+    public unsafe void GetPinned(uint body, uint first, Span<int> pinned) {
+        var count = (uint)pinned.Length;
+        fixed (int* pinned_ = &MemoryMarshal.GetReference(pinned))
+        Check(Low.gphys_solver_get_pinned(Handle, body, first, count, pinned_, (uint)sizeof(int)));
+    }
+
     /// <summary>Pin or release particles. A pinned particle stays where it is put and moves only by
     /// Solver.SetPositions; its speed is 0. Both pinning and releasing end an attachment.
     /// Cost: O(count).</summary>
@@ -1961,6 +2022,52 @@ public sealed partial class Solver : IDisposable {
     /// <param name="pinned">true: pin; false: release</param>
     public unsafe void SetPinned(uint body, uint first, uint count, bool pinned) {
         Check(Low.gphys_solver_set_pinned(Handle, body, first, count, pinned ? 1 : 0));
+    }
+
+    /// <summary>Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
+    /// relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
+    /// C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
+    /// the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling
+    /// effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+    /// along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
+    /// cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
+    /// u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
+    /// u.
+    /// Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much
+    /// for each link or particle.</summary>
+    /// <param name="body">0: all bodies there are</param>
+    /// <param name="wind">of density 0: no air</param>
+    public unsafe void SetWind(uint body, Wind wind) {
+        Check(Low.gphys_solver_set_wind(Handle, body, &wind));
+    }
+
+    /// <summary>The air around a body as it was set; zeros if it was not.
+    /// Cost: O(1).</summary>
+    public unsafe Wind GetWind(uint body) {
+        var wind = default(Wind);
+        Check(Low.gphys_solver_get_wind(Handle, body, &wind));
+        return wind;
+    }
+
+    /// <summary>Give the air at particles a velocity beside that of Wind, from now on until set again: gusts,
+    /// eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+    /// Cost: O(elements); the first time O(particles), and it allocates.</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="velocities">m/s</param>
+    public unsafe void SetAirVelocities(uint body, uint first, ReadOnlySpan<Vec3> velocities) {
+        var count = CommonLength(-1, velocities.Length);
+        fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
+        Check(Low.gphys_solver_set_air_velocities(Handle, body, first, count, velocities_, StrideOf(velocities)));
+    }
+
+    /// <summary>Velocities of the air at particles, m/s, beside that of Wind.
+    /// Cost: O(count).</summary>
+    /// <param name="first">as in Solver.GetPositions</param>
+    /// <param name="count">as in Solver.GetPositions</param>
+    public unsafe void GetAirVelocities(uint body, uint first, Span<Vec3> velocities) {
+        var count = (uint)velocities.Length;
+        fixed (Vec3* velocities_ = &MemoryMarshal.GetReference(velocities))
+        Check(Low.gphys_solver_get_air_velocities(Handle, body, first, count, velocities_, (uint)sizeof(Vec3)));
     }
 
     /// <summary>Fix a particle to a model: it follows the model's transform in each step, and is released when the
@@ -2072,6 +2179,30 @@ public sealed partial class Solver : IDisposable {
             }
             result = new ConstraintInfo[total];
         }
+    }
+
+    /// <summary>What constraints are like.
+    /// Cost: O(elements).</summary>
+    /// <param name="constraints">the ids; one may stand twice</param>
+    public unsafe void GetConstraintSettings(uint body, ReadOnlySpan<uint> constraints, Span<ConstraintSettings> settings) {
+        var count = CommonLength(constraints.Length, 1);
+        RequireLength(settings.Length, count);
+        fixed (uint* constraints_ = &MemoryMarshal.GetReference(constraints))
+        fixed (ConstraintSettings* settings_ = &MemoryMarshal.GetReference(settings))
+        Check(Low.gphys_solver_get_constraint_settings(Handle, body, constraints_, count, settings_, (uint)sizeof(ConstraintSettings)));
+    }
+
+    /// <summary>Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
+    /// the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
+    /// that is v dt shorter before each step of dt. Wakes the body.
+    /// Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
+    /// gets longer links O(n log n). Chains are not planned again.</summary>
+    /// <param name="constraints">the ids; one that stands twice gets the last</param>
+    public unsafe void SetConstraintSettings(uint body, ReadOnlySpan<uint> constraints, ReadOnlySpan<ConstraintSettings> settings) {
+        var count = CommonLength(constraints.Length, settings.Length);
+        fixed (uint* constraints_ = &MemoryMarshal.GetReference(constraints))
+        fixed (ConstraintSettings* settings_ = &MemoryMarshal.GetReference(settings))
+        Check(Low.gphys_solver_set_constraint_settings(Handle, body, constraints_, settings_, StrideOf(settings), count));
     }
 
     /// <summary>Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that

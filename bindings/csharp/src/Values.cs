@@ -641,8 +641,8 @@ public partial struct SolverDesc {
     public float Tolerance;
     /// <summary>the most that a target may ask for, 1 .. 1000; default 64</summary>
     public uint MaxSubsteps;
-    /// <summary>must be 0</summary>
-    internal uint Reserved;
+    /// <summary>see SolverSettings; 0: no bound; default 0</summary>
+    public uint MaxWork;
     /// <summary>The defaults of the loaded library, to be changed.</summary>
     public static unsafe SolverDesc Default {
         get {
@@ -651,6 +651,37 @@ public partial struct SolverDesc {
             return desc;
         }
     }
+}
+
+/// <summary>What a solver was created with and may change later. Fields as in SolverDesc. Frozen.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct SolverSettings {
+    /// <summary>m/s^2</summary>
+    public Vec3 Gravity;
+    /// <summary>1 .. 1000</summary>
+    public uint Substeps;
+    /// <summary>seconds, 1e-6 .. 0.5</summary>
+    public float FixedStep;
+    /// <summary>&gt;= 1</summary>
+    public uint MaxSteps;
+    /// <summary>m/s, &gt;= 0</summary>
+    public float SleepSpeed;
+    /// <summary>&gt;= 0</summary>
+    public float SleepStrain;
+    /// <summary>seconds, &gt;= 0</summary>
+    public float SleepTime;
+    /// <summary>&gt;= 0</summary>
+    public float MaxStrain;
+    /// <summary>m/s, &gt;= 0</summary>
+    public float Tolerance;
+    /// <summary>1 .. 1000</summary>
+    public uint MaxSubsteps;
+    /// <summary>
+    /// most particles times substeps of a step; 0: no bound. Where bodies would take more, all
+    /// take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
+    /// the time of a step on every machine alike: the same bits everywhere
+    /// </summary>
+    public uint MaxWork;
 }
 
 /// <summary>Settings shared by all kinds of bodies.</summary>
@@ -694,6 +725,25 @@ public partial struct BodyDesc {
     }
 }
 
+/// <summary>What all particles of a body share and may change later. Fields as in BodyDesc. Frozen.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct BodySettings {
+    /// <summary>1/s, &gt;= 0</summary>
+    public float Damping;
+    /// <summary>&gt;= 0</summary>
+    public float Friction;
+    /// <summary>at least friction, or 0: as friction</summary>
+    public float StaticFriction;
+    /// <summary>0 .. 1</summary>
+    public float Restitution;
+    /// <summary>of models</summary>
+    public uint Layers;
+    /// <summary>of bodies</summary>
+    public uint BodyLayers;
+    /// <summary>0 or 1; particles that are nearer than their radii reach when it is set do not collide</summary>
+    public uint SelfCollision;
+}
+
 /// <summary>Frozen.</summary>
 [StructLayout(LayoutKind.Sequential)]
 public partial struct BodyInfo {
@@ -703,6 +753,19 @@ public partial struct BodyInfo {
     public uint ConstraintCount;
     /// <summary>of cloth, for drawing</summary>
     public uint TriangleCount;
+}
+
+/// <summary>The air around a body. Frozen.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct Wind {
+    /// <summary>of the air, m/s</summary>
+    public Vec3 Velocity;
+    /// <summary>kg/m^3, &gt;= 0; 1.2 is air at 20 degrees; 0: none</summary>
+    public float Density;
+    /// <summary>coefficient C_D, &gt;= 0: a plate across has 1.2, a cylinder 1.2, a sphere 0.5</summary>
+    public float Drag;
+    /// <summary>coefficient C_L of cloth, &gt;= 0; a plate has as much lift as drag</summary>
+    public float Lift;
 }
 
 /// <summary>One constraint. Frozen.</summary>
@@ -715,6 +778,17 @@ public partial struct ConstraintInfo {
     public float RestLength;
     /// <summary>metres per newton</summary>
     public float Compliance;
+}
+
+/// <summary>What a constraint is like and may become. Frozen.</summary>
+[StructLayout(LayoutKind.Sequential)]
+public partial struct ConstraintSettings {
+    /// <summary>metres, &gt;= 0; negative, when it is set: the present distance</summary>
+    public float RestLength;
+    /// <summary>metres per newton, &gt;= 0; 0 is rigid</summary>
+    public float Compliance;
+    /// <summary>N s/m, &gt;= 0, of what has compliance; see Solver.SetConstraintDamping</summary>
+    public float Damping;
 }
 
 /// <summary>One joint. Frozen.</summary>

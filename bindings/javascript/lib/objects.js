@@ -1,6 +1,6 @@
 // Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 import { ALL_LAYERS, ERROR_INVALID_ID, OK } from './constants.js';
-import { readAabb, readBodyInfo, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readOrbitSpeeds, readPenetration, readQuat, readRay, readSolverStats, readVec3, writeBodyDesc, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writeOrbitSpeeds, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSphere, writeTransform, writeVec3 } from './structs.js';
+import { readAabb, readBodyInfo, readBodySettings, readFrustum, readHit, readMat4, readMeshReport, readModelInfo, readNearest, readOctreeStats, readOrbit, readOrbitSpeeds, readPenetration, readQuat, readRay, readSolverSettings, readSolverStats, readVec3, readWind, writeBodyDesc, writeBodySettings, writeCameraDesc, writeFrustum, writeMat4, writeMeshDesc, writeModelDesc, writeOrbit, writeOrbitSpeeds, writePlane, writeQuat, writeQueryFilterDesc, writeRay, writeSceneDesc, writeSegment, writeSolverDesc, writeSolverSettings, writeSphere, writeTransform, writeVec3, writeWind } from './structs.js';
 import { Shape, runtime } from './runtime.js';
 
 /** Everything of the library but constants, over one way to reach its memory and functions. */
@@ -689,6 +689,14 @@ export function objects(memory) {
         setSubsteps(substeps) {
             check(native.gphys_solver_set_substeps(this.pointer, substeps));
         }
+        getSettings() {
+            check(native.gphys_solver_get_settings(this.pointer, base));
+            return readSolverSettings(v, 0);
+        }
+        setSettings(settings) {
+            writeSolverSettings(v, 0, settings);
+            check(native.gphys_solver_set_settings(this.pointer, base));
+        }
         addParticles(positions, desc) {
             begin();
             if (desc != null) { check(native.gphys_body_desc_init(base, 52)); writeBodyDesc(v, 0, desc); }
@@ -732,6 +740,14 @@ export function objects(memory) {
         }
         wake(body) {
             check(native.gphys_solver_wake(this.pointer, body));
+        }
+        getBodySettings(body) {
+            check(native.gphys_solver_get_body_settings(this.pointer, body, base));
+            return readBodySettings(v, 0);
+        }
+        setBodySettings(body, settings) {
+            writeBodySettings(v, 0, settings);
+            check(native.gphys_solver_set_body_settings(this.pointer, body, base));
         }
         getBodyInfo(body) {
             check(native.gphys_solver_get_body_info(this.pointer, body, base));
@@ -777,11 +793,23 @@ export function objects(memory) {
             const count = common(masses_);
             check(native.gphys_solver_set_masses(this.pointer, body, first, count, pass(masses_), 4));
         }
+        getRadii(body, first, count, out) {
+            begin();
+            const out_radii_ = output(out, 'float', count);
+            check(native.gphys_solver_get_radii(this.pointer, body, first, count, pass(out_radii_), 4));
+            return finish(out_radii_);
+        }
         setRadii(body, first, radii) {
             begin();
             const radii_ = input(radii, 4, 'radii');
             const count = common(radii_);
             check(native.gphys_solver_set_radii(this.pointer, body, first, count, pass(radii_), 4));
+        }
+        getForces(body, first, count, out) {
+            begin();
+            const out_forces_ = output(out, 'vec3', count);
+            check(native.gphys_solver_get_forces(this.pointer, body, first, count, pass(out_forces_), 12));
+            return finish(out_forces_);
         }
         setForces(body, first, forces) {
             begin();
@@ -789,8 +817,34 @@ export function objects(memory) {
             const count = common(forces_);
             check(native.gphys_solver_set_forces(this.pointer, body, first, count, pass(forces_), 12));
         }
+        getPinned(body, first, count, out) {
+            begin();
+            const out_pinned_ = output(out, 'int32_t', count);
+            check(native.gphys_solver_get_pinned(this.pointer, body, first, count, pass(out_pinned_), 4));
+            return finish(out_pinned_);
+        }
         setPinned(body, first, count, pinned) {
             check(native.gphys_solver_set_pinned(this.pointer, body, first, count, +pinned));
+        }
+        setWind(body, wind) {
+            writeWind(v, 0, wind);
+            check(native.gphys_solver_set_wind(this.pointer, body, base));
+        }
+        getWind(body) {
+            check(native.gphys_solver_get_wind(this.pointer, body, base));
+            return readWind(v, 0);
+        }
+        setAirVelocities(body, first, velocities) {
+            begin();
+            const velocities_ = input(velocities, 12, 'velocities');
+            const count = common(velocities_);
+            check(native.gphys_solver_set_air_velocities(this.pointer, body, first, count, pass(velocities_), 12));
+        }
+        getAirVelocities(body, first, count, out) {
+            begin();
+            const out_velocities_ = output(out, 'vec3', count);
+            check(native.gphys_solver_get_air_velocities(this.pointer, body, first, count, pass(out_velocities_), 12));
+            return finish(out_velocities_);
         }
         attach(scene, body, particle, model, local_point) {
             if (local_point != null) { writeVec3(v, 0, local_point); }
@@ -823,6 +877,21 @@ export function objects(memory) {
         getConstraints(body) {
             begin();
             return list('constraint_info', 0, (room, capacity) => native.gphys_solver_get_constraints(this.pointer, body, room, capacity, base));
+        }
+        getConstraintSettings(body, constraints, out) {
+            begin();
+            const constraints_ = input(constraints, 4, 'constraints');
+            const count = common(constraints_);
+            const out_settings_ = output(out, 'constraint_settings', count);
+            check(native.gphys_solver_get_constraint_settings(this.pointer, body, pass(constraints_), count, pass(out_settings_), 12));
+            return finish(out_settings_);
+        }
+        setConstraintSettings(body, constraints, settings) {
+            begin();
+            const constraints_ = input(constraints, 4, 'constraints');
+            const settings_ = input(settings, 12, 'settings');
+            const count = common(constraints_, settings_);
+            check(native.gphys_solver_set_constraint_settings(this.pointer, body, pass(constraints_), pass(settings_), 12, count));
         }
         join(body_a, particle_a, body_b, particle_b, rest_length, compliance) {
             check(native.gphys_solver_join(this.pointer, body_a, particle_a, body_b, particle_b, rest_length, compliance, base));

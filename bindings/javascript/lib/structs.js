@@ -261,9 +261,25 @@ export function writeSolverDesc(v, at, value) {
             case 'max_strain': v.f32[at + (v.wide ? 16 : 13)] = number(value[name], 'max_strain'); break;
             case 'tolerance': v.f32[at + (v.wide ? 17 : 14)] = number(value[name], 'tolerance'); break;
             case 'max_substeps': v.u32[at + (v.wide ? 18 : 15)] = number(value[name], 'max_substeps'); break;
+            case 'max_work': v.u32[at + (v.wide ? 19 : 16)] = number(value[name], 'max_work'); break;
             default: throw new TypeError(`solver_desc has no field ${name}`);
         }
     }
+}
+export const readSolverSettings = (v, at) => ({ gravity: readVec3(v, at), substeps: v.u32[at + 3], fixed_step: v.f32[at + 4], max_steps: v.u32[at + 5], sleep_speed: v.f32[at + 6], sleep_strain: v.f32[at + 7], sleep_time: v.f32[at + 8], max_strain: v.f32[at + 9], tolerance: v.f32[at + 10], max_substeps: v.u32[at + 11], max_work: v.u32[at + 12] });
+export function writeSolverSettings(v, at, value) {
+    const rows = row(value, 11, 'solver_settings');
+    writeVec3(v, at, rows ? value[0] : value.gravity);
+    v.u32[at + 3] = number(rows ? value[1] : value.substeps, 'substeps');
+    v.f32[at + 4] = number(rows ? value[2] : value.fixed_step, 'fixed_step');
+    v.u32[at + 5] = number(rows ? value[3] : value.max_steps, 'max_steps');
+    v.f32[at + 6] = number(rows ? value[4] : value.sleep_speed, 'sleep_speed');
+    v.f32[at + 7] = number(rows ? value[5] : value.sleep_strain, 'sleep_strain');
+    v.f32[at + 8] = number(rows ? value[6] : value.sleep_time, 'sleep_time');
+    v.f32[at + 9] = number(rows ? value[7] : value.max_strain, 'max_strain');
+    v.f32[at + 10] = number(rows ? value[8] : value.tolerance, 'tolerance');
+    v.u32[at + 11] = number(rows ? value[9] : value.max_substeps, 'max_substeps');
+    v.u32[at + 12] = number(rows ? value[10] : value.max_work, 'max_work');
 }
 export function writeBodyDesc(v, at, value) {
     for (const name in value) {
@@ -284,6 +300,17 @@ export function writeBodyDesc(v, at, value) {
         }
     }
 }
+export const readBodySettings = (v, at) => ({ damping: v.f32[at], friction: v.f32[at + 1], static_friction: v.f32[at + 2], restitution: v.f32[at + 3], layers: v.u32[at + 4], body_layers: v.u32[at + 5], self_collision: v.u32[at + 6] });
+export function writeBodySettings(v, at, value) {
+    const rows = row(value, 7, 'body_settings');
+    v.f32[at] = number(rows ? value[0] : value.damping, 'damping');
+    v.f32[at + 1] = number(rows ? value[1] : value.friction, 'friction');
+    v.f32[at + 2] = number(rows ? value[2] : value.static_friction, 'static_friction');
+    v.f32[at + 3] = number(rows ? value[3] : value.restitution, 'restitution');
+    v.u32[at + 4] = number(rows ? value[4] : value.layers, 'layers');
+    v.u32[at + 5] = number(rows ? value[5] : value.body_layers, 'body_layers');
+    v.u32[at + 6] = number(rows ? value[6] : value.self_collision, 'self_collision');
+}
 export const readBodyInfo = (v, at) => ({ kind: v.i32[at], method: v.i32[at + 1], particle_count: v.u32[at + 2], constraint_count: v.u32[at + 3], triangle_count: v.u32[at + 4] });
 export function writeBodyInfo(v, at, value) {
     const rows = row(value, 5, 'body_info');
@@ -293,6 +320,14 @@ export function writeBodyInfo(v, at, value) {
     v.u32[at + 3] = number(rows ? value[3] : value.constraint_count, 'constraint_count');
     v.u32[at + 4] = number(rows ? value[4] : value.triangle_count, 'triangle_count');
 }
+export const readWind = (v, at) => ({ velocity: readVec3(v, at), density: v.f32[at + 3], drag: v.f32[at + 4], lift: v.f32[at + 5] });
+export function writeWind(v, at, value) {
+    const rows = row(value, 4, 'wind');
+    writeVec3(v, at, rows ? value[0] : value.velocity);
+    v.f32[at + 3] = number(rows ? value[1] : value.density, 'density');
+    v.f32[at + 4] = number(rows ? value[2] : value.drag, 'drag');
+    v.f32[at + 5] = number(rows ? value[3] : value.lift, 'lift');
+}
 export const readConstraintInfo = (v, at) => ({ id: v.u32[at], particle_a: v.u32[at + 1], particle_b: v.u32[at + 2], rest_length: v.f32[at + 3], compliance: v.f32[at + 4] });
 export function writeConstraintInfo(v, at, value) {
     const rows = row(value, 5, 'constraint_info');
@@ -301,6 +336,13 @@ export function writeConstraintInfo(v, at, value) {
     v.u32[at + 2] = number(rows ? value[2] : value.particle_b, 'particle_b');
     v.f32[at + 3] = number(rows ? value[3] : value.rest_length, 'rest_length');
     v.f32[at + 4] = number(rows ? value[4] : value.compliance, 'compliance');
+}
+export const readConstraintSettings = (v, at) => ({ rest_length: v.f32[at], compliance: v.f32[at + 1], damping: v.f32[at + 2] });
+export function writeConstraintSettings(v, at, value) {
+    const rows = row(value, 3, 'constraint_settings');
+    v.f32[at] = number(rows ? value[0] : value.rest_length, 'rest_length');
+    v.f32[at + 1] = number(rows ? value[1] : value.compliance, 'compliance');
+    v.f32[at + 2] = number(rows ? value[2] : value.damping, 'damping');
 }
 export const readJointInfo = (v, at) => ({ id: v.u32[at], body_a: v.u32[at + 1], particle_a: v.u32[at + 2], body_b: v.u32[at + 3], particle_b: v.u32[at + 4], rest_length: v.f32[at + 5], compliance: v.f32[at + 6], force: v.f32[at + 7] });
 export function writeJointInfo(v, at, value) {
@@ -372,8 +414,12 @@ export const types = {
     model_info: { size: 20, read: readModelInfo, write: writeModelInfo },
     orbit: { size: 60, read: readOrbit, write: writeOrbit },
     orbit_speeds: { size: 20, read: readOrbitSpeeds, write: writeOrbitSpeeds },
+    solver_settings: { size: 52, read: readSolverSettings, write: writeSolverSettings },
+    body_settings: { size: 28, read: readBodySettings, write: writeBodySettings },
     body_info: { size: 20, read: readBodyInfo, write: writeBodyInfo },
+    wind: { size: 24, read: readWind, write: writeWind },
     constraint_info: { size: 20, read: readConstraintInfo, write: writeConstraintInfo },
+    constraint_settings: { size: 12, read: readConstraintSettings, write: writeConstraintSettings },
     joint_info: { size: 32, read: readJointInfo, write: writeJointInfo },
     solver_stats: { size: 32, read: readSolverStats, write: writeSolverStats },
     contact: { size: 40, read: readContact, write: writeContact },

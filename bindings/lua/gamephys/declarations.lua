@@ -48,10 +48,14 @@ typedef struct gphys_query_filter_desc { uint32_t struct_size; uint32_t layers; 
 typedef struct gphys_camera_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_handedness handedness; gphys_depth_range depth_range; int32_t reverse_z; float viewport_width; float viewport_height; uint32_t reserved; } gphys_camera_desc;
 typedef struct gphys_orbit { gphys_vec3 target; gphys_vec3 up; float distance; float yaw; float pitch; float radians_per_unit; float metres_per_unit; float min_distance; float max_distance; float min_pitch; float max_pitch; } gphys_orbit;
 typedef struct gphys_orbit_speeds { float rotate_x; float rotate_y; float zoom; float pan_x; float pan_y; } gphys_orbit_speeds;
-typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t reserved; } gphys_solver_desc;
+typedef struct gphys_solver_desc { uint32_t struct_size; const gphys_allocator *allocator; gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; const gphys_task_runner *task_runner; uint32_t worker_count; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t max_work; } gphys_solver_desc;
+typedef struct gphys_solver_settings { gphys_vec3 gravity; uint32_t substeps; float fixed_step; uint32_t max_steps; float sleep_speed; float sleep_strain; float sleep_time; float max_strain; float tolerance; uint32_t max_substeps; uint32_t max_work; } gphys_solver_settings;
 typedef struct gphys_body_desc { uint32_t struct_size; float mass; float radius; float damping; float friction; float restitution; float compliance; float bend_compliance; uint32_t cloth_flags; uint32_t layers; float static_friction; uint32_t self_collision; uint32_t body_layers; } gphys_body_desc;
+typedef struct gphys_body_settings { float damping; float friction; float static_friction; float restitution; uint32_t layers; uint32_t body_layers; uint32_t self_collision; } gphys_body_settings;
 typedef struct gphys_body_info { gphys_body_kind kind; gphys_solve_method method; uint32_t particle_count; uint32_t constraint_count; uint32_t triangle_count; } gphys_body_info;
+typedef struct gphys_wind { gphys_vec3 velocity; float density; float drag; float lift; } gphys_wind;
 typedef struct gphys_constraint_info { gphys_constraint_id id; uint32_t particle_a; uint32_t particle_b; float rest_length; float compliance; } gphys_constraint_info;
+typedef struct gphys_constraint_settings { float rest_length; float compliance; float damping; } gphys_constraint_settings;
 typedef struct gphys_joint_info { gphys_joint_id id; gphys_body_id body_a; uint32_t particle_a; gphys_body_id body_b; uint32_t particle_b; float rest_length; float compliance; float force; } gphys_joint_info;
 typedef struct gphys_solver_stats { uint32_t particle_count; uint32_t pinned_count; uint32_t constraint_count; uint32_t contact_count; float strain_max; float strain_rms; float kinetic_energy; float potential_energy; } gphys_solver_stats;
 typedef struct gphys_contact { gphys_body_id body; uint32_t particle; gphys_model_id model; uint32_t tag; gphys_vec3 point; gphys_vec3 normal; } gphys_contact;
@@ -225,6 +229,8 @@ gphys_status gphys_solver_set_origin(gphys_solver *solver, const double *origin)
 gphys_status gphys_solver_get_origin(const gphys_solver *solver, double *out_origin);
 gphys_status gphys_solver_set_gravity(gphys_solver *solver, const gphys_vec3 *gravity);
 gphys_status gphys_solver_set_substeps(gphys_solver *solver, uint32_t substeps);
+gphys_status gphys_solver_get_settings(const gphys_solver *solver, gphys_solver_settings *out_settings);
+gphys_status gphys_solver_set_settings(gphys_solver *solver, const gphys_solver_settings *settings);
 gphys_status gphys_body_desc_init(gphys_body_desc *desc, uint32_t size);
 gphys_status gphys_solver_add_particles(gphys_solver *solver, const gphys_body_desc *desc, const gphys_vec3 *positions, uint32_t position_stride, uint32_t count, gphys_body_id *out_body);
 gphys_status gphys_solver_add_rope(gphys_solver *solver, const gphys_body_desc *desc, const gphys_vec3 *positions, uint32_t position_stride, uint32_t count, float link_length, gphys_body_id *out_body);
@@ -234,6 +240,8 @@ gphys_status gphys_solver_remove_body(gphys_solver *solver, gphys_body_id body);
 gphys_status gphys_solver_get_bodies(const gphys_solver *solver, gphys_body_id *out_bodies, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_get_sleeping(const gphys_solver *solver, gphys_body_id *out_bodies, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_wake(gphys_solver *solver, gphys_body_id body);
+gphys_status gphys_solver_get_body_settings(const gphys_solver *solver, gphys_body_id body, gphys_body_settings *out_settings);
+gphys_status gphys_solver_set_body_settings(gphys_solver *solver, gphys_body_id body, const gphys_body_settings *settings);
 gphys_status gphys_solver_get_body_info(const gphys_solver *solver, gphys_body_id body, gphys_body_info *out_info);
 gphys_status gphys_solver_get_triangles(const gphys_solver *solver, gphys_body_id body, uint32_t *out_indices, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_solver_get_positions(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 *out_positions, uint32_t out_stride);
@@ -242,9 +250,16 @@ gphys_status gphys_solver_get_velocities(const gphys_solver *solver, gphys_body_
 gphys_status gphys_solver_set_velocities(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_vec3 *velocities, uint32_t stride);
 gphys_status gphys_solver_get_masses(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, float *out_masses, uint32_t out_stride);
 gphys_status gphys_solver_set_masses(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const float *masses, uint32_t stride);
+gphys_status gphys_solver_get_radii(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, float *out_radii, uint32_t out_stride);
 gphys_status gphys_solver_set_radii(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const float *radii, uint32_t stride);
+gphys_status gphys_solver_get_forces(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 *out_forces, uint32_t out_stride);
 gphys_status gphys_solver_set_forces(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_vec3 *forces, uint32_t stride);
+gphys_status gphys_solver_get_pinned(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, int32_t *out_pinned, uint32_t out_stride);
 gphys_status gphys_solver_set_pinned(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, int32_t pinned);
+gphys_status gphys_solver_set_wind(gphys_solver *solver, gphys_body_id body, const gphys_wind *wind);
+gphys_status gphys_solver_get_wind(const gphys_solver *solver, gphys_body_id body, gphys_wind *out_wind);
+gphys_status gphys_solver_set_air_velocities(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_vec3 *velocities, uint32_t stride);
+gphys_status gphys_solver_get_air_velocities(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 *out_velocities, uint32_t out_stride);
 gphys_status gphys_solver_attach(gphys_solver *solver, const gphys_scene *scene, gphys_body_id body, uint32_t particle, gphys_model_id model, const gphys_vec3 *local_point);
 gphys_status gphys_solver_detach(gphys_solver *solver, gphys_body_id body, uint32_t particle);
 gphys_status gphys_solver_add_distance(gphys_solver *solver, gphys_body_id body, uint32_t particle_a, uint32_t particle_b, float rest_length, float compliance, gphys_constraint_id *out_constraint);
@@ -254,6 +269,8 @@ gphys_status gphys_solver_set_volume(gphys_solver *solver, gphys_body_id body, f
 gphys_status gphys_solver_get_volume(const gphys_solver *solver, gphys_body_id body, float *out_volume, float *out_pressure);
 gphys_status gphys_solver_remove_constraint(gphys_solver *solver, gphys_body_id body, gphys_constraint_id constraint);
 gphys_status gphys_solver_get_constraints(const gphys_solver *solver, gphys_body_id body, gphys_constraint_info *out_constraints, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_solver_get_constraint_settings(const gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, uint32_t count, gphys_constraint_settings *out_settings, uint32_t out_stride);
+gphys_status gphys_solver_set_constraint_settings(gphys_solver *solver, gphys_body_id body, const gphys_constraint_id *constraints, const gphys_constraint_settings *settings, uint32_t setting_stride, uint32_t count);
 gphys_status gphys_solver_join(gphys_solver *solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, float rest_length, float compliance, gphys_joint_id *out_joint);
 gphys_status gphys_solver_unjoin(gphys_solver *solver, gphys_joint_id joint);
 gphys_status gphys_solver_get_joints(const gphys_solver *solver, gphys_body_id body, gphys_joint_info *out_joints, uint32_t capacity, uint32_t *out_total);
@@ -357,10 +374,14 @@ gphys_status gphys_solver_get_hash(const gphys_solver *solver, uint32_t *out_has
         { name = "camera_desc", fields = { "struct_size", "allocator", "handedness", "depth_range", "reverse_z", "viewport_width", "viewport_height", "reserved" } },
         { name = "orbit", fields = { "target", "up", "distance", "yaw", "pitch", "radians_per_unit", "metres_per_unit", "min_distance", "max_distance", "min_pitch", "max_pitch" } },
         { name = "orbit_speeds", fields = { "rotate_x", "rotate_y", "zoom", "pan_x", "pan_y" } },
-        { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "reserved" } },
+        { name = "solver_desc", fields = { "struct_size", "allocator", "gravity", "substeps", "fixed_step", "max_steps", "task_runner", "worker_count", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "max_work" } },
+        { name = "solver_settings", fields = { "gravity", "substeps", "fixed_step", "max_steps", "sleep_speed", "sleep_strain", "sleep_time", "max_strain", "tolerance", "max_substeps", "max_work" } },
         { name = "body_desc", fields = { "struct_size", "mass", "radius", "damping", "friction", "restitution", "compliance", "bend_compliance", "cloth_flags", "layers", "static_friction", "self_collision", "body_layers" } },
+        { name = "body_settings", fields = { "damping", "friction", "static_friction", "restitution", "layers", "body_layers", "self_collision" } },
         { name = "body_info", fields = { "kind", "method", "particle_count", "constraint_count", "triangle_count" } },
+        { name = "wind", fields = { "velocity", "density", "drag", "lift" } },
         { name = "constraint_info", fields = { "id", "particle_a", "particle_b", "rest_length", "compliance" } },
+        { name = "constraint_settings", fields = { "rest_length", "compliance", "damping" } },
         { name = "joint_info", fields = { "id", "body_a", "particle_a", "body_b", "particle_b", "rest_length", "compliance", "force" } },
         { name = "solver_stats", fields = { "particle_count", "pinned_count", "constraint_count", "contact_count", "strain_max", "strain_rms", "kinetic_energy", "potential_energy" } },
         { name = "contact", fields = { "body", "particle", "model", "tag", "point", "normal" } },

@@ -37,9 +37,13 @@ local CameraDesc = runtime.element 'gphys_camera_desc'
 local Orbit = runtime.element 'gphys_orbit'
 local OrbitSpeeds = runtime.element 'gphys_orbit_speeds'
 local SolverDesc = runtime.element 'gphys_solver_desc'
+local SolverSettings = runtime.element 'gphys_solver_settings'
 local BodyDesc = runtime.element 'gphys_body_desc'
+local BodySettings = runtime.element 'gphys_body_settings'
 local BodyInfo = runtime.element 'gphys_body_info'
+local Wind = runtime.element 'gphys_wind'
 local ConstraintInfo = runtime.element 'gphys_constraint_info'
+local ConstraintSettings = runtime.element 'gphys_constraint_settings'
 local JointInfo = runtime.element 'gphys_joint_info'
 local SolverStats = runtime.element 'gphys_solver_stats'
 local Contact = runtime.element 'gphys_contact'
@@ -1375,6 +1379,22 @@ function Solver:set_substeps(substeps)
     check(C.gphys_solver_set_substeps(opened(self), substeps))
 end
 
+--- The settings of a solver as they are.
+--- Cost: O(1).
+function Solver:get_settings(out_settings)
+    out_settings = out_settings or SolverSettings.new()
+    check(C.gphys_solver_get_settings(opened(self), out_settings))
+    return out_settings
+end
+
+--- Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake
+--- if gravity or the settings of sleep change. Time that Solver:advance owes beyond the new fixed_step
+--- is dropped.
+--- Cost: O(bodies).
+function Solver:set_settings(settings)
+    check(C.gphys_solver_set_settings(opened(self), to_value(SolverSettings, settings)))
+end
+
 do
     local out_body = uint32_t.array(1)
     --- Add a body of particles without constraints.
@@ -1475,6 +1495,21 @@ function Solver:wake(body)
     check(C.gphys_solver_wake(opened(self), body))
 end
 
+--- The settings of a body as they are; static_friction as it acts, friction at least.
+--- Cost: O(1).
+function Solver:get_body_settings(body, out_settings)
+    out_settings = out_settings or BodySettings.new()
+    check(C.gphys_solver_get_body_settings(opened(self), body, out_settings))
+    return out_settings
+end
+
+--- Change all settings of a body, from the next step on: read them, change some, and give them back.
+--- Wakes the body.
+--- Cost: O(1); O(particles) when self_collision changes, and it allocates.
+function Solver:set_body_settings(body, settings)
+    check(C.gphys_solver_set_body_settings(opened(self), body, to_value(BodySettings, settings)))
+end
+
 --- What a body is made of and how it is solved.
 --- Cost: O(1); after a change of constraints O(particles), and it allocates.
 function Solver:get_body_info(body, out_info)
@@ -1556,6 +1591,16 @@ function Solver:set_masses(body, first, masses)
     check(C.gphys_solver_set_masses(opened(self), body, first, count, masses, masses_stride))
 end
 
+--- Collision radii of particles, metres.
+--- Cost: O(count).
+--- @param first as in Solver:get_positions
+--- @param count as in Solver:get_positions
+function Solver:get_radii(body, first, count, out)
+    out = results(float, out, count)
+    check(C.gphys_solver_get_radii(opened(self), body, first, count, out, float.size))
+    return out
+end
+
 --- Change the collision radii of particles. Wakes the body.
 --- Cost: O(elements).
 --- @param first as in Solver:get_positions
@@ -1564,6 +1609,16 @@ function Solver:set_radii(body, first, radii)
     local radii, radii_count, radii_stride = to_array(float, radii)
     local count = common(radii_count)
     check(C.gphys_solver_set_radii(opened(self), body, first, count, radii, radii_stride))
+end
+
+--- The forces that were set for particles, newtons.
+--- Cost: O(count).
+--- @param first as in Solver:get_positions
+--- @param count as in Solver:get_positions
+function Solver:get_forces(body, first, count, out)
+    out = results(Vec3, out, count)
+    check(C.gphys_solver_get_forces(opened(self), body, first, count, out, Vec3.size))
+    return out
 end
 
 --- Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
@@ -1576,6 +1631,16 @@ function Solver:set_forces(body, first, forces)
     check(C.gphys_solver_set_forces(opened(self), body, first, count, forces, forces_stride))
 end
 
+--- Which particles are pinned or attached.
+--- Cost: O(count).
+--- @param first as in Solver:get_positions
+--- @param count as in Solver:get_positions
+function Solver:get_pinned(body, first, count, out)
+    out = results(int32_t, out, count)
+    check(C.gphys_solver_get_pinned(opened(self), body, first, count, out, int32_t.size))
+    return out
+end
+
 --- Pin or release particles. A pinned particle stays where it is put and moves only by
 --- Solver:set_positions; its speed is 0. Both pinning and releasing end an attachment.
 --- Cost: O(count).
@@ -1584,6 +1649,52 @@ end
 --- @param pinned 1: pin; 0: release
 function Solver:set_pinned(body, first, count, pinned)
     check(C.gphys_solver_set_pinned(opened(self), body, first, count, to_flag(pinned)))
+end
+
+--- Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
+--- relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
+--- C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
+--- the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling
+--- effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+--- along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
+--- cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
+--- u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
+--- u.
+--- Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much
+--- for each link or particle.
+--- @param body 0: all bodies there are
+--- @param wind of density 0: no air
+function Solver:set_wind(body, wind)
+    check(C.gphys_solver_set_wind(opened(self), body, to_value(Wind, wind)))
+end
+
+--- The air around a body as it was set; zeros if it was not.
+--- Cost: O(1).
+function Solver:get_wind(body, out_wind)
+    out_wind = out_wind or Wind.new()
+    check(C.gphys_solver_get_wind(opened(self), body, out_wind))
+    return out_wind
+end
+
+--- Give the air at particles a velocity beside that of Wind, from now on until set again: gusts,
+--- eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+--- Cost: O(elements); the first time O(particles), and it allocates.
+--- @param first as in Solver:get_positions
+--- @param velocities m/s
+function Solver:set_air_velocities(body, first, velocities)
+    local velocities, velocities_count, velocities_stride = to_array(Vec3, velocities)
+    local count = common(velocities_count)
+    check(C.gphys_solver_set_air_velocities(opened(self), body, first, count, velocities, velocities_stride))
+end
+
+--- Velocities of the air at particles, m/s, beside that of Wind.
+--- Cost: O(count).
+--- @param first as in Solver:get_positions
+--- @param count as in Solver:get_positions
+function Solver:get_air_velocities(body, first, count, out)
+    out = results(Vec3, out, count)
+    check(C.gphys_solver_get_air_velocities(opened(self), body, first, count, out, Vec3.size))
+    return out
 end
 
 --- Fix a particle to a model: it follows the model's transform in each step, and is released when the
@@ -1682,6 +1793,30 @@ function Solver:get_constraints(body)
     return list(ConstraintInfo, function(out, capacity, total)
         return C.gphys_solver_get_constraints(opened(self), body, out, capacity, total)
     end)
+end
+
+--- What constraints are like.
+--- Cost: O(elements).
+--- @param constraints the ids; one may stand twice
+function Solver:get_constraint_settings(body, constraints, out)
+    local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
+    local count = common(constraints_count)
+    out = results(ConstraintSettings, out, count)
+    check(C.gphys_solver_get_constraint_settings(opened(self), body, constraints, count, out, ConstraintSettings.size))
+    return out
+end
+
+--- Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
+--- the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
+--- that is v dt shorter before each step of dt. Wakes the body.
+--- Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
+--- gets longer links O(n log n). Chains are not planned again.
+--- @param constraints the ids; one that stands twice gets the last
+function Solver:set_constraint_settings(body, constraints, settings)
+    local constraints, constraints_count, constraints_stride = to_array(uint32_t, constraints)
+    local settings, settings_count, settings_stride = to_array(ConstraintSettings, settings)
+    local count = common(constraints_count, settings_count)
+    check(C.gphys_solver_set_constraint_settings(opened(self), body, constraints, settings, settings_stride, count))
 end
 
 do

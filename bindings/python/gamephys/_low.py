@@ -443,8 +443,28 @@ class SolverDesc(Desc, Structure):
     max_strain: float  # of rigid constraints, see Solver.get_substeps; 0: none, of cloth 0.02; default 0
     tolerance: float  # target of positions: metres of error that a second of motion adds; 0: none; default 0
     max_substeps: int  # the most that a target may ask for, 1 .. 1000; default 64
-    reserved: int  # must be 0
-    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float), ("max_strain", c_float), ("tolerance", c_float), ("max_substeps", c_uint32), ("reserved", c_uint32)]
+    max_work: int  # see SolverSettings; 0: no bound; default 0
+    _fields_ = [("struct_size", c_uint32), ("allocator", c_void_p), ("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("task_runner", c_void_p), ("worker_count", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float), ("max_strain", c_float), ("tolerance", c_float), ("max_substeps", c_uint32), ("max_work", c_uint32)]
+
+
+class SolverSettings(Value, Structure):
+    """What a solver was created with and may change later. Fields as in SolverDesc. Frozen."""
+    gravity: Vec3  # m/s^2
+    substeps: int  # 1 .. 1000
+    fixed_step: float  # seconds, 1e-6 .. 0.5
+    max_steps: int  # >= 1
+    sleep_speed: float  # m/s, >= 0
+    sleep_strain: float  # >= 0
+    sleep_time: float  # seconds, >= 0
+    max_strain: float  # >= 0
+    tolerance: float  # m/s, >= 0
+    max_substeps: int  # 1 .. 1000
+    max_work: int  # most particles times substeps of a step; 0: no bound. Where bodies would take more, all take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds the time of a step on every machine alike: the same bits everywhere
+    _fields_ = [("gravity", Vec3), ("substeps", c_uint32), ("fixed_step", c_float), ("max_steps", c_uint32), ("sleep_speed", c_float), ("sleep_strain", c_float), ("sleep_time", c_float), ("max_strain", c_float), ("tolerance", c_float), ("max_substeps", c_uint32), ("max_work", c_uint32)]
+
+
+solver_settings_dtype = dtype([("gravity", "<f4", (3,)), ("substeps", "<u4"), ("fixed_step", "<f4"), ("max_steps", "<u4"), ("sleep_speed", "<f4"), ("sleep_strain", "<f4"), ("sleep_time", "<f4"), ("max_strain", "<f4"), ("tolerance", "<f4"), ("max_substeps", "<u4"), ("max_work", "<u4")])
+SolverSettings.dtype = solver_settings_dtype
 
 
 class BodyDesc(Desc, Structure):
@@ -469,6 +489,22 @@ body_desc_dtype = dtype([("struct_size", "<u4"), ("mass", "<f4"), ("radius", "<f
 BodyDesc.dtype = body_desc_dtype
 
 
+class BodySettings(Value, Structure):
+    """What all particles of a body share and may change later. Fields as in BodyDesc. Frozen."""
+    damping: float  # 1/s, >= 0
+    friction: float  # >= 0
+    static_friction: float  # at least friction, or 0: as friction
+    restitution: float  # 0 .. 1
+    layers: int  # of models
+    body_layers: int  # of bodies
+    self_collision: int  # 0 or 1; particles that are nearer than their radii reach when it is set do not collide
+    _fields_ = [("damping", c_float), ("friction", c_float), ("static_friction", c_float), ("restitution", c_float), ("layers", c_uint32), ("body_layers", c_uint32), ("self_collision", c_uint32)]
+
+
+body_settings_dtype = dtype([("damping", "<f4"), ("friction", "<f4"), ("static_friction", "<f4"), ("restitution", "<f4"), ("layers", "<u4"), ("body_layers", "<u4"), ("self_collision", "<u4")])
+BodySettings.dtype = body_settings_dtype
+
+
 class BodyInfo(Value, Structure):
     """Frozen."""
     kind: int
@@ -483,6 +519,19 @@ body_info_dtype = dtype([("kind", "<i4"), ("method", "<i4"), ("particle_count", 
 BodyInfo.dtype = body_info_dtype
 
 
+class Wind(Value, Structure):
+    """The air around a body. Frozen."""
+    velocity: Vec3  # of the air, m/s
+    density: float  # kg/m^3, >= 0; 1.2 is air at 20 degrees; 0: none
+    drag: float  # coefficient C_D, >= 0: a plate across has 1.2, a cylinder 1.2, a sphere 0.5
+    lift: float  # coefficient C_L of cloth, >= 0; a plate has as much lift as drag
+    _fields_ = [("velocity", Vec3), ("density", c_float), ("drag", c_float), ("lift", c_float)]
+
+
+wind_dtype = dtype([("velocity", "<f4", (3,)), ("density", "<f4"), ("drag", "<f4"), ("lift", "<f4")])
+Wind.dtype = wind_dtype
+
+
 class ConstraintInfo(Value, Structure):
     """One constraint. Frozen."""
     id: int
@@ -495,6 +544,18 @@ class ConstraintInfo(Value, Structure):
 
 constraint_info_dtype = dtype([("id", "<u4"), ("particle_a", "<u4"), ("particle_b", "<u4"), ("rest_length", "<f4"), ("compliance", "<f4")])
 ConstraintInfo.dtype = constraint_info_dtype
+
+
+class ConstraintSettings(Value, Structure):
+    """What a constraint is like and may become. Frozen."""
+    rest_length: float  # metres, >= 0; negative, when it is set: the present distance
+    compliance: float  # metres per newton, >= 0; 0 is rigid
+    damping: float  # N s/m, >= 0, of what has compliance; see Solver.set_constraint_damping
+    _fields_ = [("rest_length", c_float), ("compliance", c_float), ("damping", c_float)]
+
+
+constraint_settings_dtype = dtype([("rest_length", "<f4"), ("compliance", "<f4"), ("damping", "<f4")])
+ConstraintSettings.dtype = constraint_settings_dtype
 
 
 class JointInfo(Value, Structure):
@@ -728,6 +789,8 @@ gphys_solver_set_origin = function("gphys_solver_set_origin", c_int32, [c_void_p
 gphys_solver_get_origin = function("gphys_solver_get_origin", c_int32, [c_void_p, c_void_p])
 gphys_solver_set_gravity = function("gphys_solver_set_gravity", c_int32, [c_void_p, c_void_p])
 gphys_solver_set_substeps = function("gphys_solver_set_substeps", c_int32, [c_void_p, c_uint32])
+gphys_solver_get_settings = function("gphys_solver_get_settings", c_int32, [c_void_p, c_void_p])
+gphys_solver_set_settings = function("gphys_solver_set_settings", c_int32, [c_void_p, c_void_p])
 gphys_body_desc_init = function("gphys_body_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_solver_add_particles = function("gphys_solver_add_particles", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_void_p])
 gphys_solver_add_rope = function("gphys_solver_add_rope", c_int32, [c_void_p, c_void_p, c_void_p, c_uint32, c_uint32, c_float, c_void_p])
@@ -737,6 +800,8 @@ gphys_solver_remove_body = function("gphys_solver_remove_body", c_int32, [c_void
 gphys_solver_get_bodies = function("gphys_solver_get_bodies", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_get_sleeping = function("gphys_solver_get_sleeping", c_int32, [c_void_p, c_void_p, c_uint32, c_void_p])
 gphys_solver_wake = function("gphys_solver_wake", c_int32, [c_void_p, c_uint32])
+gphys_solver_get_body_settings = function("gphys_solver_get_body_settings", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_solver_set_body_settings = function("gphys_solver_set_body_settings", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_body_info = function("gphys_solver_get_body_info", c_int32, [c_void_p, c_uint32, c_void_p])
 gphys_solver_get_triangles = function("gphys_solver_get_triangles", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
 gphys_solver_get_positions = function("gphys_solver_get_positions", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
@@ -745,9 +810,16 @@ gphys_solver_get_velocities = function("gphys_solver_get_velocities", c_int32, [
 gphys_solver_set_velocities = function("gphys_solver_set_velocities", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_get_masses = function("gphys_solver_get_masses", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_set_masses = function("gphys_solver_set_masses", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_get_radii = function("gphys_solver_get_radii", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_set_radii = function("gphys_solver_set_radii", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_get_forces = function("gphys_solver_get_forces", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_set_forces = function("gphys_solver_set_forces", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_get_pinned = function("gphys_solver_get_pinned", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_set_pinned = function("gphys_solver_set_pinned", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_int32])
+gphys_solver_set_wind = function("gphys_solver_set_wind", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_solver_get_wind = function("gphys_solver_get_wind", c_int32, [c_void_p, c_uint32, c_void_p])
+gphys_solver_set_air_velocities = function("gphys_solver_set_air_velocities", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
+gphys_solver_get_air_velocities = function("gphys_solver_get_air_velocities", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p, c_uint32])
 gphys_solver_attach = function("gphys_solver_attach", c_int32, [c_void_p, c_void_p, c_uint32, c_uint32, c_uint32, c_void_p])
 gphys_solver_detach = function("gphys_solver_detach", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_solver_add_distance = function("gphys_solver_add_distance", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
@@ -757,6 +829,8 @@ gphys_solver_set_volume = function("gphys_solver_set_volume", c_int32, [c_void_p
 gphys_solver_get_volume = function("gphys_solver_get_volume", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p])
 gphys_solver_remove_constraint = function("gphys_solver_remove_constraint", c_int32, [c_void_p, c_uint32, c_uint32])
 gphys_solver_get_constraints = function("gphys_solver_get_constraints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])
+gphys_solver_get_constraint_settings = function("gphys_solver_get_constraint_settings", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32])
+gphys_solver_set_constraint_settings = function("gphys_solver_set_constraint_settings", c_int32, [c_void_p, c_uint32, c_void_p, c_void_p, c_uint32, c_uint32])
 gphys_solver_join = function("gphys_solver_join", c_int32, [c_void_p, c_uint32, c_uint32, c_uint32, c_uint32, c_float, c_float, c_void_p])
 gphys_solver_unjoin = function("gphys_solver_unjoin", c_int32, [c_void_p, c_uint32])
 gphys_solver_get_joints = function("gphys_solver_get_joints", c_int32, [c_void_p, c_uint32, c_void_p, c_uint32, c_void_p])

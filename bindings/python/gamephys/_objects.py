@@ -1464,6 +1464,21 @@ class Solver(Object):
             substeps: 1 .. 1000"""
         check(low.gphys_solver_set_substeps(self._handle, substeps))
 
+    def get_settings(self) -> low.SolverSettings:
+        """The settings of a solver as they are.
+        Cost: O(1)."""
+        out_settings = low.SolverSettings()
+        check(low.gphys_solver_get_settings(self._handle, ctypes.byref(out_settings)))
+        return out_settings
+
+    def set_settings(self, settings: low.SolverSettings | Sequence) -> None:
+        """Change all settings, from the next step on. Read them, change some, and give them back. Bodies
+        wake if gravity or the settings of sleep change. Time that Solver.advance owes beyond the new
+        fixed_step is dropped.
+        Cost: O(bodies)."""
+        settings_ = value_of(settings, low.SolverSettings)
+        check(low.gphys_solver_set_settings(self._handle, settings_.address))
+
     def add_particles(self, positions: ArrayLike, desc: low.BodyDesc | None = None) -> int:
         """Add a body of particles without constraints.
         Cost: O(elements).
@@ -1568,6 +1583,20 @@ class Solver(Object):
             body: 0: all"""
         check(low.gphys_solver_wake(self._handle, body))
 
+    def get_body_settings(self, body: int) -> low.BodySettings:
+        """The settings of a body as they are; static_friction as it acts, friction at least.
+        Cost: O(1)."""
+        out_settings = low.BodySettings()
+        check(low.gphys_solver_get_body_settings(self._handle, body, ctypes.byref(out_settings)))
+        return out_settings
+
+    def set_body_settings(self, body: int, settings: low.BodySettings | Sequence) -> None:
+        """Change all settings of a body, from the next step on: read them, change some, and give them
+        back. Wakes the body.
+        Cost: O(1); O(particles) when self_collision changes, and it allocates."""
+        settings_ = value_of(settings, low.BodySettings)
+        check(low.gphys_solver_set_body_settings(self._handle, body, settings_.address))
+
     def get_body_info(self, body: int) -> low.BodyInfo:
         """What a body is made of and how it is solved.
         Cost: O(1); after a change of constraints O(particles), and it allocates."""
@@ -1650,6 +1679,16 @@ class Solver(Object):
         count = common_length(masses_)
         check(low.gphys_solver_set_masses(self._handle, body, first, count, masses_.address, masses_.stride))
 
+    def get_radii(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Collision radii of particles, metres.
+        Cost: O(count).
+
+        Args:
+            first, count: as in Solver.get_positions"""
+        out_ = result_array(out, count, "<f4")
+        check(low.gphys_solver_get_radii(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
+
     def set_radii(self, body: int, first: int, radii: ArrayLike) -> None:
         """Change the collision radii of particles. Wakes the body.
         Cost: O(elements).
@@ -1660,6 +1699,16 @@ class Solver(Object):
         radii_ = array_of(radii, "<f4")
         count = common_length(radii_)
         check(low.gphys_solver_set_radii(self._handle, body, first, count, radii_.address, radii_.stride))
+
+    def get_forces(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """The forces that were set for particles, newtons.
+        Cost: O(count).
+
+        Args:
+            first, count: as in Solver.get_positions"""
+        out_ = result_array(out, count, low.vec3_dtype)
+        check(low.gphys_solver_get_forces(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
 
     def set_forces(self, body: int, first: int, forces: ArrayLike) -> None:
         """Set the forces that act on particles beside gravity, from now on until set again. Wakes the
@@ -1673,6 +1722,16 @@ class Solver(Object):
         count = common_length(forces_)
         check(low.gphys_solver_set_forces(self._handle, body, first, count, forces_.address, forces_.stride))
 
+    def get_pinned(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Which particles are pinned or attached.
+        Cost: O(count).
+
+        Args:
+            first, count: as in Solver.get_positions"""
+        out_ = result_array(out, count, "<i4")
+        check(low.gphys_solver_get_pinned(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
+
     def set_pinned(self, body: int, first: int, count: int, pinned: int) -> None:
         """Pin or release particles. A pinned particle stays where it is put and moves only by
         Solver.set_positions; its speed is 0. Both pinning and releasing end an attachment.
@@ -1682,6 +1741,54 @@ class Solver(Object):
             first, count: as in Solver.get_positions
             pinned: True: pin; False: release"""
         check(low.gphys_solver_set_pinned(self._handle, body, first, count, pinned))
+
+    def set_wind(self, body: int, wind: low.Wind | Sequence) -> None:
+        """Put a body into moving air. Until this is called there is none. Wakes the body. With u the
+        velocity relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L
+        cos^2 a) u + C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a,
+        which is what the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al.
+        2004, "Modelling effects of wind fields in cloth animations"); with C_L = C_D it is nearly the
+        pressure on a plate, along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u
+        across it, r the radius (the cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a
+        free particle -rho/2 C_D pi r^2 |u| u. Strong wind takes bodies along and never beyond: whatever
+        the density, a substep does not reverse u.
+        Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as
+        much for each link or particle.
+
+        Args:
+            body: 0: all bodies there are
+            wind: of density 0: no air"""
+        wind_ = value_of(wind, low.Wind)
+        check(low.gphys_solver_set_wind(self._handle, body, wind_.address))
+
+    def get_wind(self, body: int) -> low.Wind:
+        """The air around a body as it was set; zeros if it was not.
+        Cost: O(1)."""
+        out_wind = low.Wind()
+        check(low.gphys_solver_get_wind(self._handle, body, ctypes.byref(out_wind)))
+        return out_wind
+
+    def set_air_velocities(self, body: int, first: int, velocities: ArrayLike) -> None:
+        """Give the air at particles a velocity beside that of Wind, from now on until set again: gusts,
+        eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+        Cost: O(elements); the first time O(particles), and it allocates.
+
+        Args:
+            first: as in Solver.get_positions
+            velocities: m/s"""
+        velocities_ = array_of(velocities, low.vec3_dtype)
+        count = common_length(velocities_)
+        check(low.gphys_solver_set_air_velocities(self._handle, body, first, count, velocities_.address, velocities_.stride))
+
+    def get_air_velocities(self, body: int, first: int, count: int, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Velocities of the air at particles, m/s, beside that of Wind.
+        Cost: O(count).
+
+        Args:
+            first, count: as in Solver.get_positions"""
+        out_ = result_array(out, count, low.vec3_dtype)
+        check(low.gphys_solver_get_air_velocities(self._handle, body, first, count, out_.address, out_.stride))
+        return out_.array
 
     def attach(self, scene: Scene | None, body: int, particle: int, model: int, local_point: low.Vec3 | None = None) -> None:
         """Fix a particle to a model: it follows the model's transform in each step, and is released when
@@ -1789,6 +1896,32 @@ class Solver(Object):
         """All constraints of a body, those of its builder included, by id.
         Cost: O(constraints)."""
         return list_of(low.gphys_solver_get_constraints, (self._handle, body,), low.constraint_info_dtype)
+
+    def get_constraint_settings(self, body: int, constraints: ArrayLike, *, out: np.ndarray | None = None) -> np.ndarray:
+        """What constraints are like.
+        Cost: O(elements).
+
+        Args:
+            constraints: the ids; one may stand twice"""
+        constraints_ = array_of(constraints, "<u4")
+        count = common_length(constraints_)
+        out_ = result_array(out, count, low.constraint_settings_dtype)
+        check(low.gphys_solver_get_constraint_settings(self._handle, body, constraints_.address, count, out_.address, out_.stride))
+        return out_.array
+
+    def set_constraint_settings(self, body: int, constraints: ArrayLike, settings: ArrayLike) -> None:
+        """Change constraints while they act, all or none: winches, muscles. A rest length goes from the
+        old to the new one at constant speed during the next step; a winch that reels in at v m/s is
+        given a length that is v dt shorter before each step of dt. Wakes the body.
+        Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins
+        that gets longer links O(n log n). Chains are not planned again.
+
+        Args:
+            constraints: the ids; one that stands twice gets the last"""
+        constraints_ = array_of(constraints, "<u4")
+        settings_ = array_of(settings, low.constraint_settings_dtype)
+        count = common_length(constraints_, settings_)
+        check(low.gphys_solver_set_constraint_settings(self._handle, body, constraints_.address, settings_.address, settings_.stride, count))
 
     def join(self, body_a: int, particle_a: int, body_b: int, particle_b: int, rest_length: float, compliance: float = 0) -> int:
         """Hold a particle of one body and a particle of another at a distance. Both are moved, by forces

@@ -1772,6 +1772,24 @@ impl Solver {
         check(unsafe { sys::gphys_solver_set_substeps(self.handle.as_ptr(), substeps) })
     }
 
+    /// The settings of a solver as they are.
+    ///
+    /// Cost: O(1).
+    pub fn get_settings(&self) -> Result<SolverSettings> {
+        let mut out_settings = SolverSettings::default();
+        check(unsafe { sys::gphys_solver_get_settings(self.handle.as_ptr(), &mut out_settings) })?;
+        Ok(out_settings)
+    }
+
+    /// Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake
+    /// if gravity or the settings of sleep change. Time that `Solver::advance` owes beyond the new
+    /// fixed_step is dropped.
+    ///
+    /// Cost: O(bodies).
+    pub fn set_settings(&mut self, settings: &SolverSettings) -> Result<()> {
+        check(unsafe { sys::gphys_solver_set_settings(self.handle.as_ptr(), settings) })
+    }
+
     /// Add a body of particles without constraints.
     ///
     /// Cost: O(elements).
@@ -1882,6 +1900,23 @@ impl Solver {
         check(unsafe { sys::gphys_solver_wake(self.handle.as_ptr(), body) })
     }
 
+    /// The settings of a body as they are; static_friction as it acts, friction at least.
+    ///
+    /// Cost: O(1).
+    pub fn get_body_settings(&self, body: BodyId) -> Result<BodySettings> {
+        let mut out_settings = BodySettings::default();
+        check(unsafe { sys::gphys_solver_get_body_settings(self.handle.as_ptr(), body, &mut out_settings) })?;
+        Ok(out_settings)
+    }
+
+    /// Change all settings of a body, from the next step on: read them, change some, and give them back.
+    /// Wakes the body.
+    ///
+    /// Cost: O(1); O(particles) when self_collision changes, and it allocates.
+    pub fn set_body_settings(&mut self, body: BodyId, settings: &BodySettings) -> Result<()> {
+        check(unsafe { sys::gphys_solver_set_body_settings(self.handle.as_ptr(), body, settings) })
+    }
+
     /// What a body is made of and how it is solved.
     ///
     /// Cost: O(1); after a change of constraints O(particles), and it allocates.
@@ -1972,6 +2007,17 @@ impl Solver {
         check(unsafe { sys::gphys_solver_set_masses(self.handle.as_ptr(), body, first, count, masses.data, masses.stride) })
     }
 
+    /// Collision radii of particles, metres.
+    ///
+    /// Cost: O(count).
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
+    pub fn get_radii<'a>(&self, body: BodyId, first: u32, out_radii: impl Into<BatchMut<'a, f32>>) -> Result<()> {
+        let out_radii = out_radii.into();
+        let count = out_radii.count()?;
+        check(unsafe { sys::gphys_solver_get_radii(self.handle.as_ptr(), body, first, count, out_radii.data, out_radii.stride) })
+    }
+
     /// Change the collision radii of particles. Wakes the body.
     ///
     /// Cost: O(elements).
@@ -1982,6 +2028,17 @@ impl Solver {
         let radii = radii.into();
         let count = common_length(&[radii.length])?;
         check(unsafe { sys::gphys_solver_set_radii(self.handle.as_ptr(), body, first, count, radii.data, radii.stride) })
+    }
+
+    /// The forces that were set for particles, newtons.
+    ///
+    /// Cost: O(count).
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
+    pub fn get_forces<'a>(&self, body: BodyId, first: u32, out_forces: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
+        let out_forces = out_forces.into();
+        let count = out_forces.count()?;
+        check(unsafe { sys::gphys_solver_get_forces(self.handle.as_ptr(), body, first, count, out_forces.data, out_forces.stride) })
     }
 
     /// Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
@@ -1996,6 +2053,17 @@ impl Solver {
         check(unsafe { sys::gphys_solver_set_forces(self.handle.as_ptr(), body, first, count, forces.data, forces.stride) })
     }
 
+    /// Which particles are pinned or attached.
+    ///
+    /// Cost: O(count).
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
+    pub fn get_pinned<'a>(&self, body: BodyId, first: u32, out_pinned: impl Into<BatchMut<'a, i32>>) -> Result<()> {
+        let out_pinned = out_pinned.into();
+        let count = out_pinned.count()?;
+        check(unsafe { sys::gphys_solver_get_pinned(self.handle.as_ptr(), body, first, count, out_pinned.data, out_pinned.stride) })
+    }
+
     /// Pin or release particles. A pinned particle stays where it is put and moves only by
     /// `Solver::set_positions`; its speed is 0. Both pinning and releasing end an attachment.
     ///
@@ -2006,6 +2074,58 @@ impl Solver {
     pub fn set_pinned(&mut self, body: BodyId, first: u32, count: u32, pinned: bool) -> Result<()> {
         let pinned = i32::from(pinned);
         check(unsafe { sys::gphys_solver_set_pinned(self.handle.as_ptr(), body, first, count, pinned) })
+    }
+
+    /// Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
+    /// relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
+    /// C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
+    /// the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling
+    /// effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+    /// along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
+    /// cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
+    /// u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
+    /// u.
+    ///
+    /// Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much
+    /// for each link or particle.
+    ///
+    /// * `body`: 0: all bodies there are
+    /// * `wind`: of density 0: no air
+    pub fn set_wind(&mut self, body: BodyId, wind: &Wind) -> Result<()> {
+        check(unsafe { sys::gphys_solver_set_wind(self.handle.as_ptr(), body, wind) })
+    }
+
+    /// The air around a body as it was set; zeros if it was not.
+    ///
+    /// Cost: O(1).
+    pub fn get_wind(&self, body: BodyId) -> Result<Wind> {
+        let mut out_wind = Wind::default();
+        check(unsafe { sys::gphys_solver_get_wind(self.handle.as_ptr(), body, &mut out_wind) })?;
+        Ok(out_wind)
+    }
+
+    /// Give the air at particles a velocity beside that of `Wind`, from now on until set again: gusts,
+    /// eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+    ///
+    /// Cost: O(elements); the first time O(particles), and it allocates.
+    ///
+    /// * `first`: as in `Solver::get_positions`
+    /// * `velocities`: m/s
+    pub fn set_air_velocities<'a>(&mut self, body: BodyId, first: u32, velocities: impl Into<Batch<'a, Vec3>>) -> Result<()> {
+        let velocities = velocities.into();
+        let count = common_length(&[velocities.length])?;
+        check(unsafe { sys::gphys_solver_set_air_velocities(self.handle.as_ptr(), body, first, count, velocities.data, velocities.stride) })
+    }
+
+    /// Velocities of the air at particles, m/s, beside that of `Wind`.
+    ///
+    /// Cost: O(count).
+    ///
+    /// * `first`, `count`: as in `Solver::get_positions`
+    pub fn get_air_velocities<'a>(&self, body: BodyId, first: u32, out_velocities: impl Into<BatchMut<'a, Vec3>>) -> Result<()> {
+        let out_velocities = out_velocities.into();
+        let count = out_velocities.count()?;
+        check(unsafe { sys::gphys_solver_get_air_velocities(self.handle.as_ptr(), body, first, count, out_velocities.data, out_velocities.stride) })
     }
 
     /// Fix a particle to a model: it follows the model's transform in each step, and is released when the
@@ -2124,6 +2244,34 @@ impl Solver {
     /// Cost: O(constraints).
     pub fn get_constraints(&self, body: BodyId) -> Result<Vec<ConstraintInfo>> {
         list(|out_constraints, capacity, total| unsafe { sys::gphys_solver_get_constraints(self.handle.as_ptr(), body, out_constraints, capacity, total) })
+    }
+
+    /// What constraints are like.
+    ///
+    /// Cost: O(elements).
+    ///
+    /// * `constraints`: the ids; one may stand twice
+    pub fn get_constraint_settings<'a>(&self, body: BodyId, constraints: &[ConstraintId], out_settings: impl Into<BatchMut<'a, ConstraintSettings>>) -> Result<()> {
+        let constraints = Batch::from(constraints);
+        let out_settings = out_settings.into();
+        let count = common_length(&[constraints.length])?;
+        out_settings.require(count.into())?;
+        check(unsafe { sys::gphys_solver_get_constraint_settings(self.handle.as_ptr(), body, constraints.data, count, out_settings.data, out_settings.stride) })
+    }
+
+    /// Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
+    /// the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
+    /// that is v dt shorter before each step of dt. Wakes the body.
+    ///
+    /// Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
+    /// gets longer links O(n log n). Chains are not planned again.
+    ///
+    /// * `constraints`: the ids; one that stands twice gets the last
+    pub fn set_constraint_settings<'a>(&mut self, body: BodyId, constraints: &[ConstraintId], settings: impl Into<Batch<'a, ConstraintSettings>>) -> Result<()> {
+        let constraints = Batch::from(constraints);
+        let settings = settings.into();
+        let count = common_length(&[constraints.length, settings.length])?;
+        check(unsafe { sys::gphys_solver_set_constraint_settings(self.handle.as_ptr(), body, constraints.data, settings.data, settings.stride, count) })
     }
 
     /// Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that

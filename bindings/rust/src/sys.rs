@@ -193,6 +193,8 @@ extern "C" {
     pub fn gphys_solver_get_origin(solver: *mut gphys_solver, out_origin: *mut f64) -> Status;
     pub fn gphys_solver_set_gravity(solver: *mut gphys_solver, gravity: *const Vec3) -> Status;
     pub fn gphys_solver_set_substeps(solver: *mut gphys_solver, substeps: u32) -> Status;
+    pub fn gphys_solver_get_settings(solver: *mut gphys_solver, out_settings: *mut SolverSettings) -> Status;
+    pub fn gphys_solver_set_settings(solver: *mut gphys_solver, settings: *const SolverSettings) -> Status;
     pub fn gphys_body_desc_init(desc: *mut BodyDesc, size: u32) -> Status;
     pub fn gphys_solver_add_particles(solver: *mut gphys_solver, desc: *const BodyDesc, positions: *const Vec3, position_stride: u32, count: u32, out_body: *mut BodyId) -> Status;
     pub fn gphys_solver_add_rope(solver: *mut gphys_solver, desc: *const BodyDesc, positions: *const Vec3, position_stride: u32, count: u32, link_length: f32, out_body: *mut BodyId) -> Status;
@@ -202,6 +204,8 @@ extern "C" {
     pub fn gphys_solver_get_bodies(solver: *mut gphys_solver, out_bodies: *mut BodyId, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_get_sleeping(solver: *mut gphys_solver, out_bodies: *mut BodyId, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_wake(solver: *mut gphys_solver, body: BodyId) -> Status;
+    pub fn gphys_solver_get_body_settings(solver: *mut gphys_solver, body: BodyId, out_settings: *mut BodySettings) -> Status;
+    pub fn gphys_solver_set_body_settings(solver: *mut gphys_solver, body: BodyId, settings: *const BodySettings) -> Status;
     pub fn gphys_solver_get_body_info(solver: *mut gphys_solver, body: BodyId, out_info: *mut BodyInfo) -> Status;
     pub fn gphys_solver_get_triangles(solver: *mut gphys_solver, body: BodyId, out_indices: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_solver_get_positions(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_positions: *mut Vec3, out_stride: u32) -> Status;
@@ -210,9 +214,16 @@ extern "C" {
     pub fn gphys_solver_set_velocities(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, velocities: *const Vec3, stride: u32) -> Status;
     pub fn gphys_solver_get_masses(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_masses: *mut f32, out_stride: u32) -> Status;
     pub fn gphys_solver_set_masses(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, masses: *const f32, stride: u32) -> Status;
+    pub fn gphys_solver_get_radii(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_radii: *mut f32, out_stride: u32) -> Status;
     pub fn gphys_solver_set_radii(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, radii: *const f32, stride: u32) -> Status;
+    pub fn gphys_solver_get_forces(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_forces: *mut Vec3, out_stride: u32) -> Status;
     pub fn gphys_solver_set_forces(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, forces: *const Vec3, stride: u32) -> Status;
+    pub fn gphys_solver_get_pinned(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_pinned: *mut i32, out_stride: u32) -> Status;
     pub fn gphys_solver_set_pinned(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, pinned: i32) -> Status;
+    pub fn gphys_solver_set_wind(solver: *mut gphys_solver, body: BodyId, wind: *const Wind) -> Status;
+    pub fn gphys_solver_get_wind(solver: *mut gphys_solver, body: BodyId, out_wind: *mut Wind) -> Status;
+    pub fn gphys_solver_set_air_velocities(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, velocities: *const Vec3, stride: u32) -> Status;
+    pub fn gphys_solver_get_air_velocities(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_velocities: *mut Vec3, out_stride: u32) -> Status;
     pub fn gphys_solver_attach(solver: *mut gphys_solver, scene: *mut gphys_scene, body: BodyId, particle: u32, model: ModelId, local_point: *const Vec3) -> Status;
     pub fn gphys_solver_detach(solver: *mut gphys_solver, body: BodyId, particle: u32) -> Status;
     pub fn gphys_solver_add_distance(solver: *mut gphys_solver, body: BodyId, particle_a: u32, particle_b: u32, rest_length: f32, compliance: f32, out_constraint: *mut ConstraintId) -> Status;
@@ -222,6 +233,8 @@ extern "C" {
     pub fn gphys_solver_get_volume(solver: *mut gphys_solver, body: BodyId, out_volume: *mut f32, out_pressure: *mut f32) -> Status;
     pub fn gphys_solver_remove_constraint(solver: *mut gphys_solver, body: BodyId, constraint: ConstraintId) -> Status;
     pub fn gphys_solver_get_constraints(solver: *mut gphys_solver, body: BodyId, out_constraints: *mut ConstraintInfo, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_solver_get_constraint_settings(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, count: u32, out_settings: *mut ConstraintSettings, out_stride: u32) -> Status;
+    pub fn gphys_solver_set_constraint_settings(solver: *mut gphys_solver, body: BodyId, constraints: *const ConstraintId, settings: *const ConstraintSettings, setting_stride: u32, count: u32) -> Status;
     pub fn gphys_solver_join(solver: *mut gphys_solver, body_a: BodyId, particle_a: u32, body_b: BodyId, particle_b: u32, rest_length: f32, compliance: f32, out_joint: *mut JointId) -> Status;
     pub fn gphys_solver_unjoin(solver: *mut gphys_solver, joint: JointId) -> Status;
     pub fn gphys_solver_get_joints(solver: *mut gphys_solver, body: BodyId, out_joints: *mut JointInfo, capacity: u32, out_total: *mut u32) -> Status;

@@ -606,8 +606,38 @@ pub struct SolverDesc {
     pub tolerance: f32,
     /// the most that a target may ask for, 1 .. 1000; default 64
     pub max_substeps: u32,
-    /// must be 0
-    pub reserved: u32,
+    /// see `SolverSettings`; 0: no bound; default 0
+    pub max_work: u32,
+}
+
+/// What a solver was created with and may change later. Fields as in `SolverDesc`. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct SolverSettings {
+    /// m/s^2
+    pub gravity: Vec3,
+    /// 1 .. 1000
+    pub substeps: u32,
+    /// seconds, 1e-6 .. 0.5
+    pub fixed_step: f32,
+    /// >= 1
+    pub max_steps: u32,
+    /// m/s, >= 0
+    pub sleep_speed: f32,
+    /// >= 0
+    pub sleep_strain: f32,
+    /// seconds, >= 0
+    pub sleep_time: f32,
+    /// >= 0
+    pub max_strain: f32,
+    /// m/s, >= 0
+    pub tolerance: f32,
+    /// 1 .. 1000
+    pub max_substeps: u32,
+    /// most particles times substeps of a step; 0: no bound. Where bodies would take more, all
+    /// take fewer substeps in proportion, but one at least, cloth one for each 25 ms. It bounds
+    /// the time of a step on every machine alike: the same bits everywhere
+    pub max_work: u32,
 }
 
 /// Settings shared by all kinds of bodies.
@@ -642,6 +672,26 @@ pub struct BodyDesc {
     pub body_layers: u32,
 }
 
+/// What all particles of a body share and may change later. Fields as in `BodyDesc`. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct BodySettings {
+    /// 1/s, >= 0
+    pub damping: f32,
+    /// >= 0
+    pub friction: f32,
+    /// at least friction, or 0: as friction
+    pub static_friction: f32,
+    /// 0 .. 1
+    pub restitution: f32,
+    /// of models
+    pub layers: u32,
+    /// of bodies
+    pub body_layers: u32,
+    /// 0 or 1; particles that are nearer than their radii reach when it is set do not collide
+    pub self_collision: u32,
+}
+
 /// Frozen.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -652,6 +702,20 @@ pub struct BodyInfo {
     pub constraint_count: u32,
     /// of cloth, for drawing
     pub triangle_count: u32,
+}
+
+/// The air around a body. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Wind {
+    /// of the air, m/s
+    pub velocity: Vec3,
+    /// kg/m^3, >= 0; 1.2 is air at 20 degrees; 0: none
+    pub density: f32,
+    /// coefficient C_D, >= 0: a plate across has 1.2, a cylinder 1.2, a sphere 0.5
+    pub drag: f32,
+    /// coefficient C_L of cloth, >= 0; a plate has as much lift as drag
+    pub lift: f32,
 }
 
 /// One constraint. Frozen.
@@ -665,6 +729,18 @@ pub struct ConstraintInfo {
     pub rest_length: f32,
     /// metres per newton
     pub compliance: f32,
+}
+
+/// What a constraint is like and may become. Frozen.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct ConstraintSettings {
+    /// metres, >= 0; negative, when it is set: the present distance
+    pub rest_length: f32,
+    /// metres per newton, >= 0; 0 is rigid
+    pub compliance: f32,
+    /// N s/m, >= 0, of what has compliance; see `Solver::set_constraint_damping`
+    pub damping: f32,
 }
 
 /// One joint. Frozen.
@@ -766,9 +842,13 @@ const _: () = {
     assert!(std::mem::size_of::<Orbit>() == 60);
     assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 80);
+    assert!(std::mem::size_of::<SolverSettings>() == 52);
     assert!(std::mem::size_of::<BodyDesc>() == 52);
+    assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
+    assert!(std::mem::size_of::<Wind>() == 24);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
+    assert!(std::mem::size_of::<ConstraintSettings>() == 12);
     assert!(std::mem::size_of::<JointInfo>() == 32);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
@@ -806,9 +886,13 @@ const _: () = {
     assert!(std::mem::size_of::<Orbit>() == 60);
     assert!(std::mem::size_of::<OrbitSpeeds>() == 20);
     assert!(std::mem::size_of::<SolverDesc>() == 68);
+    assert!(std::mem::size_of::<SolverSettings>() == 52);
     assert!(std::mem::size_of::<BodyDesc>() == 52);
+    assert!(std::mem::size_of::<BodySettings>() == 28);
     assert!(std::mem::size_of::<BodyInfo>() == 20);
+    assert!(std::mem::size_of::<Wind>() == 24);
     assert!(std::mem::size_of::<ConstraintInfo>() == 20);
+    assert!(std::mem::size_of::<ConstraintSettings>() == 12);
     assert!(std::mem::size_of::<JointInfo>() == 32);
     assert!(std::mem::size_of::<SolverStats>() == 32);
     assert!(std::mem::size_of::<Contact>() == 40);
@@ -1018,7 +1102,20 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).max_strain) } as usize - p as usize, 64);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).tolerance) } as usize - p as usize, 68);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).max_substeps) } as usize - p as usize, 72);
-    assert_eq!(unsafe { std::ptr::addr_of!((*p).reserved) } as usize - p as usize, 76);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_work) } as usize - p as usize, 76);
+    let s = std::mem::MaybeUninit::<SolverSettings>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).gravity) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).substeps) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).fixed_step) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_steps) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_speed) } as usize - p as usize, 24);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_strain) } as usize - p as usize, 28);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).sleep_time) } as usize - p as usize, 32);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_strain) } as usize - p as usize, 36);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).tolerance) } as usize - p as usize, 40);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_substeps) } as usize - p as usize, 44);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).max_work) } as usize - p as usize, 48);
     let s = std::mem::MaybeUninit::<BodyDesc>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).struct_size) } as usize - p as usize, 0);
@@ -1034,6 +1131,15 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).static_friction) } as usize - p as usize, 40);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).self_collision) } as usize - p as usize, 44);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).body_layers) } as usize - p as usize, 48);
+    let s = std::mem::MaybeUninit::<BodySettings>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).damping) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).friction) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).static_friction) } as usize - p as usize, 8);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).restitution) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).layers) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).body_layers) } as usize - p as usize, 20);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).self_collision) } as usize - p as usize, 24);
     let s = std::mem::MaybeUninit::<BodyInfo>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).kind) } as usize - p as usize, 0);
@@ -1041,6 +1147,12 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_count) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).constraint_count) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).triangle_count) } as usize - p as usize, 16);
+    let s = std::mem::MaybeUninit::<Wind>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).velocity) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).density) } as usize - p as usize, 12);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).drag) } as usize - p as usize, 16);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).lift) } as usize - p as usize, 20);
     let s = std::mem::MaybeUninit::<ConstraintInfo>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).id) } as usize - p as usize, 0);
@@ -1048,6 +1160,11 @@ fn fields_stand_where_c_has_them() {
     assert_eq!(unsafe { std::ptr::addr_of!((*p).particle_b) } as usize - p as usize, 8);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).rest_length) } as usize - p as usize, 12);
     assert_eq!(unsafe { std::ptr::addr_of!((*p).compliance) } as usize - p as usize, 16);
+    let s = std::mem::MaybeUninit::<ConstraintSettings>::uninit();
+    let p = s.as_ptr();
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).rest_length) } as usize - p as usize, 0);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).compliance) } as usize - p as usize, 4);
+    assert_eq!(unsafe { std::ptr::addr_of!((*p).damping) } as usize - p as usize, 8);
     let s = std::mem::MaybeUninit::<JointInfo>::uninit();
     let p = s.as_ptr();
     assert_eq!(unsafe { std::ptr::addr_of!((*p).id) } as usize - p as usize, 0);

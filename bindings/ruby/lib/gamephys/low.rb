@@ -25,7 +25,7 @@ module Gamephys
     end
 
     class SolverDesc < FFI::Struct
-      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32, :sleep_speed, :float, :sleep_strain, :float, :sleep_time, :float, :max_strain, :float, :tolerance, :float, :max_substeps, :uint32, :reserved, :uint32
+      layout :struct_size, :uint32, :allocator, :pointer, :gravity, [:float, 3], :substeps, :uint32, :fixed_step, :float, :max_steps, :uint32, :task_runner, :pointer, :worker_count, :uint32, :sleep_speed, :float, :sleep_strain, :float, :sleep_time, :float, :max_strain, :float, :tolerance, :float, :max_substeps, :uint32, :max_work, :uint32
     end
 
     class BodyDesc < FFI::Struct
@@ -201,6 +201,8 @@ module Gamephys
     attach_function :gphys_solver_get_origin, [:pointer, :pointer], :int32
     attach_function :gphys_solver_set_gravity, [:pointer, :pointer], :int32
     attach_function :gphys_solver_set_substeps, [:pointer, :uint32], :int32
+    attach_function :gphys_solver_get_settings, [:pointer, :pointer], :int32
+    attach_function :gphys_solver_set_settings, [:pointer, :pointer], :int32
     attach_function :gphys_body_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_solver_add_particles, [:pointer, :pointer, :pointer, :uint32, :uint32, :pointer], :int32
     attach_function :gphys_solver_add_rope, [:pointer, :pointer, :pointer, :uint32, :uint32, :float, :pointer], :int32
@@ -210,6 +212,8 @@ module Gamephys
     attach_function :gphys_solver_get_bodies, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_sleeping, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_wake, [:pointer, :uint32], :int32
+    attach_function :gphys_solver_get_body_settings, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_set_body_settings, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_body_info, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_triangles, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_positions, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
@@ -218,9 +222,16 @@ module Gamephys
     attach_function :gphys_solver_set_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_masses, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_masses, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_radii, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_radii, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_forces, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_forces, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_pinned, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_pinned, [:pointer, :uint32, :uint32, :uint32, :int32], :int32
+    attach_function :gphys_solver_set_wind, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_wind, [:pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_set_air_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_get_air_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_attach, [:pointer, :pointer, :uint32, :uint32, :uint32, :pointer], :int32
     attach_function :gphys_solver_detach, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_add_distance, [:pointer, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
@@ -230,6 +241,8 @@ module Gamephys
     attach_function :gphys_solver_get_volume, [:pointer, :uint32, :pointer, :pointer], :int32
     attach_function :gphys_solver_remove_constraint, [:pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_get_constraints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_constraint_settings, [:pointer, :uint32, :pointer, :uint32, :pointer, :uint32], :int32
+    attach_function :gphys_solver_set_constraint_settings, [:pointer, :uint32, :pointer, :pointer, :uint32, :uint32], :int32
     attach_function :gphys_solver_join, [:pointer, :uint32, :uint32, :uint32, :uint32, :float, :float, :pointer], :int32
     attach_function :gphys_solver_unjoin, [:pointer, :uint32], :int32
     attach_function :gphys_solver_get_joints, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32

@@ -1309,6 +1309,23 @@ module Gamephys
       nil
     end
 
+    # The settings of a solver as they are.
+    # Cost: O(1).
+    def get_settings
+      out_settings = SolverSettings.room
+      Low.check(Low.gphys_solver_get_settings(opened, out_settings))
+      SolverSettings.unpack(out_settings)
+    end
+
+    # Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake
+    # if gravity or the settings of sleep change. Time that Solver#advance owes beyond the new fixed_step
+    # is dropped.
+    # Cost: O(bodies).
+    def set_settings(settings)
+      Low.check(Low.gphys_solver_set_settings(opened, SolverSettings.pack(settings)))
+      nil
+    end
+
     # Add a body of particles without constraints.
     # Cost: O(elements).
     # @param desc nil: the defaults
@@ -1399,6 +1416,22 @@ module Gamephys
       nil
     end
 
+    # The settings of a body as they are; static_friction as it acts, friction at least.
+    # Cost: O(1).
+    def get_body_settings(body)
+      out_settings = BodySettings.room
+      Low.check(Low.gphys_solver_get_body_settings(opened, body, out_settings))
+      BodySettings.unpack(out_settings)
+    end
+
+    # Change all settings of a body, from the next step on: read them, change some, and give them back.
+    # Wakes the body.
+    # Cost: O(1); O(particles) when self_collision changes, and it allocates.
+    def set_body_settings(body, settings)
+      Low.check(Low.gphys_solver_set_body_settings(opened, body, BodySettings.pack(settings)))
+      nil
+    end
+
     # What a body is made of and how it is solved.
     # Cost: O(1); after a change of constraints O(particles), and it allocates.
     def get_body_info(body)
@@ -1481,6 +1514,16 @@ module Gamephys
       nil
     end
 
+    # Collision radii of particles, metres.
+    # Cost: O(count).
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
+    def get_radii(body, first, count, out: nil)
+      out = Low.results(Float32, out, count)
+      Low.check(Low.gphys_solver_get_radii(opened, body, first, count, out.pointer, Float32::BYTES))
+      out
+    end
+
     # Change the collision radii of particles. Wakes the body.
     # Cost: O(elements).
     # @param first as in Solver#get_positions
@@ -1490,6 +1533,16 @@ module Gamephys
       count = Low.common(radii)
       Low.check(Low.gphys_solver_set_radii(opened, body, first, count, radii.pointer, radii.stride))
       nil
+    end
+
+    # The forces that were set for particles, newtons.
+    # Cost: O(count).
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
+    def get_forces(body, first, count, out: nil)
+      out = Low.results(Vec3, out, count)
+      Low.check(Low.gphys_solver_get_forces(opened, body, first, count, out.pointer, Vec3::BYTES))
+      out
     end
 
     # Set the forces that act on particles beside gravity, from now on until set again. Wakes the body.
@@ -1503,6 +1556,16 @@ module Gamephys
       nil
     end
 
+    # Which particles are pinned or attached.
+    # Cost: O(count).
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
+    def get_pinned(body, first, count, out: nil)
+      out = Low.results(Int32, out, count)
+      Low.check(Low.gphys_solver_get_pinned(opened, body, first, count, out.pointer, Int32::BYTES))
+      out
+    end
+
     # Pin or release particles. A pinned particle stays where it is put and moves only by
     # Solver#set_positions; its speed is 0. Both pinning and releasing end an attachment.
     # Cost: O(count).
@@ -1512,6 +1575,54 @@ module Gamephys
     def set_pinned(body, first, count, pinned)
       Low.check(Low.gphys_solver_set_pinned(opened, body, first, count, Low.flag(pinned)))
       nil
+    end
+
+    # Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
+    # relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
+    # C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
+    # the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling
+    # effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+    # along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
+    # cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
+    # u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
+    # u.
+    # Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much
+    # for each link or particle.
+    # @param body 0: all bodies there are
+    # @param wind of density 0: no air
+    def set_wind(body, wind)
+      Low.check(Low.gphys_solver_set_wind(opened, body, Wind.pack(wind)))
+      nil
+    end
+
+    # The air around a body as it was set; zeros if it was not.
+    # Cost: O(1).
+    def get_wind(body)
+      out_wind = Wind.room
+      Low.check(Low.gphys_solver_get_wind(opened, body, out_wind))
+      Wind.unpack(out_wind)
+    end
+
+    # Give the air at particles a velocity beside that of Wind, from now on until set again: gusts,
+    # eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+    # Cost: O(elements); the first time O(particles), and it allocates.
+    # @param first as in Solver#get_positions
+    # @param velocities m/s
+    def set_air_velocities(body, first, velocities)
+      velocities = Low.array(Vec3, velocities)
+      count = Low.common(velocities)
+      Low.check(Low.gphys_solver_set_air_velocities(opened, body, first, count, velocities.pointer, velocities.stride))
+      nil
+    end
+
+    # Velocities of the air at particles, m/s, beside that of Wind.
+    # Cost: O(count).
+    # @param first as in Solver#get_positions
+    # @param count as in Solver#get_positions
+    def get_air_velocities(body, first, count, out: nil)
+      out = Low.results(Vec3, out, count)
+      Low.check(Low.gphys_solver_get_air_velocities(opened, body, first, count, out.pointer, Vec3::BYTES))
+      out
     end
 
     # Fix a particle to a model: it follows the model's transform in each step, and is released when the
@@ -1607,6 +1718,31 @@ module Gamephys
     # Cost: O(constraints).
     def get_constraints(body)
       Low.list(ConstraintInfo) { |out, capacity, total| Low.gphys_solver_get_constraints(opened, body, out, capacity, total) }
+    end
+
+    # What constraints are like.
+    # Cost: O(elements).
+    # @param constraints the ids; one may stand twice
+    def get_constraint_settings(body, constraints, out: nil)
+      constraints = Low.array(UInt32, constraints)
+      count = Low.common(constraints)
+      out = Low.results(ConstraintSettings, out, count)
+      Low.check(Low.gphys_solver_get_constraint_settings(opened, body, constraints.pointer, count, out.pointer, ConstraintSettings::BYTES))
+      out
+    end
+
+    # Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
+    # the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
+    # that is v dt shorter before each step of dt. Wakes the body.
+    # Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
+    # gets longer links O(n log n). Chains are not planned again.
+    # @param constraints the ids; one that stands twice gets the last
+    def set_constraint_settings(body, constraints, settings)
+      constraints = Low.array(UInt32, constraints)
+      settings = Low.array(ConstraintSettings, settings)
+      count = Low.common(constraints, settings)
+      Low.check(Low.gphys_solver_set_constraint_settings(opened, body, constraints.pointer, settings.pointer, settings.stride, count))
+      nil
     end
 
     # Hold a particle of one body and a particle of another at a distance. Both are moved, by forces that

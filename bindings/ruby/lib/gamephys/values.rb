@@ -282,6 +282,24 @@ module Gamephys
   end
   OrbitSpeeds::FORMAT, OrbitSpeeds::COUNT, OrbitSpeeds::BYTES = 'f5', 5, 20
 
+  # What a solver was created with and may change later. Fields as in SolverDesc. Frozen.
+  SolverSettings = ::Struct.new(:gravity, :substeps, :fixed_step, :max_steps, :sleep_speed, :sleep_strain, :sleep_time, :max_strain, :tolerance, :max_substeps, :max_work) do
+    extend Value
+
+    def self.from(n) = new(n[0, 3], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12])
+    def numbers = [*gravity, substeps, fixed_step, max_steps, sleep_speed, sleep_strain, sleep_time, max_strain, tolerance, max_substeps, max_work]
+  end
+  SolverSettings::FORMAT, SolverSettings::COUNT, SolverSettings::BYTES = 'f3LfLf5L2', 13, 52
+
+  # What all particles of a body share and may change later. Fields as in BodyDesc. Frozen.
+  BodySettings = ::Struct.new(:damping, :friction, :static_friction, :restitution, :layers, :body_layers, :self_collision) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2], n[3], n[4], n[5], n[6])
+    def numbers = [damping, friction, static_friction, restitution, layers, body_layers, self_collision]
+  end
+  BodySettings::FORMAT, BodySettings::COUNT, BodySettings::BYTES = 'f4L3', 7, 28
+
   # Frozen.
   BodyInfo = ::Struct.new(:kind, :method, :particle_count, :constraint_count, :triangle_count) do
     extend Value
@@ -291,6 +309,15 @@ module Gamephys
   end
   BodyInfo::FORMAT, BodyInfo::COUNT, BodyInfo::BYTES = 'l2L3', 5, 20
 
+  # The air around a body. Frozen.
+  Wind = ::Struct.new(:velocity, :density, :drag, :lift) do
+    extend Value
+
+    def self.from(n) = new(n[0, 3], n[3], n[4], n[5])
+    def numbers = [*velocity, density, drag, lift]
+  end
+  Wind::FORMAT, Wind::COUNT, Wind::BYTES = 'f6', 6, 24
+
   # One constraint. Frozen.
   ConstraintInfo = ::Struct.new(:id, :particle_a, :particle_b, :rest_length, :compliance) do
     extend Value
@@ -299,6 +326,15 @@ module Gamephys
     def numbers = [id, particle_a, particle_b, rest_length, compliance]
   end
   ConstraintInfo::FORMAT, ConstraintInfo::COUNT, ConstraintInfo::BYTES = 'L3f2', 5, 20
+
+  # What a constraint is like and may become. Frozen.
+  ConstraintSettings = ::Struct.new(:rest_length, :compliance, :damping) do
+    extend Value
+
+    def self.from(n) = new(n[0], n[1], n[2])
+    def numbers = [rest_length, compliance, damping]
+  end
+  ConstraintSettings::FORMAT, ConstraintSettings::COUNT, ConstraintSettings::BYTES = 'f3', 3, 12
 
   # One joint. Frozen.
   JointInfo = ::Struct.new(:id, :body_a, :particle_a, :body_b, :particle_b, :rest_length, :compliance, :force) do

@@ -178,6 +178,8 @@ class LowFunctions {
     static native int gphys_solver_get_origin(Pointer solver, Pointer outOrigin);
     static native int gphys_solver_set_gravity(Pointer solver, Pointer gravity);
     static native int gphys_solver_set_substeps(Pointer solver, int substeps);
+    static native int gphys_solver_get_settings(Pointer solver, Pointer outSettings);
+    static native int gphys_solver_set_settings(Pointer solver, Pointer settings);
     static native int gphys_body_desc_init(Pointer desc, int size);
     static native int gphys_solver_add_particles(Pointer solver, Pointer desc, Pointer positions, int positionStride, int count, Pointer outBody);
     static native int gphys_solver_add_rope(Pointer solver, Pointer desc, Pointer positions, int positionStride, int count, float linkLength, Pointer outBody);
@@ -187,6 +189,8 @@ class LowFunctions {
     static native int gphys_solver_get_bodies(Pointer solver, Pointer outBodies, int capacity, Pointer outTotal);
     static native int gphys_solver_get_sleeping(Pointer solver, Pointer outBodies, int capacity, Pointer outTotal);
     static native int gphys_solver_wake(Pointer solver, int body);
+    static native int gphys_solver_get_body_settings(Pointer solver, int body, Pointer outSettings);
+    static native int gphys_solver_set_body_settings(Pointer solver, int body, Pointer settings);
     static native int gphys_solver_get_body_info(Pointer solver, int body, Pointer outInfo);
     static native int gphys_solver_get_triangles(Pointer solver, int body, Pointer outIndices, int capacity, Pointer outTotal);
     static native int gphys_solver_get_positions(Pointer solver, int body, int first, int count, Pointer outPositions, int outStride);
@@ -195,9 +199,16 @@ class LowFunctions {
     static native int gphys_solver_set_velocities(Pointer solver, int body, int first, int count, Pointer velocities, int stride);
     static native int gphys_solver_get_masses(Pointer solver, int body, int first, int count, Pointer outMasses, int outStride);
     static native int gphys_solver_set_masses(Pointer solver, int body, int first, int count, Pointer masses, int stride);
+    static native int gphys_solver_get_radii(Pointer solver, int body, int first, int count, Pointer outRadii, int outStride);
     static native int gphys_solver_set_radii(Pointer solver, int body, int first, int count, Pointer radii, int stride);
+    static native int gphys_solver_get_forces(Pointer solver, int body, int first, int count, Pointer outForces, int outStride);
     static native int gphys_solver_set_forces(Pointer solver, int body, int first, int count, Pointer forces, int stride);
+    static native int gphys_solver_get_pinned(Pointer solver, int body, int first, int count, Pointer outPinned, int outStride);
     static native int gphys_solver_set_pinned(Pointer solver, int body, int first, int count, int pinned);
+    static native int gphys_solver_set_wind(Pointer solver, int body, Pointer wind);
+    static native int gphys_solver_get_wind(Pointer solver, int body, Pointer outWind);
+    static native int gphys_solver_set_air_velocities(Pointer solver, int body, int first, int count, Pointer velocities, int stride);
+    static native int gphys_solver_get_air_velocities(Pointer solver, int body, int first, int count, Pointer outVelocities, int outStride);
     static native int gphys_solver_attach(Pointer solver, Pointer scene, int body, int particle, int model, Pointer localPoint);
     static native int gphys_solver_detach(Pointer solver, int body, int particle);
     static native int gphys_solver_add_distance(Pointer solver, int body, int particleA, int particleB, float restLength, float compliance, Pointer outConstraint);
@@ -207,6 +218,8 @@ class LowFunctions {
     static native int gphys_solver_get_volume(Pointer solver, int body, Pointer outVolume, Pointer outPressure);
     static native int gphys_solver_remove_constraint(Pointer solver, int body, int constraint);
     static native int gphys_solver_get_constraints(Pointer solver, int body, Pointer outConstraints, int capacity, Pointer outTotal);
+    static native int gphys_solver_get_constraint_settings(Pointer solver, int body, Pointer constraints, int count, Pointer outSettings, int outStride);
+    static native int gphys_solver_set_constraint_settings(Pointer solver, int body, Pointer constraints, Pointer settings, int settingStride, int count);
     static native int gphys_solver_join(Pointer solver, int bodyA, int particleA, int bodyB, int particleB, float restLength, float compliance, Pointer outJoint);
     static native int gphys_solver_unjoin(Pointer solver, int joint);
     static native int gphys_solver_get_joints(Pointer solver, int body, Pointer outJoints, int capacity, Pointer outTotal);

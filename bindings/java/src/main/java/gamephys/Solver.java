@@ -81,6 +81,31 @@ public final class Solver extends Owned {
     }
 
     /**
+     * The settings of a solver as they are.
+     * Cost: O(1).
+     */
+    public SolverSettings getSettings() {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_settings(opened(), scratch.slot(1));
+        Low.keep(this);
+        Low.check(status);
+        return SolverSettings.read(scratch.memory, Scratch.at(1));
+    }
+
+    /**
+     * Change all settings, from the next step on. Read them, change some, and give them back. Bodies wake
+     * if gravity or the settings of sleep change. Time that Solver.advance owes beyond the new fixed_step
+     * is dropped.
+     * Cost: O(bodies).
+     */
+    public void setSettings(SolverSettings settings) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_set_settings(opened(), scratch.put(1, settings));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
      * Add a body of particles without constraints.
      * Cost: O(elements).
      * @param desc null: the defaults
@@ -233,6 +258,30 @@ public final class Solver extends Owned {
     }
 
     /**
+     * The settings of a body as they are; static_friction as it acts, friction at least.
+     * Cost: O(1).
+     */
+    public BodySettings getBodySettings(int body) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_body_settings(opened(), body, scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return BodySettings.read(scratch.memory, Scratch.at(2));
+    }
+
+    /**
+     * Change all settings of a body, from the next step on: read them, change some, and give them back.
+     * Wakes the body.
+     * Cost: O(1); O(particles) when self_collision changes, and it allocates.
+     */
+    public void setBodySettings(int body, BodySettings settings) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_set_body_settings(opened(), body, scratch.put(2, settings));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
      * What a body is made of and how it is solved.
      * Cost: O(1); after a change of constraints O(particles), and it allocates.
      */
@@ -358,6 +407,25 @@ public final class Solver extends Owned {
     }
 
     /**
+     * Collision radii of particles, metres.
+     * Cost: O(count).
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
+     */
+    public Batch<Float> getRadii(int body, int first, int count, Batch<Float> out) {
+        Batch<Float> room = Batch.room(Layout.FLOAT, count, out);
+        int status = Low.gphys_solver_get_radii(opened(), body, first, count, room.pointer(), Layout.FLOAT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Float> getRadii(int body, int first, int count) {
+        return getRadii(body, first, count, (Batch<Float>) null);
+    }
+
+    /**
      * Change the collision radii of particles. Wakes the body.
      * Cost: O(elements).
      * @param first as in Solver.getPositions
@@ -368,6 +436,25 @@ public final class Solver extends Owned {
         int status = Low.gphys_solver_set_radii(opened(), body, first, count, radii.pointer(), radii.stride());
         Low.keep(this, radii);
         Low.check(status);
+    }
+
+    /**
+     * The forces that were set for particles, newtons.
+     * Cost: O(count).
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
+     */
+    public Batch<Vec3> getForces(int body, int first, int count, Batch<Vec3> out) {
+        Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
+        int status = Low.gphys_solver_get_forces(opened(), body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Vec3> getForces(int body, int first, int count) {
+        return getForces(body, first, count, (Batch<Vec3>) null);
     }
 
     /**
@@ -384,6 +471,25 @@ public final class Solver extends Owned {
     }
 
     /**
+     * Which particles are pinned or attached.
+     * Cost: O(count).
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
+     */
+    public Batch<Integer> getPinned(int body, int first, int count, Batch<Integer> out) {
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_solver_get_pinned(opened(), body, first, count, room.pointer(), Layout.INT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> getPinned(int body, int first, int count) {
+        return getPinned(body, first, count, (Batch<Integer>) null);
+    }
+
+    /**
      * Pin or release particles. A pinned particle stays where it is put and moves only by
      * Solver.setPositions; its speed is 0. Both pinning and releasing end an attachment.
      * Cost: O(count).
@@ -395,6 +501,73 @@ public final class Solver extends Owned {
         int status = Low.gphys_solver_set_pinned(opened(), body, first, count, pinned ? 1 : 0);
         Low.keep(this);
         Low.check(status);
+    }
+
+    /**
+     * Put a body into moving air. Until this is called there is none. Wakes the body. With u the velocity
+     * relative to the air, the force is on a triangle of cloth -rho/2 A |u| ((C_D cos a - C_L cos^2 a) u +
+     * C_L (u . n) n), cos a = |u . n| / |u|, the first term not below 0: drag as A cos a, which is what
+     * the wind sees of it, and lift across the wind as sin a cos a (Keckeisen et al. 2004, "Modelling
+     * effects of wind fields in cloth animations"); with C_L = C_D it is nearly the pressure on a plate,
+     * along n; on a link of a rope -rho/2 C_D 2 r l |u'| u', u' the part of u across it, r the radius (the
+     * cross-flow principle: Hoerner 1965, "Fluid-dynamic drag"); on a free particle -rho/2 C_D pi r^2 |u|
+     * u. Strong wind takes bodies along and never beyond: whatever the density, a substep does not reverse
+     * u.
+     * Cost: O(1) a body; in each substep of cloth some 15 ns a triangle, in each step of others as much
+     * for each link or particle.
+     * @param body 0: all bodies there are
+     * @param wind of density 0: no air
+     */
+    public void setWind(int body, Wind wind) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_set_wind(opened(), body, scratch.put(2, wind));
+        Low.keep(this);
+        Low.check(status);
+    }
+
+    /**
+     * The air around a body as it was set; zeros if it was not.
+     * Cost: O(1).
+     */
+    public Wind getWind(int body) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_wind(opened(), body, scratch.slot(2));
+        Low.keep(this);
+        Low.check(status);
+        return Wind.read(scratch.memory, Scratch.at(2));
+    }
+
+    /**
+     * Give the air at particles a velocity beside that of Wind, from now on until set again: gusts,
+     * eddies, a field of your own that is sampled at the particles' positions. Wakes the body.
+     * Cost: O(elements); the first time O(particles), and it allocates.
+     * @param first as in Solver.getPositions
+     * @param velocities m/s
+     */
+    public void setAirVelocities(int body, int first, Batch<Vec3> velocities) {
+        int count = Low.common(velocities.common());
+        int status = Low.gphys_solver_set_air_velocities(opened(), body, first, count, velocities.pointer(), velocities.stride());
+        Low.keep(this, velocities);
+        Low.check(status);
+    }
+
+    /**
+     * Velocities of the air at particles, m/s, beside that of Wind.
+     * Cost: O(count).
+     * @param first as in Solver.getPositions
+     * @param count as in Solver.getPositions
+     */
+    public Batch<Vec3> getAirVelocities(int body, int first, int count, Batch<Vec3> out) {
+        Batch<Vec3> room = Batch.room(Vec3.LAYOUT, count, out);
+        int status = Low.gphys_solver_get_air_velocities(opened(), body, first, count, room.pointer(), Vec3.LAYOUT.bytes());
+        Low.keep(this, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Vec3> getAirVelocities(int body, int first, int count) {
+        return getAirVelocities(body, first, count, (Batch<Vec3>) null);
     }
 
     /**
@@ -549,6 +722,40 @@ public final class Solver extends Owned {
                 Low.keep(this);
                 return status;
             });
+    }
+
+    /**
+     * What constraints are like.
+     * Cost: O(elements).
+     * @param constraints the ids; one may stand twice
+     */
+    public Batch<ConstraintSettings> getConstraintSettings(int body, Batch<Integer> constraints, Batch<ConstraintSettings> out) {
+        int count = Low.common(constraints.common());
+        Batch<ConstraintSettings> room = Batch.room(ConstraintSettings.LAYOUT, count, out);
+        int status = Low.gphys_solver_get_constraint_settings(opened(), body, constraints.pointer(), count, room.pointer(), ConstraintSettings.LAYOUT.bytes());
+        Low.keep(this, constraints, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<ConstraintSettings> getConstraintSettings(int body, Batch<Integer> constraints) {
+        return getConstraintSettings(body, constraints, (Batch<ConstraintSettings>) null);
+    }
+
+    /**
+     * Change constraints while they act, all or none: winches, muscles. A rest length goes from the old to
+     * the new one at constant speed during the next step; a winch that reels in at v m/s is given a length
+     * that is v dt shorter before each step of dt. Wakes the body.
+     * Cost: O(elements); in the next step O(constraints) to pack them again, of rigid cloth with pins that
+     * gets longer links O(n log n). Chains are not planned again.
+     * @param constraints the ids; one that stands twice gets the last
+     */
+    public void setConstraintSettings(int body, Batch<Integer> constraints, Batch<ConstraintSettings> settings) {
+        int count = Low.common(constraints.common(), settings.common());
+        int status = Low.gphys_solver_set_constraint_settings(opened(), body, constraints.pointer(), settings.pointer(), settings.stride(), count);
+        Low.keep(this, constraints, settings);
+        Low.check(status);
     }
 
     /**

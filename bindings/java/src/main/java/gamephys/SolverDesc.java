@@ -189,4 +189,18 @@ public final class SolverDesc {
     public int maxSubsteps() {
         return memory.getInt(Low.pick(72, 60));
     }
+
+    /**
+     * <pre>
+     * see SolverSettings; 0: no bound; default 0
+     * </pre>
+     */
+    public SolverDesc maxWork(int value) {
+        memory.putInt(Low.pick(76, 64), value);
+        return this;
+    }
+
+    public int maxWork() {
+        return memory.getInt(Low.pick(76, 64));
+    }
 }
