@@ -8,7 +8,7 @@
 // too. --digests prints the digest of each program, to find the one in which two instruction sets differ. --print shows
 // what each program draws. --exceptions checks that calls with valid input raise no floating-point exception that a
 // host may trap; --round and --flush make the calls in another rounding mode, or with denormal numbers flushed to zero;
-// --modes takes these modes in turn, one for each program.
+// --modes runs each program once more in one of these modes, and compares the answers.
 #include <algorithm>
 #include <cfenv>
 #include <chrono>
@@ -94,30 +94,43 @@ std::string as_file_name(std::string text) {
     return text;
 }
 
-/// The number-th of the modes that programs do not start in.
-void set_mode(uint64_t number) {
+/// The number-th of the modes that programs do not start in, or none of them.
+void set_mode(std::optional<uint64_t> number) {
     constexpr int roundings[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST};
     fuzz::Session& session = fuzz::session();
-    session.rounding = roundings[number % 4];
-    session.flush = number % 4 == 3 || number % 8 == 4;
+    session.rounding = number ? roundings[*number % 4] : FE_TONEAREST;
+    session.flush = number && (*number % 4 == 3 || *number % 8 == 4);
 }
 
-void run_present(Tally& tally, const std::string& source) {
+void report(Tally& tally, const char* check, const std::string& source) {
+    if (tally.findings[check]++ > 0) return;
+    std::fprintf(stderr, "%s: does not hold: %s (%s)\n", fuzz::target_name, check, source.c_str());
+    keep("finding-" + std::string(fuzz::target_name) + "-" + as_file_name(check));
+}
+
+/// The digest of the present program's answers.
+uint64_t run_once(Tally& tally, const std::string& source) {
     fuzz::session().digest = 0;
-    if (tally.other_modes) set_mode(tally.programs);
     limit_time(20);
     fuzz::Program program(present.data(), present.size());
     try {
         fuzz::run(program);
     } catch (const fuzz::Finding& finding) {
-        if (!finding.ignored && tally.findings[finding.check]++ == 0) {
-            std::fprintf(stderr, "%s: does not hold: %s (%s)\n", fuzz::target_name, finding.check, source.c_str());
-            keep("finding-" + std::string(fuzz::target_name) + "-" + as_file_name(finding.check));
-        }
+        if (!finding.ignored) report(tally, finding.check, source);
     }
     limit_time(0);
+    return fuzz::session().digest;
+}
+
+void run_present(Tally& tally, const std::string& source) {
+    const uint64_t digest = run_once(tally, source);
+    if (tally.other_modes) {
+        set_mode(tally.programs);
+        if (run_once(tally, source) != digest)
+            report(tally, "every floating-point mode gives the same answers", source);
+        set_mode(std::nullopt);
+    }
     ++tally.programs;
-    const uint64_t digest = fuzz::session().digest;
     tally.digest = (tally.digest ^ digest) * 0x9e3779b97f4a7c15;
     if (tally.print_digests) std::printf("%s %016llx\n", source.c_str(), static_cast<unsigned long long>(digest));
 }
