@@ -1333,12 +1333,16 @@ GPHYS_API gphys_status gphys_camera_set_orthographic(gphys_camera* camera, float
 GPHYS_API gphys_status gphys_camera_set_projection(gphys_camera* camera, const gphys_mat4* projection);
 /** As gphys_camera_set_perspective, with an aspect of its own: the viewport stretches the image, as one of
  *  pixels that are not square, and does not change what is seen.
+ *  @param fov_y   full vertical angle in radians, 1e-6 <= fov_y < pi
  *  @param aspect  width over height of what is seen, 1e-6 .. 1e6
+ *  @param near_distance  metres, > 0
+ *  @param far_distance   metres, > near_distance; INFINITY allowed
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_set_perspective_aspect(gphys_camera* camera, float fov_y, float aspect,
                                                            float near_distance, float far_distance);
 /** As gphys_camera_set_orthographic, with a width of its own, which the viewport does not change.
  *  @param width, height  metres seen from left to right and from top to bottom, >= 1e-6
+ *  @param near_distance, far_distance  metres; far at least 1e-6 above near, which may be negative
  *  Cost: O(1).  Since 1.1. */
 GPHYS_API gphys_status gphys_camera_set_orthographic_size(gphys_camera* camera, float width, float height,
                                                           float near_distance, float far_distance);
