@@ -1624,7 +1624,10 @@ func (o *Camera) SetProjection(projection Mat4) (err error) {
 
 // As Camera.SetPerspective, with an aspect of its own: the viewport stretches the image, as one of
 // pixels that are not square, and does not change what is seen.
+//   - fovY: full vertical angle in radians, 1e-6 <= fovY < pi
 //   - aspect: width over height of what is seen, 1e-6 .. 1e6
+//   - nearDistance: metres, > 0
+//   - farDistance: metres, > nearDistance; INFINITY allowed
 // Cost: O(1). Since 1.1.
 func (o *Camera) SetPerspectiveAspect(fovY float32, aspect float32, nearDistance float32, farDistance float32) (err error) {
 	self, err := o.open()
@@ -1639,6 +1642,7 @@ func (o *Camera) SetPerspectiveAspect(fovY float32, aspect float32, nearDistance
 
 // As Camera.SetOrthographic, with a width of its own, which the viewport does not change.
 //   - width, height: metres seen from left to right and from top to bottom, >= 1e-6
+//   - nearDistance, farDistance: metres; far at least 1e-6 above near, which may be negative
 // Cost: O(1). Since 1.1.
 func (o *Camera) SetOrthographicSize(width float32, height float32, nearDistance float32, farDistance float32) (err error) {
 	self, err := o.open()

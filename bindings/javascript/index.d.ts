@@ -992,12 +992,17 @@ export class Camera {
     /** As Camera.setPerspective, with an aspect of its own: the viewport stretches the image, as one of
      * pixels that are not square, and does not change what is seen.
      * Cost: O(1). Since 1.1.
-     * @param aspect - width over height of what is seen, 1e-6 .. 1e6 */
+     * @param fov_y - full vertical angle in radians, 1e-6 <= fov_y < pi
+     * @param aspect - width over height of what is seen, 1e-6 .. 1e6
+     * @param near_distance - metres, > 0
+     * @param far_distance - metres, > near_distance; INFINITY allowed */
     setPerspectiveAspect(fov_y: number, aspect: number, near_distance: number, far_distance: number): void;
     /** As Camera.setOrthographic, with a width of its own, which the viewport does not change.
      * Cost: O(1). Since 1.1.
      * @param width - metres seen from left to right and from top to bottom, >= 1e-6
-     * @param height - metres seen from left to right and from top to bottom, >= 1e-6 */
+     * @param height - metres seen from left to right and from top to bottom, >= 1e-6
+     * @param near_distance - metres; far at least 1e-6 above near, which may be negative
+     * @param far_distance - metres; far at least 1e-6 above near, which may be negative */
     setOrthographicSize(width: number, height: number, near_distance: number, far_distance: number): void;
     /** The viewport was resized. Perspective keeps fov_y, orthographic its height; it is refused if that
      * makes the width more than twice MAX_COORDINATE.

@@ -893,7 +893,10 @@ public:
 
     // As Camera::set_perspective, with an aspect of its own: the viewport stretches the image, as one of
     // pixels that are not square, and does not change what is seen.
+    //   - fov_y: full vertical angle in radians, 1e-6 <= fov_y < pi
     //   - aspect: width over height of what is seen, 1e-6 .. 1e6
+    //   - near_distance: metres, > 0
+    //   - far_distance: metres, > near_distance; INFINITY allowed
     // Cost: O(1). Since 1.1.
     void set_perspective_aspect(float fov_y, float aspect, float near_distance, float far_distance) {
         check(gphys_camera_set_perspective_aspect(handle(), fov_y, aspect, near_distance, far_distance));
@@ -901,6 +904,7 @@ public:
 
     // As Camera::set_orthographic, with a width of its own, which the viewport does not change.
     //   - width, height: metres seen from left to right and from top to bottom, >= 1e-6
+    //   - near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative
     // Cost: O(1). Since 1.1.
     void set_orthographic_size(float width, float height, float near_distance, float far_distance) {
         check(gphys_camera_set_orthographic_size(handle(), width, height, near_distance, far_distance));

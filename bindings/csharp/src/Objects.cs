@@ -1141,7 +1141,10 @@ public sealed partial class Camera : IDisposable {
     /// <summary>As Camera.SetPerspective, with an aspect of its own: the viewport stretches the image, as one of
     /// pixels that are not square, and does not change what is seen.
     /// Cost: O(1). Since 1.1.</summary>
+    /// <param name="fovY">full vertical angle in radians, 1e-6 &lt;= fovY &lt; pi</param>
     /// <param name="aspect">width over height of what is seen, 1e-6 .. 1e6</param>
+    /// <param name="nearDistance">metres, &gt; 0</param>
+    /// <param name="farDistance">metres, &gt; nearDistance; INFINITY allowed</param>
     public unsafe void SetPerspectiveAspect(float fovY, float aspect, float nearDistance, float farDistance) {
         Check(Low.gphys_camera_set_perspective_aspect(Handle, fovY, aspect, nearDistance, farDistance));
     }
@@ -1150,6 +1153,8 @@ public sealed partial class Camera : IDisposable {
     /// Cost: O(1). Since 1.1.</summary>
     /// <param name="width">metres seen from left to right and from top to bottom, &gt;= 1e-6</param>
     /// <param name="height">metres seen from left to right and from top to bottom, &gt;= 1e-6</param>
+    /// <param name="nearDistance">metres; far at least 1e-6 above near, which may be negative</param>
+    /// <param name="farDistance">metres; far at least 1e-6 above near, which may be negative</param>
     public unsafe void SetOrthographicSize(float width, float height, float nearDistance, float farDistance) {
         Check(Low.gphys_camera_set_orthographic_size(Handle, width, height, nearDistance, farDistance));
     }

@@ -867,7 +867,10 @@ end
 --- As Camera:set_perspective, with an aspect of its own: the viewport stretches the image, as one of
 --- pixels that are not square, and does not change what is seen.
 --- Cost: O(1). Since 1.1.
+--- @param fov_y full vertical angle in radians, 1e-6 <= fov_y < pi
 --- @param aspect width over height of what is seen, 1e-6 .. 1e6
+--- @param near_distance metres, > 0
+--- @param far_distance metres, > near_distance; INFINITY allowed
 function Camera:set_perspective_aspect(fov_y, aspect, near_distance, far_distance)
     check(C.gphys_camera_set_perspective_aspect(opened(self), fov_y, aspect, near_distance, far_distance))
 end
@@ -876,6 +879,8 @@ end
 --- Cost: O(1). Since 1.1.
 --- @param width metres seen from left to right and from top to bottom, >= 1e-6
 --- @param height metres seen from left to right and from top to bottom, >= 1e-6
+--- @param near_distance metres; far at least 1e-6 above near, which may be negative
+--- @param far_distance metres; far at least 1e-6 above near, which may be negative
 function Camera:set_orthographic_size(width, height, near_distance, far_distance)
     check(C.gphys_camera_set_orthographic_size(opened(self), width, height, near_distance, far_distance))
 end

@@ -926,7 +926,10 @@ class Camera(Object):
         Cost: O(1). Since 1.1.
 
         Args:
-            aspect: width over height of what is seen, 1e-6 .. 1e6"""
+            fov_y: full vertical angle in radians, 1e-6 <= fov_y < pi
+            aspect: width over height of what is seen, 1e-6 .. 1e6
+            near_distance: metres, > 0
+            far_distance: metres, > near_distance; INFINITY allowed"""
         check(low.gphys_camera_set_perspective_aspect(self._handle, fov_y, aspect, near_distance, far_distance))
 
     def set_orthographic_size(self, width: float, height: float, near_distance: float, far_distance: float) -> None:
@@ -934,7 +937,8 @@ class Camera(Object):
         Cost: O(1). Since 1.1.
 
         Args:
-            width, height: metres seen from left to right and from top to bottom, >= 1e-6"""
+            width, height: metres seen from left to right and from top to bottom, >= 1e-6
+            near_distance, far_distance: metres; far at least 1e-6 above near, which may be negative"""
         check(low.gphys_camera_set_orthographic_size(self._handle, width, height, near_distance, far_distance))
 
     def set_viewport(self, width: float, height: float) -> None:

@@ -1164,7 +1164,10 @@ impl Camera {
     ///
     /// Cost: O(1). Since 1.1.
     ///
+    /// * `fov_y`: full vertical angle in radians, 1e-6 <= fov_y < pi
     /// * `aspect`: width over height of what is seen, 1e-6 .. 1e6
+    /// * `near_distance`: metres, > 0
+    /// * `far_distance`: metres, > near_distance; INFINITY allowed
     pub fn set_perspective_aspect(&mut self, fov_y: f32, aspect: f32, near_distance: f32, far_distance: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_perspective_aspect(self.handle.as_ptr(), fov_y, aspect, near_distance, far_distance) })
     }
@@ -1174,6 +1177,7 @@ impl Camera {
     /// Cost: O(1). Since 1.1.
     ///
     /// * `width`, `height`: metres seen from left to right and from top to bottom, >= 1e-6
+    /// * `near_distance`, `far_distance`: metres; far at least 1e-6 above near, which may be negative
     pub fn set_orthographic_size(&mut self, width: f32, height: f32, near_distance: f32, far_distance: f32) -> Result<()> {
         check(unsafe { sys::gphys_camera_set_orthographic_size(self.handle.as_ptr(), width, height, near_distance, far_distance) })
     }

@@ -796,7 +796,10 @@ module Gamephys
     # As Camera#set_perspective, with an aspect of its own: the viewport stretches the image, as one of
     # pixels that are not square, and does not change what is seen.
     # Cost: O(1). Since 1.1.
+    # @param fov_y full vertical angle in radians, 1e-6 <= fov_y < pi
     # @param aspect width over height of what is seen, 1e-6 .. 1e6
+    # @param near_distance metres, > 0
+    # @param far_distance metres, > near_distance; INFINITY allowed
     def set_perspective_aspect(fov_y, aspect, near_distance, far_distance)
       Low.check(Low.gphys_camera_set_perspective_aspect(opened, fov_y, aspect, near_distance, far_distance))
       nil
@@ -806,6 +809,8 @@ module Gamephys
     # Cost: O(1). Since 1.1.
     # @param width metres seen from left to right and from top to bottom, >= 1e-6
     # @param height metres seen from left to right and from top to bottom, >= 1e-6
+    # @param near_distance metres; far at least 1e-6 above near, which may be negative
+    # @param far_distance metres; far at least 1e-6 above near, which may be negative
     def set_orthographic_size(width, height, near_distance, far_distance)
       Low.check(Low.gphys_camera_set_orthographic_size(opened, width, height, near_distance, far_distance))
       nil

@@ -97,7 +97,10 @@ public final class Camera extends Owned {
      * As Camera.setPerspective, with an aspect of its own: the viewport stretches the image, as one of
      * pixels that are not square, and does not change what is seen.
      * Cost: O(1). Since 1.1.
+     * @param fovY full vertical angle in radians, 1e-6 &lt;= fovY &lt; pi
      * @param aspect width over height of what is seen, 1e-6 .. 1e6
+     * @param nearDistance metres, &gt; 0
+     * @param farDistance metres, &gt; nearDistance; INFINITY allowed
      */
     public void setPerspectiveAspect(float fovY, float aspect, float nearDistance, float farDistance) {
         int status = Low.gphys_camera_set_perspective_aspect(opened(), fovY, aspect, nearDistance, farDistance);
@@ -110,6 +113,8 @@ public final class Camera extends Owned {
      * Cost: O(1). Since 1.1.
      * @param width metres seen from left to right and from top to bottom, &gt;= 1e-6
      * @param height metres seen from left to right and from top to bottom, &gt;= 1e-6
+     * @param nearDistance metres; far at least 1e-6 above near, which may be negative
+     * @param farDistance metres; far at least 1e-6 above near, which may be negative
      */
     public void setOrthographicSize(float width, float height, float nearDistance, float farDistance) {
         int status = Low.gphys_camera_set_orthographic_size(opened(), width, height, nearDistance, farDistance);
