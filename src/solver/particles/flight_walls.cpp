@@ -6,11 +6,10 @@ void FlightWalls::begin(const Body& body, const Surroundings& step, uint32_t fir
     scene_ = step.scene;
     first_ = first;
     count_ = count;
-    wall_count_ = 0;
     usable_ = scene_ != nullptr;
     Aabb all{body.position[first], body.position[first]};
     for (uint32_t i = 0; i < count; ++i) {
-        balls_[i].reach = -1;
+        balls_[i] = {body.position[first + i], has_not_looked, 0};
         all = {min(all.min, body.position[first + i]), max(all.max, body.position[first + i])};
     }
     // Those that look around come no further than their radius, and touch what is as near again.
@@ -24,52 +23,55 @@ void FlightWalls::begin(const Body& body, const Surroundings& step, uint32_t fir
 }
 
 /// Together with those that follow it and lie beside it.
-void FlightWalls::look(const Body& body, uint32_t particle, double reach) {
-    const Vec3 at = body.position[particle];
-    const double size = 8 * (body.radius[particle] + reach);
-    uint32_t together = 0;
-    Aabb places{at, at};
+void FlightWalls::look(const Body& body, uint32_t particle) {
+    Aabb places{ball(particle).center, ball(particle).center};
+    uint32_t together = 1;
+    for (; together < NearParts::most_points && particle + together < first_ + count_; ++together) {
+        const Ball& next = ball(particle + together);
+        places = {min(places.min, next.center), max(places.max, next.center)};
+        const double size = 16 * body.largest_radius;
+        if (next.sight != has_not_looked || max_component(places.max - places.min) > size) break;
+    }
+    if (look_together(body, particle, together)) return;
+    for (uint32_t p = particle; p < particle + together; ++p) {
+        if (!look_together(body, p, 1)) ball(p).sight = blocked;
+    }
+}
+
+/// False, and nothing is found, if there is too much around.
+bool FlightWalls::look_together(const Body& body, uint32_t particle, uint32_t count) {
+    Aabb places{ball(particle).center, ball(particle).center};
     double farthest = 0;
-    while (together < NearParts::most_points && particle + together < first_ + count_) {
-        const uint32_t p = particle + together;
-        const Vec3 place = body.position[p];
-        const Aabb wider{min(places.min, place), max(places.max, place)};
-        if (ball(p).reach >= 0 || max_component(wider.max - wider.min) > size) break;
-        places = wider;
-        ball(p).center = place;
-        ball(p).reach = static_cast<float>(std::min(reach, body.radius[p]));
-        probes_[together++] = {place, body.radius[p] + ball(p).reach};
-        farthest = std::max(farthest, probes_[together - 1].radius);
+    for (uint32_t i = 0; i < count; ++i) {
+        const Vec3 at = ball(particle + i).center;
+        probes_[i] = {at, 2 * body.radius[particle + i]};
+        places = {min(places.min, at), max(places.max, at)};
+        farthest = std::max(farthest, probes_[i].radius);
     }
     const Vec3 room{farthest, farthest, farthest};
-    parts_.clear(together);
+    parts_.clear(count);
     bool complete = true;
     scene_->for_each_in_box(
         bounds(Aabb{places.min - room, places.max + room}), body.settings.layers,
         [&](gphys_model_id model) { complete = parts_.add(*scene_, model, 0, probes_) && complete; });
-    for (uint32_t i = 0; i < together; ++i) {
-        if (complete) {
-            settle(body, particle + i, i);
-        } else {
-            ball(particle + i).reach = 0;
-        }
-    }
+    for (uint32_t i = 0; i < count && complete; ++i) settle(body, particle + i, i);
+    return complete;
 }
 
 void FlightWalls::settle(const Body& body, uint32_t p, uint32_t point) {
     Ball& ball = this->ball(p);
-    ball.first = static_cast<uint16_t>(wall_count_);
-    ball.count = 0;
     const double radius = body.radius[p], gap = skin(radius, ball.center);
+    ball.count = 0;
+    ball.sight = clear;
     parts_.look_from(point);
     for (NearPart part; parts_.take_nearest(part); ++ball.count) {
-        const double height = dot(part.normal, part.closest) + radius;
         // Too many; or in something, from which it has to come out.
-        if (ball.count == most_of_a_particle || wall_count_ == most_walls || part.distance <= radius) {
-            ball.reach = 0;
+        if (ball.count == most_walls || part.distance <= radius) {
+            ball.sight = blocked;
             return;
         }
-        walls_[wall_count_++] = {part.normal, height, part.model};
+        const double height = dot(part.normal, part.closest) + radius;
+        walls_[p - first_][ball.count] = {part.normal, height, part.model};
         // Coplanar triangles share a wall.
         if (part.is_triangle) parts_.leave_out_behind(part.normal, height - radius + gap / 2, 0);
     }
@@ -77,15 +79,13 @@ void FlightWalls::settle(const Body& body, uint32_t p, uint32_t point) {
 
 bool FlightWalls::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
     if (!usable_ || reach > body.radius[p]) return false;
-    if (ball(p).reach < 0) look(body, p, reach);
+    if (ball(p).sight == has_not_looked) look(body, p);
     const Ball& ball = this->ball(p);
-    const double squared = double{ball.reach} * ball.reach;
-    if (length_squared(from - ball.center) >= squared || length_squared(from + displacement - ball.center) >= squared) {
-        return false;
-    }
+    const auto in_ball = [&](Vec3 at) { return length_squared(at - ball.center) < body.radius[p] * body.radius[p]; };
+    if (ball.sight == blocked || !in_ball(from) || !in_ball(from + displacement)) return false;
     impact = {};
-    for (uint32_t i = ball.first; i < uint32_t{ball.first} + ball.count; ++i) {
-        const Wall& wall = walls_[i];
+    for (uint32_t i = 0; i < ball.count; ++i) {
+        const Wall& wall = walls_[p - first_][i];
         const double gap = dot(wall.normal, from) - wall.height, approach = -dot(wall.normal, displacement);
         if (gap < 0) return false;
         if (approach <= gap) continue;

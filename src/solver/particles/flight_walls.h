@@ -2,8 +2,9 @@
 //
 // To sweep a sphere against a mesh takes a microsecond. A particle that hardly moves looks around once a step instead
 // and gets a ball, and the planes of the convex parts of models that it could touch there: what it meets on a path
-// within the ball is found by a division for each plane. Only slow ones do so, whose ball is no wider than their
-// radius: the planes belong to where they looked, and edges are round.
+// within the ball is found by a division for each plane. The ball is as wide as the particle and only slow ones use it:
+// the planes belong to where they looked, and edges are round. What a particle finds does not depend on others: it
+// looks from where it was when the step began, and has room of its own.
 #pragma once
 
 #include "scene/near_parts.h"
@@ -22,27 +23,29 @@ public:
     bool sweep(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double reach, Impact& impact);
 
 private:
-    static constexpr uint32_t most_walls = 640, most_of_a_particle = 3;
+    static constexpr uint32_t most_walls = 2;  // of a particle
 
     struct Wall {
         Vec3 normal;
         double height;  // the particle touches where dot(normal, its position) is this
         gphys_model_id model;
     };
+    enum Sight : uint32_t { has_not_looked, clear, blocked };
     struct Ball {
         Vec3 center;
-        float reach = -1;  // metres; < 0: has not looked
-        uint16_t first = 0, count = 0;
+        Sight sight;
+        uint32_t count;  // of walls
     };
-    void look(const Body& body, uint32_t particle, double reach);
+    void look(const Body& body, uint32_t particle);
+    bool look_together(const Body& body, uint32_t particle, uint32_t count);
     void settle(const Body& body, uint32_t particle, uint32_t point);
     Ball& ball(uint32_t particle) { return balls_[particle - first_]; }
 
     const Scene* scene_ = nullptr;
-    uint32_t first_ = 0, count_ = 0, wall_count_ = 0;
+    uint32_t first_ = 0, count_ = 0;
     bool usable_ = false;  // no model that moves is near
     Ball balls_[most_particles];
-    Wall walls_[most_walls];
+    Wall walls_[most_particles][most_walls];
     NearParts parts_;
     Sphere probes_[NearParts::most_points];
 };
