@@ -9,6 +9,18 @@ namespace {
 /// 2^40 times what the tests of triangles add for numbers below the smallest normal one (triangle_setup.h).
 constexpr double smallest_extent = 0x1p-32;
 
+/// Those that have been found, and what find(ray, hit) finds for the others.
+template <class Find>
+uint64_t hits_of_others(uint64_t found, uint32_t count, gphys_hit* const* out, const Find& find) {
+    for (uint32_t i = 0; i < count; ++i) {
+        Hit hit;
+        if ((found >> i & 1) != 0 || !find(i, hit)) continue;
+        *out[i] = to_hit(hit);
+        found |= uint64_t{1} << i;
+    }
+    return found;
+}
+
 double largest_coordinate(const Vector<gphys_vec3>& vertices) {
     double largest = 0;
     for (const gphys_vec3& vertex : vertices) largest = std::max(largest, max_component(abs(widen(vertex))));
@@ -140,27 +152,38 @@ void Mesh::cross_many(const PreparedRay* rays, uint32_t count, NearestCrossing* 
 uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
     if (packets_.empty() || count == 0) return 0;
     if (magnified_) {
-        uint64_t found = 0;
-        for (uint32_t i = 0; i < count; ++i) {
-            Hit hit;
-            if (!raycast(widen(*rays[i]), hit)) continue;
-            *out[i] = to_hit(hit);
-            found |= uint64_t{1} << i;
-        }
-        return found;
+        return hits_of_others(0, count, out, [&](uint32_t i, Hit& hit) { return raycast(widen(*rays[i]), hit); });
     }
     PreparedRays prepared;
     NearestCrossing nearest[rays_at_once];
     kernels_.prepare(rays, count, rays_root_, prepared.of);
     cross_many(prepared.of, count, nearest);
-    uint64_t found = kernels_.hits(prepared.of, nearest, count, out);
-    for (uint32_t i = 0; i < count; ++i) {
-        Hit hit;
-        if ((found >> i & 1) != 0 || !hit_at(nearest[i], prepared.of[i].sheared, hit)) continue;
-        *out[i] = to_hit(hit);
-        found |= uint64_t{1} << i;
+    return hits_of_others(kernels_.hits(prepared.of, nearest, count, out), count, out,
+                          [&](uint32_t i, Hit& hit) { return hit_at(nearest[i], prepared.of[i].sheared, hit); });
+}
+
+uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const Transform& world, gphys_hit* const* out) const {
+    if (packets_.empty() || count == 0) return 0;
+    const auto placed = [&](bool found, Hit& hit) {
+        hit.point = world.apply(hit.point);
+        hit.normal = world.rotation * hit.normal;
+        return found;
+    };
+    if (magnified_) {
+        return hits_of_others(0, count, out, [&](uint32_t i, Hit& hit) {
+            const Vec3 origin = world.inverse_apply(rays[i].origin);
+            const Ray local{origin, world.inverse_apply_to_vector(rays[i].direction), rays[i].t_max};
+            return placed(raycast(local, hit), hit);
+        });
     }
-    return found;
+    PreparedRays prepared;
+    NearestCrossing nearest[rays_at_once];
+    kernels_.prepare_placed(rays, count, world, rays_root_, prepared.of);
+    cross_many(prepared.of, count, nearest);
+    const uint64_t made = kernels_.placed_hits(prepared.of, nearest, count, world, out);
+    return hits_of_others(made, count, out, [&](uint32_t i, Hit& hit) {
+        return placed(hit_at(nearest[i], prepared.of[i].sheared, hit), hit);
+    });
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {

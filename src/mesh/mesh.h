@@ -79,10 +79,8 @@ public:
     /// *out[i] tells then. Faster than one by one, the more so if they go the same way.
     static constexpr uint32_t rays_at_once = Octree::rays_at_once;
     uint64_t raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const;
-    /// The same of ray_of(0) .. ray_of(count - 1), in double precision and no segments, not rounded: hits[i] is written
-    /// where that ray hits.
-    template <class RayOf>
-    uint64_t raycast_many(uint32_t count, const RayOf& ray_of, Hit* hits) const;
+    /// The same of the mesh where it stands, for rays in double precision that are no segments.
+    uint64_t raycast_many(const Ray* rays, uint32_t count, const Transform& world, gphys_hit* const* out) const;
     bool raycast_any(const Ray& ray) const;
     /// Every triangle that the ray hits, in no particular order: visit(const Hit&).
     template <class Visit>
@@ -182,29 +180,6 @@ private:
     mutable std::optional<MeshUsers> users_;
     Vector<gphys_vec3> next_vertices_{&memory};  // while they may be refused; then the old ones
 };
-
-template <class RayOf>
-uint64_t Mesh::raycast_many(uint32_t count, const RayOf& ray_of, Hit* hits) const {
-    if (packets_.empty() || count == 0) return 0;
-    uint64_t found = 0;
-    if (magnified_) {
-        for (uint32_t i = 0; i < count; ++i) found |= uint64_t{raycast(ray_of(i), hits[i])} << i;
-        return found;
-    }
-    PreparedRays prepared;
-    NearestCrossing nearest[rays_at_once];
-    for (uint32_t first = 0; first < count; first += 8) {
-        const uint32_t some = std::min(count - first, 8u);
-        Ray rays[8];
-        for (uint32_t k = 0; k < some; ++k) rays[k] = ray_of(first + k);
-        kernels_.prepare_doubles(rays, some, rays_root_, prepared.of + first);
-    }
-    cross_many(prepared.of, count, nearest);
-    for (uint32_t i = 0; i < count; ++i) {
-        found |= uint64_t{hit_at(nearest[i], prepared.of[i].sheared, hits[i])} << i;
-    }
-    return found;
-}
 
 template <class Visit>
 void Mesh::walk(const PreparedRay& ray, Visit&& visit) const {

@@ -65,15 +65,6 @@ bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit) {
     return true;
 }
 
-uint64_t raycast_many(const MeshInstance& instance, const Ray* rays, uint32_t count, Hit* hits) {
-    const auto local = [&](uint32_t i) { return into_mesh(rays[i], instance.world); };
-    const uint64_t found = instance.mesh.raycast_many(count, local, hits);
-    for (uint32_t i = 0; i < count; ++i) {
-        if ((found >> i & 1) != 0) out_of_mesh(hits[i], instance.world);
-    }
-    return found;
-}
-
 bool comes_near(const MeshInstance& instance, const Ray& ray) {
     const Vec3 to_center = instance.world.apply(instance.mesh.center()) - ray.origin;
     const double radius = instance.mesh.radius() * instance.world.scale, radius_squared = radius * radius;

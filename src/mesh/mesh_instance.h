@@ -15,8 +15,11 @@ struct MeshInstance {
 /// Of an empty mesh: the point where it stands.
 Box bounds(const MeshInstance& instance);
 bool raycast(const MeshInstance& instance, const Ray& ray, Hit& hit);
-/// Up to Mesh::rays_at_once rays that are no segments: bit i of the result is set if rays[i] hits, as hits[i] tells.
-uint64_t raycast_many(const MeshInstance& instance, const Ray* rays, uint32_t count, Hit* hits);
+/// Up to Mesh::rays_at_once rays that are no segments, rounded: bit i of the result is set if rays[i] hits, as *out[i]
+/// tells.
+inline uint64_t raycast_many(const MeshInstance& instance, const Ray* rays, uint32_t count, gphys_hit* const* out) {
+    return instance.mesh.raycast_many(rays, count, instance.world, out);
+}
 /// Whether a ray comes near a mesh: within the ball around it, but for rounding.
 bool comes_near(const MeshInstance& instance, const Ray& ray);
 bool raycast_any(const MeshInstance& instance, const Ray& ray);

@@ -68,10 +68,22 @@ void prepare(const gphys_ray* const* rays, uint32_t count, const RaysRoot& root,
     }
 }
 
-void prepare_doubles(const Ray* rays, uint32_t count, const RaysRoot& root, PreparedRay* to) {
+Vec<Double8> splat3(const Vec3& v) { return {v.x, v.y, v.z}; }
+Matrix<Double8> splat3(const Mat3& m) { return {splat3(m.x), splat3(m.y), splat3(m.z)}; }
+
+void prepare_placed(const Ray* rays, uint32_t count, const Transform& world, const RaysRoot& root, PreparedRay* to) {
+    const Vec<Double8> position = splat3(world.position);
+    const Matrix<Double8> rotation = splat3(world.rotation);
+    const Double8 scale = world.scale;
     for (uint32_t first = 0; first < count; first += 8) {
         const Rays8 eight(rays + first, count - first);
-        prepare_eight(eight.origin, eight.direction, eight.t_max, root, to + first);
+        const Vec<Double8> from{eight.origin[0], eight.origin[1], eight.origin[2]};
+        const Vec<Double8> along{eight.direction[0], eight.direction[1], eight.direction[2]};
+        // Transform::inverse_apply and inverse_apply_to_vector
+        const Vec<Double8> origin = transpose_times(rotation, from - position) / scale;
+        const Vec<Double8> direction = transpose_times(rotation, along) / scale;
+        prepare_eight({origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}, eight.t_max, root,
+                      to + first);
     }
 }
 
@@ -173,7 +185,9 @@ void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pac
     traverse_interleaved<ClosestHit>(nodes, root, probe_of, limits, count, visit, prefetch_of);
 }
 
-uint64_t hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out) {
+template <class Place>
+uint64_t hits_at(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, const Place& place,
+                 gphys_hit* const* out) {
     uint64_t made = 0;
     if constexpr (worth_eight_lanes <= 8) {
         uint32_t number[8], size = 0;
@@ -186,7 +200,7 @@ uint64_t hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t 
                 by[i] = rays + ray;
             }
             gphys_hit eight[8];
-            for (uint32_t rest = make_hits(of, by, eight) & ((1u << size) - 1); rest != 0; rest &= rest - 1) {
+            for (uint32_t rest = make_hits(of, by, place, eight) & ((1u << size) - 1); rest != 0; rest &= rest - 1) {
                 const auto i = static_cast<uint32_t>(lowest_bit(rest));
                 *out[number[i]] = eight[i];
                 made |= uint64_t{1} << number[i];
@@ -201,6 +215,24 @@ uint64_t hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t 
         if (size != 0) make();
     }
     return made;
+}
+
+uint64_t hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out) {
+    return hits_at(
+        rays, nearest, count, [](Vec<Double8>&, Vec<Double8>&) {}, out);
+}
+
+uint64_t placed_hits(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, const Transform& world,
+                     gphys_hit* const* out) {
+    const Vec<Double8> position = splat3(world.position);
+    const Matrix<Double8> rotation = splat3(world.rotation);
+    const Double8 scale = world.scale;
+    // Transform::apply
+    const auto place = [&](Vec<Double8>& point, Vec<Double8>& normal) {
+        point = position + rotation * (point * scale);
+        normal = rotation * normal;
+    };
+    return hits_at(rays, nearest, count, place, out);
 }
 
 uint32_t lanes_in_box(const TrianglePacket& packet, const Box& box) {
@@ -219,7 +251,7 @@ uint32_t lanes_near(const TrianglePacket& packet, const PointProbe& probe, float
 
 }  // namespace
 
-extern const MeshKernels mesh_kernels{prepare, prepare_doubles, walk_ray,    walk_rays,
-                                      hits,    lanes_in_box,    lanes_along, lanes_near};
+extern const MeshKernels mesh_kernels{prepare,      prepare_placed, walk_ray,   walk_rays,  hits,
+                                      lanes_in_box, lanes_along,    lanes_near, placed_hits};
 
 }  // namespace gphys::GPHYS_ISA

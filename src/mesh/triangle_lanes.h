@@ -107,9 +107,11 @@ struct Crossings8 {
     }
 };
 
-/// The hits of eight rays at their nearest crossings (hit_at). Returns those that are made.
+/// The hits of eight rays at their nearest crossings (hit_at), where place(point, normal) puts them. Returns those that
+/// are made.
+template <class Place>
 GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], const PreparedRay* const (&rays)[8],
-                                gphys_hit (&out)[8]) {
+                                const Place& place, gphys_hit (&out)[8]) {
     const auto first = [&](int i, int k) { return nearest[i]->packet->corner[0][k] + nearest[i]->lane; };
     Double8 crossing[3], speed[1];
     load_components([&](int i) { return &nearest[i]->crossing.t; }, crossing);
@@ -132,13 +134,15 @@ GPHYS_INLINE uint32_t make_hits(const NearestCrossing* const (&nearest)[8], cons
         side[i] = nearest[i]->crossing.facing > 0 ? -1.0f : 1.0f;
         std::memcpy(&triangle[i], &nearest[i]->triangle, sizeof triangle[i]);
     }
-    const Vec<Double8> normal = normalized(select(clear, turn, {1.0, 0.0, 0.0})) * widened(load(side));
+    Vec<Double8> normal = normalized(select(clear, turn, {1.0, 0.0, 0.0})) * widened(load(side));
     const auto clamped = [](Double8 weight, Double8 most) {
         return select(weight < 0, 0.0, select(most < weight, most, weight)) + 0.0;  // as in hit_at
     };
     const Double8 u = clamped(crossing[1], 1.0), v = clamped(crossing[2], 1.0 - u);
 
-    store_quads([&](int i) { return &out[i].t; }, rounded_place(crossing[0] + 0.0, a + ab * u + ac * v));
+    Vec<Double8> point = a + ab * u + ac * v;
+    place(point, normal);
+    store_quads([&](int i) { return &out[i].t; }, rounded_place(crossing[0] + 0.0, point));
     store_quads([&](int i) { return &out[i].normal.x; }, rounded_normal(normal, load(triangle)));
     float us[8], vs[8];
     gphys::GPHYS_ISA::store(us, narrowed(u));

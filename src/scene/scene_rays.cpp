@@ -111,7 +111,7 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
 /// through the octree, for all rays at once: then rays that go together share the walk through the mesh as well.
 class Scene::LargeMeshes {
 public:
-    /// take(ray, slot, hit) gets what rays hit.
+    /// take(ray, slot, hit) gets what rays hit, of which model and tag are not filled in.
     template <class Filters, class Take>
     LargeMeshes(const Scene& scene, const Ray* rays, uint32_t count, const Filters& filters, const Take& take) {
         if (count < fewest_rays || std::any_of(rays, rays + count, [](const Ray& ray) { return ray.is_segment; }))
@@ -153,8 +153,10 @@ private:
     template <class Take>
     GPHYS_NOINLINE static void cast(const MeshInstance& mesh, uint32_t slot, const Ray* rays, uint32_t count,
                                     const Take& take) {
-        Hit hits[rays_at_once];
-        for (uint64_t met = gphys::raycast_many(mesh, rays, count, hits); met != 0; met &= met - 1) {
+        gphys_hit hits[rays_at_once];
+        gphys_hit* out[rays_at_once];
+        for (uint32_t i = 0; i < count; ++i) out[i] = hits + i;
+        for (uint64_t met = gphys::raycast_many(mesh, rays, count, out); met != 0; met &= met - 1) {
             const auto i = static_cast<uint32_t>(lowest_bit(met));
             take(i, slot, hits[i]);
         }
@@ -301,8 +303,12 @@ template <class Filters>
 void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, gphys_hit* const* out) const {
     Later<FirstOfRay> first[rays_at_once];
     for (uint32_t i = 0; i < count; ++i) first[i].make(*this, rays[i], filter_of_ray(filters, i), *out[i]);
-    const LargeMeshes asked(*this, rays, count, filters, [&](uint32_t i, uint32_t slot, const Hit& hit) {
-        first[i]->take(slot, reported(hit.t), [&](uint32_t model, uint32_t tag) { return to_hit(hit, model, tag); });
+    const LargeMeshes asked(*this, rays, count, filters, [&](uint32_t i, uint32_t slot, gphys_hit& hit) {
+        first[i]->take(slot, hit.t, [&](uint32_t model, uint32_t tag) {
+            hit.model = model;
+            hit.tag = tag;
+            return hit;
+        });
     });
     if (asked.count() == octree_.size()) return;
     QuickRays quick(*this, rays, hit_kernels_ ? 0 : count);
@@ -367,7 +373,7 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
         // Those that are done already have no way to go.
         rays[i].t_max = -1;
     }
-    const LargeMeshes asked(*this, rays, count, filters, [&](uint32_t i, uint32_t, const Hit&) {
+    const LargeMeshes asked(*this, rays, count, filters, [&](uint32_t i, uint32_t, const gphys_hit&) {
         met |= uint64_t{1} << i;
         rays[i].t_max = -1;
     });
