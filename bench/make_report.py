@@ -75,9 +75,9 @@ def ordinary_panels(rows):
     nothing would be compared there."""
     panels, wrong = [], []
     for title, cases in ORDINARY:
-        points = []
+        points, n = [], 0
         for case, how in cases:
-            n = largest(rows, case)
+            n = largest(rows, case) or n
             for name, row in rows.get((case, n), {}).items():
                 if name.startswith("gamephys_2") or row["unit"] != "ns":
                     continue
