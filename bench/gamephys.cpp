@@ -78,6 +78,30 @@ public:
         return load(spheres);
     }
 
+    uint64_t save() override {
+        uint32_t total = 0;
+        const auto copy = [&](uint32_t* words, uint32_t capacity) {
+            return mesh_ ? gphys_mesh_get_snapshot(mesh_, words, capacity, &total)
+                         : gphys_scene_get_snapshot(scene_, 1, words, capacity, &total);
+        };
+        if (copy(saved_.data(), static_cast<uint32_t>(saved_.size())) == GPHYS_INCOMPLETE) {
+            saved_.resize(total);
+            check(copy(saved_.data(), total));
+        }
+        saved_.resize(total);
+        return uint64_t{4} * total;
+    }
+    bool load_saved() override {
+        const auto count = static_cast<uint32_t>(saved_.size());
+        if (!mesh_) {
+            check(gphys_scene_restore(scene_, nullptr, saved_.data(), count));
+            return true;
+        }
+        gphys_mesh_destroy(mesh_);
+        mesh_ = nullptr;
+        check(gphys_mesh_create_from_snapshot(nullptr, saved_.data(), count, &mesh_));
+        return true;
+    }
     bool load(const Triangles& mesh) override {
         clear();
         create_mesh(mesh);
@@ -313,6 +337,7 @@ private:
     const gphys_allocator allocator_{allocate, release, &heap_};
     gphys_scene* scene_ = nullptr;
     gphys_mesh* mesh_ = nullptr;
+    std::vector<uint32_t> saved_;
     std::vector<gphys_model_id> models_;
     std::vector<gphys_transform> transforms_;
     // Of the last question, either of them.

@@ -77,6 +77,9 @@ public:
     virtual bool move_all(const std::vector<gphys_obb>&) { return false; }
     /// Boxes first .. first + count - 1 move to their places in the list.
     virtual bool move_some(const std::vector<gphys_obb>&, uint32_t /*first*/, uint32_t /*count*/) { return false; }
+    /// Copies the content out, with its tree, so that load_saved can bring it back; the bytes of the copy, or 0.
+    virtual uint64_t save() { return 0; }
+    virtual bool load_saved() { return false; }
     virtual bool remove_and_insert(const std::vector<gphys_obb>&, uint32_t /*first*/, uint32_t /*count*/) {
         return false;
     }

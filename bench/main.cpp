@@ -437,6 +437,18 @@ void moving_meshes(Bench& bench) {
     }
 }
 
+/// A copy with the tree, and back: beside a build, what it saves. Operations are of an item; `_bytes` of one byte.
+void save_and_load(Bench& bench, const std::string& suite, const std::string& what, uint32_t n,
+                   std::vector<Entry>& entries) {
+    bench.measure(
+        suite, "save_" + what, n, entries, [&](Implementation& i) { return i.save() > 0 ? n : 0; }, unchecked);
+    bench.measure(
+        suite, "save_" + what + "_bytes", n, entries, [](Implementation& i) { return static_cast<double>(i.save()); },
+        unchecked);
+    bench.measure(
+        suite, "load_" + what, n, entries, [&](Implementation& i) { return i.load_saved() ? n : 0; }, unchecked);
+}
+
 void mesh_suite(Bench& bench) {
     for (const int level : bench.sizes().size() > 2 ? std::vector<int>{6, 8} : std::vector<int>{5}) {
         const Triangles mesh = bumpy_sphere(level);
@@ -446,6 +458,7 @@ void mesh_suite(Bench& bench) {
             "mesh", "build_mesh", mesh.count(), entries,
             [&](Implementation& i) { return i.load(mesh) ? mesh.count() : 0; }, unchecked);
         report_memory(bench, "mesh", "mesh", mesh.count(), entries);
+        save_and_load(bench, "mesh", "mesh", mesh.count(), entries);
         add_packets(entries, mesh);
         const auto truth = [&](const gphys_ray& r) { return reference(mesh, r); };
         ray_cases(bench, "mesh", "mesh", mesh.count(), 1.1f, entries, mesh.count(), truth, false);
@@ -581,6 +594,7 @@ void update_suite(Bench& bench) {
     bench.measure(
         "update", "update_some", n, entries,
         [&](Implementation& i) { return i.move_some(content, next(), some) ? some : 0; }, unchecked);
+    save_and_load(bench, "update", "scene", n, entries);
     bench.measure(
         "update", "replace_some", n, entries,
         [&](Implementation& i) { return i.remove_and_insert(content, next(), some) ? some : 0; }, unchecked);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check.h"
+#include "mesh/mesh_snapshot.h"
 #include "mesh_source.h"
 #include "program.h"
 #include "shape_relations.h"
@@ -105,7 +106,8 @@ public:
             &MeshUnderTest::raycast,  &MeshUnderTest::raycast,       &MeshUnderTest::raycast_batch,
             &MeshUnderTest::segment,  &MeshUnderTest::overlap,       &MeshUnderTest::overlap,
             &MeshUnderTest::sweep,    &MeshUnderTest::closest_point, &MeshUnderTest::mesh_with_mesh,
-            &MeshUnderTest::contents, &MeshUnderTest::misuse,        &MeshUnderTest::contains};
+            &MeshUnderTest::contents, &MeshUnderTest::misuse,        &MeshUnderTest::contains,
+            &MeshUnderTest::reload};
         (this->*questions[p_.below(std::size(questions))])();
     }
 
@@ -330,7 +332,7 @@ private:
         gphys_mesh_report report;
         call(gphys_mesh_get_report, mesh(), &report);
         note(report);
-        check_report({source_.vertices(), source_.indices()}, report);
+        if (!made_up_) check_report({source_.vertices(), source_.indices()}, report);
         Output<gphys_aabb> box;
         const gphys_status status = call(gphys_shape_bounds, type(), mesh(), &box.value);
         box.after(status);
@@ -339,6 +341,53 @@ private:
         FUZZ_CHECK(call(gphys_shape_transform, type(), mesh(), &identity, &report) == GPHYS_ERROR_UNSUPPORTED,
                    "a mesh is not moved");
         FUZZ_CHECK(call(gphys_shape_validate, type(), mesh()) == GPHYS_OK, "a mesh is valid");
+    }
+
+    /// From here on the mesh is one of a snapshot, of which words may have been made up: then its triangles are what it
+    /// says that they are.
+    void reload() {
+        uint32_t total = 0;
+        FUZZ_CHECK(call(gphys_mesh_get_snapshot, mesh(), nullptr, 0u, &total) == GPHYS_INCOMPLETE,
+                   "no snapshot has no words");
+        std::vector<uint32_t> words(total);
+        FUZZ_CHECK(
+            call(gphys_mesh_get_snapshot, mesh(), words.data(), total, &total) == GPHYS_OK && total == words.size(),
+            "a snapshot of a mesh is taken");
+        const bool forged = p_.one_in(2);
+        if (forged) forge(words);
+        gphys_mesh* loaded = nullptr;
+        const gphys_status status =
+            call(gphys_mesh_create_from_snapshot, nullptr, words.data(), static_cast<uint32_t>(words.size()), &loaded);
+        FUZZ_CHECK((loaded != nullptr) == (status == GPHYS_OK), "a mesh that is refused is not there");
+        FUZZ_CHECK(forged || loaded, "the snapshot of a mesh is a mesh");
+        if (!loaded) return;
+        mesh_.reset(loaded);
+        if (!forged) return;
+        made_up_ = true;
+        std::vector<gphys_vec3> vertices;
+        std::vector<uint32_t> indices;
+        call(gphys_mesh_get_vertices, mesh(), nullptr, 0u, &total);
+        vertices.resize(total);
+        call(gphys_mesh_get_vertices, mesh(), vertices.data(), total, &total);
+        call(gphys_mesh_get_indices, mesh(), nullptr, 0u, &total);
+        indices.resize(total);
+        call(gphys_mesh_get_indices, mesh(), indices.data(), total, &total);
+        source_ = MeshSource(vertices, indices);
+    }
+
+    /// Change words and mend the checksum.
+    void forge(std::vector<uint32_t>& words) {
+        for (uint32_t changes = 1 + p_.below(3); changes > 0; --changes) {
+            const uint32_t first = gphys::snapshot_header_words;
+            const auto any = [&] { return first + p_.below(static_cast<uint32_t>(words.size()) - first); };
+            uint32_t& word = words[any()];
+            const uint32_t likely[] = {0,          1,          7,          8,        15,       16,
+                                       0x80000000, 0xffffffff, 0x7fc00000, word + 1, word - 1, word ^ 0x80000000};
+            word = p_.one_in(3) ? words[any()] : p_.one_in(4) ? p_.word() : likely[p_.below(std::size(likely))];
+        }
+        const uint64_t sum = gphys::mesh_snapshot_checksum(words.data(), static_cast<uint32_t>(words.size()));
+        words[3] = static_cast<uint32_t>(sum);
+        words[4] = static_cast<uint32_t>(sum >> 32);
     }
 
     void misuse() {
@@ -354,6 +403,7 @@ private:
         const gphys_status met = call(gphys_mesh_overlap, mesh(), shape.type, shape.bytes, &triangle, 1u, &total);
         FUZZ_CHECK((met >= 0) == is_valid(shape), "a mesh takes valid shapes only");
         int32_t any = 0;
+        gphys_mesh* made = nullptr;
         const gphys_status refused[] = {call(gphys_mesh_raycast_all, nullptr, &ray, &hit, 1u, &total),
                                         call(gphys_mesh_raycast_all, mesh(), nullptr, &hit, 1u, &total),
                                         call(gphys_mesh_raycast_all, mesh(), &ray, nullptr, 1u, &total),
@@ -367,13 +417,19 @@ private:
                                         call(gphys_mesh_get_vertices, mesh(), nullptr, 1u, &total),
                                         call(gphys_mesh_get_indices, nullptr, nullptr, 0u, &total),
                                         call(gphys_mesh_get_octree_stats, mesh(), nullptr),
-                                        call(gphys_mesh_get_octree_boxes, mesh(), nullptr, 1u, nullptr)};
+                                        call(gphys_mesh_get_octree_boxes, mesh(), nullptr, 1u, nullptr),
+                                        call(gphys_mesh_get_snapshot, mesh(), nullptr, 1u, &total),
+                                        call(gphys_mesh_get_snapshot, nullptr, &triangle, 1u, &total),
+                                        call(gphys_mesh_create_from_snapshot, nullptr, &triangle, 1u, &made),
+                                        call(gphys_mesh_create_from_snapshot, nullptr, nullptr, 0u, &made),
+                                        call(gphys_mesh_create_from_snapshot, nullptr, &triangle, 1u, nullptr)};
         for (const gphys_status status : refused) FUZZ_CHECK(status < 0, "a call that makes no sense is refused");
     }
 
     Program& p_;
     MeshSource source_;
     MeshHandle mesh_;
+    bool made_up_ = false;  // then the report may be wrong
 };
 
 /// Arrays that may be spoiled: examined, then refused or taken as the examination says.

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "check.h"
+#include "foundation/archive.h"
 #include "memory_hooks.h"
 #include "mesh_source.h"
 #include "program.h"
-#include "solver/snapshot/archive.h"
 
 namespace fuzz {
 

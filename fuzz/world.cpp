@@ -36,6 +36,7 @@ void World::run() {
                             &World::inspect_scene,
                             &World::set_transform,
                             &World::set_scene_origin,
+                            &World::save_scene,
                             &World::misuse_scene,
                             &World::add,
                             &World::set_shape};

@@ -51,6 +51,11 @@ private:
     void set_properties();
     void set_shape();
     void set_scene_origin();
+    void save_scene();
+    void restore_scene();
+    void restore_forged_scene();
+    uint64_t scene_hash() const;
+    std::vector<uint32_t> scene_snapshot(int32_t embed_meshes) const;
     void inspect_scene();
     void misuse_scene();
     gphys_model_id any_id();  // mostly of a model, sometimes stale or never given out
@@ -126,6 +131,11 @@ private:
     gphys_scene* scene_ = nullptr;
     std::vector<Model> models_;  // by id
     std::vector<gphys_model_id> stale_;
+    std::vector<uint32_t> saved_scene_;
+    std::vector<Model> saved_models_;
+    std::vector<gphys_model_id> saved_stale_;
+    uint64_t saved_hash_ = 0;
+    int32_t saved_meshes_ = 0;  // whether they are in it
     gphys_camera* camera_ = nullptr;
     gphys_solver* solver_ = nullptr;
     gphys_solver* twin_ = nullptr;

@@ -212,6 +212,23 @@ static gphys_status make_mesh(session* s) {
     return gphys_mesh_create(&desc, vertices, 12, 81, indices, n, &s->mesh);
 }
 
+/* The mesh becomes one of its snapshot. */
+static gphys_status reload_mesh(session* s) {
+    static uint32_t words[8192];
+    uint32_t total;
+    gphys_mesh_desc desc;
+    gphys_mesh* loaded;
+    gphys_status status;
+    assert_int_equal(gphys_mesh_get_snapshot(s->mesh, words, 8192, &total), GPHYS_OK);
+    gphys_mesh_desc_init(&desc, sizeof desc);
+    desc.allocator = &s->hooks;
+    status = gphys_mesh_create_from_snapshot(&desc, words, total, &loaded);
+    if (status != GPHYS_OK) return status;
+    gphys_mesh_destroy(s->mesh);
+    s->mesh = loaded;
+    return status;
+}
+
 static gphys_status make_scene(session* s, uint32_t workers) {
     gphys_scene_desc desc;
     gphys_scene_desc_init(&desc, sizeof desc);
@@ -244,6 +261,12 @@ static gphys_transform at(float x, float y, float z) {
     return t;
 }
 
+static uint32_t scene_words[16384], scene_word_count;
+
+static gphys_status copy_out(session* s) {
+    return gphys_scene_get_snapshot(s->scene, 1, scene_words, 16384, &scene_word_count);
+}
+
 static void shapes_and_scene(session* s) {
     static const gphys_sphere ball = {{0, 0, 0}, 0.4f};
     static const gphys_aabb box = {{-0.3f, -0.2f, -0.1f}, {0.3f, 0.2f, 0.1f}};
@@ -264,6 +287,7 @@ static void shapes_and_scene(session* s) {
     uint32_t offsets[65], total;
     gphys_frustum frustum;
     DO(make_mesh(s));
+    DO(reload_mesh(s));
     DO(make_scene(s, 3));
     DO(make_camera(s));
     for (i = 0; i < 64; ++i) {
@@ -305,6 +329,9 @@ static void shapes_and_scene(session* s) {
     DO(gphys_scene_overlap_batch(s->scene, GPHYS_SHAPE_SPHERE, &ball, 0, 2, GPHYS_ALL_LAYERS, touched, 64, offsets));
     DO(gphys_camera_get_frustum(s->camera, &frustum));
     DO(gphys_camera_cull(s->camera, s->scene, GPHYS_ALL_LAYERS, touched, 64, &total));
+    DO(copy_out(s));
+    DO(gphys_scene_add_batch(s->scene, GPHYS_SHAPE_SPHERE, &ball, 0, places, sizeof *places, 30, NULL, s->models));
+    DO(gphys_scene_restore(s->scene, NULL, scene_words, scene_word_count));
     DO(gphys_scene_add_batch(s->scene, GPHYS_SHAPE_SPHERE, &ball, 0, places, sizeof *places, 30, NULL, s->models));
     DO(gphys_scene_remove_batch(s->scene, s->models, 20));
     DO(gphys_scene_clear(s->scene));

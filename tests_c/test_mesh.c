@@ -390,6 +390,61 @@ static void a_deformable_mesh_takes_other_vertices(void** state) {
     gphys_scene_destroy(scene);
 }
 
+/* Takes a snapshot into memory of its own. */
+static uint32_t* snapshot_of(const gphys_mesh* mesh, uint32_t* count) {
+    uint32_t* words;
+    assert_int_equal(gphys_mesh_get_snapshot(mesh, NULL, 0, count), GPHYS_INCOMPLETE);
+    words = malloc(sizeof *words * *count);
+    assert_int_equal(gphys_mesh_get_snapshot(mesh, words, *count, count), GPHYS_OK);
+    return words;
+}
+
+static void test_a_snapshot_is_loaded(void** state) {
+    const gphys_ray ray = {{0.3f, 0.2f, -1}, {0, 0, 1}, 10};
+    gphys_mesh *mesh = make_cube(), *loaded = NULL;
+    gphys_hit hit, expected;
+    gphys_mesh_report report;
+    gphys_mesh_desc desc;
+    uint32_t count, again, *words = snapshot_of(mesh, &count), *second;
+    (void)state;
+    assert_int_equal(gphys_shape_raycast(GPHYS_SHAPE_MESH, mesh, &ray, &expected), GPHYS_OK);
+    gphys_mesh_destroy(mesh);
+    assert_int_equal(gphys_mesh_desc_init(&desc, sizeof desc), GPHYS_OK);
+    assert_int_equal(gphys_mesh_create_from_snapshot(&desc, words, count, &loaded), GPHYS_OK);
+    assert_int_equal(gphys_shape_raycast(GPHYS_SHAPE_MESH, loaded, &ray, &hit), GPHYS_OK);
+    assert_memory_equal(&hit, &expected, sizeof hit);
+    assert_int_equal(gphys_mesh_get_report(loaded, &report), GPHYS_OK);
+    assert_int_equal(report.triangle_count, 12);
+    assert_int_equal(report.open_edge_count, 0);
+    second = snapshot_of(loaded, &again);
+    assert_int_equal(again, count);
+    assert_memory_equal(second, words, sizeof *words * count);
+    free(second);
+    free(words);
+    gphys_mesh_destroy(loaded);
+}
+
+static void test_what_is_no_snapshot_is_refused(void** state) {
+    gphys_mesh *mesh = make_cube(), *loaded = NULL;
+    uint32_t count, i, *words = snapshot_of(mesh, &count), total = 7;
+    (void)state;
+    for (i = 0; i < count; ++i) {
+        words[i] ^= 1u << i % 32;
+        assert_int_equal(gphys_mesh_create_from_snapshot(NULL, words, count, &loaded), GPHYS_ERROR_INVALID_ARGUMENT);
+        words[i] ^= 1u << i % 32;
+        assert_int_equal(gphys_mesh_create_from_snapshot(NULL, words, i, &loaded), GPHYS_ERROR_INVALID_ARGUMENT);
+    }
+    assert_int_equal(gphys_mesh_create_from_snapshot(NULL, NULL, count, &loaded), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_create_from_snapshot(NULL, words, count, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_null(loaded);
+    assert_int_equal(gphys_mesh_get_snapshot(NULL, words, count, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_snapshot(mesh, NULL, 1, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_mesh_get_snapshot(mesh, words, count, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(total, 7);
+    free(words);
+    gphys_mesh_destroy(mesh);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_report),
@@ -402,6 +457,8 @@ int main(void) {
         cmocka_unit_test(test_octree),
         cmocka_unit_test(test_running_out_of_memory),
         cmocka_unit_test(a_deformable_mesh_takes_other_vertices),
+        cmocka_unit_test(test_a_snapshot_is_loaded),
+        cmocka_unit_test(test_what_is_no_snapshot_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

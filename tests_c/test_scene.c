@@ -352,6 +352,58 @@ static void an_origin_is_checked_kept_and_returned(void** state) {
     gphys_scene_destroy(scene);
 }
 
+static void a_snapshot_brings_back_the_scene(void** state) {
+    static const gphys_sphere ball = {{0, 0, 0}, 0.5f};
+    static const gphys_transform place = {{1, 2, 3}, {0, 0, 0, 1}, 2};
+    const gphys_ray ray = {{1, 2, -10}, {0, 0, 1}, 100};
+    static uint32_t words[256];
+    uint32_t count = 0, total = 7, hash[2], other[2], i;
+    gphys_scene *scene = NULL, *copy = NULL;
+    gphys_model_id model = 0, later[2] = {0, 0};
+    gphys_hit hit, expected;
+    (void)state;
+    assert_int_equal(gphys_scene_create(NULL, &scene), GPHYS_OK);
+    assert_int_equal(gphys_scene_create(NULL, &copy), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, &place, NULL, &model), GPHYS_OK);
+    assert_int_equal(gphys_scene_raycast(scene, &ray, GPHYS_ALL_LAYERS, &expected), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_snapshot(scene, 1, NULL, 0, &count), GPHYS_INCOMPLETE);
+    assert_true(count > 20 && count < 256);
+    assert_int_equal(gphys_scene_get_snapshot(scene, 0, words, 256, &total), GPHYS_OK);
+    assert_int_equal(total, count);
+
+    assert_int_equal(gphys_scene_restore(copy, NULL, words, count), GPHYS_OK);
+    assert_int_equal(gphys_scene_raycast(copy, &ray, GPHYS_ALL_LAYERS, &hit), GPHYS_OK);
+    assert_memory_equal(&hit, &expected, sizeof hit);
+    assert_int_equal(gphys_scene_get_hash(scene, hash), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_hash(copy, other), GPHYS_OK);
+    assert_memory_equal(hash, other, sizeof hash);
+    assert_int_equal(gphys_scene_add(scene, GPHYS_SHAPE_SPHERE, &ball, NULL, NULL, &later[0]), GPHYS_OK);
+    assert_int_equal(gphys_scene_add(copy, GPHYS_SHAPE_SPHERE, &ball, NULL, NULL, &later[1]), GPHYS_OK);
+    assert_int_equal(later[0], later[1]);
+    assert_int_equal(gphys_scene_validate(copy), GPHYS_OK);
+
+    assert_int_equal(gphys_scene_get_hash(copy, hash), GPHYS_OK);
+    for (i = 0; i < count; ++i) {
+        words[i] ^= 1u << i % 32;
+        assert_int_equal(gphys_scene_restore(copy, scene, words, count), GPHYS_ERROR_INVALID_ARGUMENT);
+        words[i] ^= 1u << i % 32;
+        assert_int_equal(gphys_scene_restore(copy, scene, words, i), GPHYS_ERROR_INVALID_ARGUMENT);
+    }
+    assert_int_equal(gphys_scene_restore(NULL, scene, words, count), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_restore(copy, NULL, NULL, count), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_get_snapshot(NULL, 1, words, 256, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_get_snapshot(scene, 2, words, 256, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_get_snapshot(scene, 1, NULL, 256, &total), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_get_snapshot(scene, 1, words, 256, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_get_hash(NULL, hash), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(gphys_scene_get_hash(scene, NULL), GPHYS_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(total, count);
+    assert_int_equal(gphys_scene_get_hash(copy, other), GPHYS_OK);
+    assert_memory_equal(hash, other, sizeof hash);
+    gphys_scene_destroy(copy);
+    gphys_scene_destroy(scene);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(descs_have_defaults_and_a_size),
@@ -362,6 +414,7 @@ int main(void) {
         cmocka_unit_test(null_and_bad_strides_are_refused_everywhere),
         cmocka_unit_test(what_was_set_is_what_one_gets),
         cmocka_unit_test(the_tree_of_models_can_be_read),
+        cmocka_unit_test(a_snapshot_brings_back_the_scene),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass
 from typing import Callable
 
-from ._names import ANSWERS, calls, creations, plain
+from ._names import ANSWERS, calls, creations, other_creations, plain
 
 # What only a caller of C has to know: bindings make room for results, and know the sizes of arrays.
 OF_C_ONLY = re.compile(r"\bstride\b|\bcapacity\b|\bout_total\b|\bKept when\b|\bcount elements\b|\bcount \+ 1 numbers\b"
@@ -140,6 +140,7 @@ class Docs:
         self.calls = {c.function["name"]: c for c in calls(api)}
         self.made = {c.function["name"]: handle for handle, c in creations(api).items()}
         self.made.update({f"{handle}_destroy": handle for handle in self.made.values()})
+        self.made.update({c.function["name"]: handle for handle in api["handles"] for c in other_creations(api, handle)})
         self.types = {t["name"] for kind in ("structs", "types") for t in api[kind]} | set(api["handles"])
         self.parameters = {p["name"] for f in api["functions"] for p in f["parameters"]}
         self.values = {v["name"] for e in api["enums"] for v in e["values"]} | set(api["constants"])
@@ -252,7 +253,8 @@ def translated(api, language, layout):
     for enum in mine["enums"]:
         for value in enum["values"]:
             value["doc"] = docs.plain(value["doc"])
-    every = {c.function["name"]: c for c in [*calls(api), *creations(api).values()]}
+    every = {c.function["name"]: c for c in [*calls(api), *creations(api).values(),
+                                               *(c for h in api["handles"] for c in other_creations(api, h))]}
     for function in mine["functions"]:
         if function["name"] in every:
             call = every[function["name"]]

@@ -74,10 +74,24 @@ def calls(api):
         yield as_call(api, function)
 
 
+def created_handle(function):
+    return next(element(p) for p in function["parameters"] if p["role"] == "new")
+
+
 def creations(api):
     """handle -> its create function as a Call."""
-    return {next(element(p) for p in f["parameters"] if p["role"] == "new"): as_call(api, f)
-            for f in api["functions"] if is_created(f)}
+    return {h: as_call(api, f) for f in api["functions"] if is_created(f) for h in [created_handle(f)]
+            if f["name"] == f"{h}_create"}
+
+
+def other_creations(api, handle):
+    """What else makes such an object: Calls with names such as 'from_snapshot', without an owner."""
+    for f in api["functions"]:
+        start = f"{handle}_create_"
+        if is_created(f) and created_handle(f) == handle and f["name"].startswith(start):
+            call = as_call(api, f)
+            call.name = f["name"][len(start):]
+            yield call
 
 
 def as_call(api, function):

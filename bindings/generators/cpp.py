@@ -1,7 +1,7 @@
 """C++: a header of classes over the C interface. Structs are the C ones under shorter names."""
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_text, translated
-from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element
+from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, other_creations
 
 HEADER = """// Generated from gamephys_api.json by bindings/generate.py. Not for editing.
 """
@@ -170,13 +170,12 @@ def generate(api):
                "    ShapeSpan(ShapeRef shape) : type(shape.type), data(shape.pointer) {}\n"
                "    ShapeSpan(const Mesh& mesh) : ShapeSpan(ShapeRef(mesh)) {}\n};\n")
     for handle in api["handles"]:
-        creation = made[handle]
         out.append(f"class {camel(handle)} : public Object<{handle}, {handle}_destroy> {{\npublic:")
-        explicit = "explicit "
-        out.append(comment(creation.function["doc"], "    //") +
-                   f"    {explicit}{camel(handle)}({parameters(api, creation)}) {{\n        {handle}* made = nullptr;\n"
-                   f"        check({creation.function['name']}({', '.join(arguments(creation, TEMPLATES, str))}));\n"
-                   "        own(made);\n    }\n")
+        for creation in [made[handle], *other_creations(api, handle)]:
+            out.append(comment(creation.function["doc"], "    //") +
+                       f"    explicit {camel(handle)}({parameters(api, creation)}) {{\n        {handle}* made = nullptr;\n"
+                       f"        check({creation.function['name']}({', '.join(arguments(creation, TEMPLATES, str))}));\n"
+                       "        own(made);\n    }\n")
         out += [method(api, call) for call in methods if call.owner == handle]
         if handle == "gphys_scene":
             out.append(SCENE_EXTRA)

@@ -3,7 +3,7 @@ import copy
 
 from ._calls import arguments, batch_arrays
 from ._docs import Language, outcome, paragraphs, translated, wrapped
-from ._names import BUILT, OF_THE_DESC, SHAPES, base_type, calls, camel, common_prefix, creations, element, lower_camel
+from ._names import BUILT, OF_THE_DESC, SHAPES, base_type, calls, camel, common_prefix, creations, element, lower_camel, other_creations
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 NUMBERS = {"float": "float", "double": "double", "int32_t": "int", "uint32_t": "uint", "size_t": "UIntPtr", "void": "void"}
@@ -332,17 +332,19 @@ def objects(api):
     out = [HEADER + "using System;\nusing System.Runtime.InteropServices;\nusing static Gamephys.Support;\n\nnamespace Gamephys {\n"]
     made = creations(api)
     methods = [c for c in calls(api) if c.function["name"] not in BY_HAND]
-    rename([*methods, *made.values()])
+    others = {handle: list(other_creations(api, handle)) for handle in api["handles"]}
+    rename([*methods, *made.values(), *(c for some in others.values() for c in some)])
     for handle in api["handles"]:
-        creation, name = made[handle], camel(handle)
-        lines, pins, _ = prepare(api, creation)
-        text = "".join(f"        {line}\n" for line in [*lines, "IntPtr made;"])
-        text += pinned(pins, f"Check(Low.{creation.function['name']}({cs_arguments(api, creation)}));", "        ")
+        name, constructors = camel(handle), ""
+        for creation in [made[handle], *others[handle]]:
+            lines, pins, _ = prepare(api, creation)
+            text = "".join(f"        {line}\n" for line in [*lines, "IntPtr made;"])
+            text += pinned(pins, f"Check(Low.{creation.function['name']}({cs_arguments(api, creation)}));", "        ")
+            constructors += (docs(creation.function["doc"], "    ") + f"    public unsafe {name}({signature(api, creation)}) {{\n{text}"
+                             f"        Handle = new {name}Handle(made);\n    }}\n\n")
         out.append(f"/// <summary>Owns a {handle}: freed by Dispose, or else by the garbage collector.</summary>\n"
                    f"public sealed partial class {name} : IDisposable {{\n    internal readonly {name}Handle Handle;\n\n" +
-                   docs(creation.function["doc"], "    ") +
-                   f"    public unsafe {name}({signature(api, creation)}) {{\n{text}        Handle = new {name}Handle(made);\n    }}\n\n"
-                   "    /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>\n"
+                   constructors + "    /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>\n"
                    "    public void Dispose() { Handle.Dispose(); }\n")
         out += [method(api, call) for call in methods if call.owner == handle]
         out.append("}\n")

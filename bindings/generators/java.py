@@ -1,7 +1,8 @@
 """Java: native methods for JNA, records for values, classes for settings and objects."""
 from ._calls import arguments, batch_arrays
 from ._docs import Language, as_tags, as_text, translated
-from ._names import (ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, constants, creations, element, lower_camel, plain)
+from ._names import (ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, constants, creations, element, lower_camel,
+                     other_creations, plain)
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\npackage gamephys;\n\n"
 PRIMITIVES = {"float": "float", "double": "double", "int32_t": "int", "uint32_t": "int", "size_t": "long"}
@@ -11,7 +12,7 @@ ACCESS = {"float": "Float", "double": "Double", "int": "Int"}
 SLOT = 128  # bytes that Scratch has for one argument
 DEFAULTS = {"layers": "Gamephys.ALL_LAYERS", "max_distance": "Float.POSITIVE_INFINITY", "tolerance": "0", "link_length": "0",
             "compliance": "0", "desc": "null", "filter": "null", "filters": "null", "transform": "null", "transforms": "null", "local_point": "null"}
-FLAGS = ("pinned", "keep_world", "reverse_z")
+FLAGS = ("pinned", "keep_world", "reverse_z", "embed_meshes")
 TEMPLATES = {
     "self": "opened()", "handle": "{n}.opened()", "handle?": "{n} == null ? null : {n}.opened()",
     "shape_type": "{shape}.kind()", "shape": "", "in": "", "in?": "", "in_fixed": "", "array": "{n}.pointer()",
@@ -333,6 +334,11 @@ def generate(api):
         for given, rest in forms:
             text += f"    public {name}({', '.join(given)}) {{\n        super(create({', '.join(rest)}), Low::{handle}_destroy);\n    }}\n\n"
         text += indented(create)
+        for c in other_creations(api, handle):
+            create, forms = method(api, c, creation=True)
+            for given, rest in forms:
+                text += "\n" + indented(doc(c.function["doc"], "") + f"public {name}({', '.join(given)}) {{\n    super(create({', '.join(rest)}), Low::{handle}_destroy);\n}}\n")
+            text += "\n" + indented(create)
         for c in every:
             if c.owner == handle:
                 text += "\n" + indented(method(api, c)[0])

@@ -1,7 +1,7 @@
 """JavaScript: a reader and a writer for each struct, a class for each handle with a method for each
 function, and the two entries of the package, which differ in how the library's memory is reached.
 The types of TypeScript are in typescript.py."""
-from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
+from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, other_creations, plain
 
 HEAD = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 VIEWS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32"}
@@ -343,6 +343,11 @@ def objects_file(structs):
         body.append(f"    class {camel(h)} extends Handle {{\n        constructor({create.signature()}) {{\n"
                     f"            super(() => {{\n" + "".join(f"                {line}\n" for line in create.body())
                     + f"            }}, native.{h}_destroy);\n        }}\n")
+        for c in other_creations(api, h):
+            other = Method(structs, c)
+            body.append(f"        static {lower_camel(c.name)}({other.signature()}) {{\n"
+                        f"            return Reflect.construct(Handle, [() => {{\n" + "".join(f"                {line}\n" for line in other.body())
+                        + f"            }}, native.{h}_destroy], {camel(h)});\n        }}\n")
         body += [method(structs, c, "        ") for c in calls(api) if c.owner == h]
         body.append("    }\n")
     free = [c for c in calls(api) if not c.owner]

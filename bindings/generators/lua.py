@@ -1,7 +1,8 @@
 """Lua: the declarations for LuaJIT's FFI, and a method for each function."""
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_tags, translated
-from ._names import (ANSWERS, SHAPES, base_type, calls, camel, constants, creations, declarations, element, plain)
+from ._names import (ANSWERS, SHAPES, base_type, calls, camel, constants, creations, declarations, element, other_creations,
+                     plain)
 
 HEADER = "-- Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 TEMPLATES = {
@@ -43,7 +44,7 @@ def argument_list(api, call):
             words[i] = "layers or ALL_LAYERS" if call.name != "set_layers" else "layers"
         elif p["name"] == "max_distance":
             words[i] = "max_distance or math.huge"
-        elif p["name"] in ("pinned", "keep_world", "reverse_z"):
+        elif p["name"] in ("pinned", "keep_world", "reverse_z", "embed_meshes"):
             words[i] = f"to_flag({name})"
     return words
 
@@ -139,13 +140,14 @@ def methods(api):
            *(f"local {n} = runtime.element '{n}'" for n in NUMBERS),
            *(f"local {camel(n)} = runtime.element '{n}'" for n in used), ""]
     for handle in api["handles"]:
-        name, creation = camel(handle), made[handle]
-        names = ", ".join(p["name"] for p in creation.inputs)
+        name = camel(handle)
         out.append(f"local {name} = runtime.class '{plain(handle)}'")
-        out.append(comment(creation.function["doc"], "---") + f"function gp.{name}({names})")
-        out += [f"    {line}" for line in prepared(api, creation)]
-        out.append(f"    return {name}.create(function(made)\n        return C.{creation.function['name']}"
-                   f"({', '.join(argument_list(api, creation))})\n    end)\nend\n")
+        for word, creation in [(name, made[handle]), *((f"{name}_{c.name}", c) for c in other_creations(api, handle))]:
+            names = ", ".join(p["name"] for p in creation.inputs)
+            out.append(comment(creation.function["doc"], "---") + f"function gp.{word}({names})")
+            out += [f"    {line}" for line in prepared(api, creation)]
+            out.append(f"    return {name}.create(function(made)\n        return C.{creation.function['name']}"
+                       f"({', '.join(argument_list(api, creation))})\n    end)\nend\n")
         out += [method(api, c) for c in every if c.owner == handle]
     out += [method(api, c) for c in every if not c.owner]
     return "\n".join(out) + "end\n"

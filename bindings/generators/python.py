@@ -1,6 +1,6 @@
 """Python: ctypes structs, numpy dtypes, prototypes, and a method for each function."""
 from ._docs import Language, outcome, paragraphs, translated, wrapped
-from ._names import ANSWERS, BUILT, SHAPES, base_type, calls, camel, counted_array, creations, element, plain
+from ._names import ANSWERS, BUILT, SHAPES, base_type, calls, camel, counted_array, creations, element, other_creations, plain
 
 NUMBERS = {"float": "c_float", "int32_t": "c_int32", "uint32_t": "c_uint32", "size_t": "c_size_t"}
 DTYPES = {"float": "<f4", "double": "<f8", "int32_t": "<i4", "uint32_t": "<u4"}
@@ -280,6 +280,13 @@ from ._runtime import (Models, Object, array_of, check, common_length, found, ha
         out.append("        handle = ctypes.c_void_p()")
         out.append(f"        check(low.{creation.function['name']}({', '.join(arguments)}))")
         out.append("        self._own(handle.value)\n")
+        for c in other_creations(api, handle):
+            lines, arguments = body(api, c, None)
+            arguments = ["ctypes.byref(handle)" if a == c.function["parameters"][-1]["name"] else a for a in arguments]
+            lines += ["handle = ctypes.c_void_p()", f"check(low.{c.function['name']}({', '.join(arguments)}))",
+                      f"made = cls.__new__(cls)", "made._own(handle.value)", "return made"]
+            out.append(f"    @classmethod\n    def {c.name}({signature(api, c, 'cls')}) -> {camel(handle)}:\n" +
+                       docstring(c.function["doc"], "        ") + "".join(f"        {line}\n" for line in lines))
         out += [method(api, call, "    ", "self") for call in methods if call.owner == handle]
     out.append("\nShape = Union[%s]\n" % ", ".join(
         "Mesh" if s == "mesh" else f"low.{camel(s)}" for s in SHAPES))

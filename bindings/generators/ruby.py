@@ -1,7 +1,7 @@
 """Ruby: the functions for the ffi gem, values as Structs, and a method for each function."""
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_tags, translated
-from ._names import ANSWERS, SHAPES, base_type, calls, camel, constants, creations, element, plain
+from ._names import ANSWERS, SHAPES, base_type, calls, camel, constants, creations, element, other_creations, plain
 
 HEADER = "# frozen_string_literal: true\n\n# Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 FFI = {"float": ":float", "double": ":double", "int32_t": ":int32", "uint32_t": ":uint32", "size_t": ":size_t", "void": ":void"}
@@ -148,7 +148,7 @@ def argument_list(api, call):
             words[i] = f"Low.kind({parameters[i + 1]['name']})"
         elif p["role"] == "stride" and n == "out_stride":
             words[i] = f"{kind(api, element(parameters[i - 1]))}::BYTES"
-        elif n in ("pinned", "keep_world", "reverse_z"):
+        elif n in ("pinned", "keep_world", "reverse_z", "embed_meshes"):
             words[i] = f"Low.flag({n})"
     return words
 
@@ -211,6 +211,10 @@ def methods(api):
         body.append(comment(creation.function["doc"], "#") + f"def initialize({signature(creation)})\n" +
                     "".join(f"  {line}\n" for line in prepared(api, creation)) +
                     f"  own(Pointer) {{ |made| Low.{creation.function['name']}({', '.join(argument_list(api, creation))}) }}\nend\n")
+        for c in other_creations(api, handle):
+            body.append(comment(c.function["doc"], "#") + f"def self.{c.name}({signature(c)})\n" +
+                        "".join(f"  {line}\n" for line in prepared(api, c)) +
+                        f"  allocate.tap do |object|\n    object.send(:own, Pointer) {{ |made| Low.{c.function['name']}({', '.join(argument_list(api, c))}) }}\n  end\nend\n")
         body += [method(api, c) for c in every if c.owner == handle]
         text = "".join(f"  {line}".rstrip() + "\n" for line in "\n".join(body).splitlines())
         out.append(f"class {camel(handle)} < Owned\n{text}end\n")

@@ -3,7 +3,7 @@ import re
 
 from ._calls import arguments, batch_arrays
 from ._docs import Language, outcome, paragraphs, translated, wrapped
-from ._names import BUILT, SHAPES, base_type, calls, camel, common_prefix, creations, element, plain
+from ._names import BUILT, SHAPES, base_type, calls, camel, common_prefix, creations, element, other_creations, plain
 
 HEADER = "// Generated from gamephys_api.json by bindings/generate.py. Not for editing.\n"
 NUMBERS = {"float": "f32", "double": "f64", "int32_t": "i32", "uint32_t": "u32", "size_t": "usize", "void": "c_void"}
@@ -300,17 +300,18 @@ def objects(api):
     made = creations(api)
     methods = [c for c in calls(api) if c.function["name"] not in BY_HAND]
     for handle in api["handles"]:
-        creation, name = made[handle], camel(handle)
+        name = camel(handle)
         out.append(f"/// Owns a `{handle}` and frees it when dropped.\n#[derive(Debug)]\npub struct {name} {{\n"
                    f"    pub(crate) handle: NonNull<sys::{handle}>,\n}}\n")
         out.append(f"// Functions that take a const object may run at the same time: they take &self here, all others &mut self.\n"
                    f"unsafe impl Send for {name} {{}}\nunsafe impl Sync for {name} {{}}\n")
         out.append(f"impl Drop for {name} {{\n    fn drop(&mut self) {{\n        unsafe {{ sys::{handle}_destroy(self.handle.as_ptr()) }}\n    }}\n}}\n")
         out.append(f"impl {name} {{")
-        args = ", ".join(arguments(creation, TEMPLATES, str))
-        lines = prepare(api, creation) + ["let mut made = null_mut();", f"check(unsafe {{ sys::{creation.function['name']}({args}) }})?;",
-                                          f"Ok({name} {{ handle: NonNull::new(made).expect(\"a created object\") }})"]
-        out.append(docs(creation.function["doc"], "    ") + f"    pub fn new{signature(api, creation, None)} -> Result<{name}> {{\n" + "".join(f"        {line}\n" for line in lines) + "    }\n")
+        for word, creation in [("new", made[handle]), *((c.name, c) for c in other_creations(api, handle))]:
+            args = ", ".join(arguments(creation, TEMPLATES, str))
+            lines = prepare(api, creation) + ["let mut made = null_mut();", f"check(unsafe {{ sys::{creation.function['name']}({args}) }})?;",
+                                              f"Ok({name} {{ handle: NonNull::new(made).expect(\"a created object\") }})"]
+            out.append(docs(creation.function["doc"], "    ") + f"    pub fn {word}{signature(api, creation, None)} -> Result<{name}> {{\n" + "".join(f"        {line}\n" for line in lines) + "    }\n")
         out += [method(api, call) for call in methods if call.owner == handle]
         out.append("}\n")
     out += [method(api, call) for call in methods if not call.owner]

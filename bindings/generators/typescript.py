@@ -1,6 +1,6 @@
 """The types of the JavaScript package for TypeScript, with the header's comments."""
 from ._docs import Language, as_tags, as_text, translated
-from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, plain
+from ._names import ANSWERS, OF_THE_DESC, SHAPES, base_type, calls, camel, creations, element, lower_camel, other_creations, plain
 
 NUMBERS = ("float", "double", "int32_t", "uint32_t", "size_t")
 PRIMITIVES = [s for s in SHAPES if s != "mesh"]
@@ -149,6 +149,8 @@ def typescript(api):
     for h in api["handles"]:
         out.append(doc(made[h].function["doc"], "") + f"export class {camel(h)} {{\n    constructor({signature(made[h])});\n"
                    "    /** Frees the object at once. */\n    close(): void;")
+        out += [doc(c.function["doc"], "    ") + f"    static {lower_camel(c.name)}({signature(c)}): {camel(h)};"
+                for c in other_creations(api, h)]
         out += [doc(c.function["doc"], "    ") + f"    {lower_camel(c.name)}({signature(c)}): {got(c)};"
                 for c in calls(api) if c.owner == h]
         if h == "gphys_scene":

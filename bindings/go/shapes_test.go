@@ -74,6 +74,8 @@ func TestAMeshIsAShape(t *testing.T) {
 	same(t, must(mesh.Report()).OpenEdgeCount, uint32(0))
 	same(t, must(mesh.Vertices())[3], Vec(0, 0, 1))
 	same(t, len(must(mesh.Indices())), 12)
+	loaded := must(NewMeshFromSnapshot(must(mesh.Snapshot()), nil))
+	same(t, must(loaded.Indices())[11], must(mesh.Indices())[11])
 	ray := Ray{Vec(0.2, 0.2, -1), Vec(0, 0, 1), 10}
 	same(t, found(Raycast(mesh, ray)).T, float32(1))
 	same(t, len(must(mesh.RaycastAll(ray))), 2)

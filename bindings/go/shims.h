@@ -368,6 +368,30 @@ static inline go_gphys_mesh_get_indices_result go_gphys_mesh_get_indices(void* m
     return r;
 }
 
+typedef struct go_gphys_mesh_get_snapshot_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_mesh_get_snapshot_result;
+static inline go_gphys_mesh_get_snapshot_result go_gphys_mesh_get_snapshot(void* mesh, uint32_t * out_words, uint32_t capacity) {
+    go_gphys_mesh_get_snapshot_result r = {0};
+    r.status = gphys_mesh_get_snapshot(mesh, out_words, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_mesh_create_from_snapshot_result {
+    gphys_status status;
+    char* message;
+    void* out_mesh;
+} go_gphys_mesh_create_from_snapshot_result;
+static inline go_gphys_mesh_create_from_snapshot_result go_gphys_mesh_create_from_snapshot(const gphys_mesh_desc * desc, const uint32_t * words, uint32_t word_count) {
+    go_gphys_mesh_create_from_snapshot_result r = {0};
+    r.status = gphys_mesh_create_from_snapshot(desc, words, word_count, (gphys_mesh **)&r.out_mesh);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_mesh_raycast_all_result {
     gphys_status status;
     char* message;
@@ -1195,6 +1219,41 @@ typedef struct go_gphys_scene_validate_result {
 static inline go_gphys_scene_validate_result go_gphys_scene_validate(void* scene) {
     go_gphys_scene_validate_result r = {0};
     r.status = gphys_scene_validate(scene);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_get_snapshot_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_total;
+} go_gphys_scene_get_snapshot_result;
+static inline go_gphys_scene_get_snapshot_result go_gphys_scene_get_snapshot(void* scene, int32_t embed_meshes, uint32_t * out_words, uint32_t capacity) {
+    go_gphys_scene_get_snapshot_result r = {0};
+    r.status = gphys_scene_get_snapshot(scene, embed_meshes, out_words, capacity, &r.out_total);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_restore_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_restore_result;
+static inline go_gphys_scene_restore_result go_gphys_scene_restore(void* scene, void* library, const uint32_t * words, uint32_t count) {
+    go_gphys_scene_restore_result r = {0};
+    r.status = gphys_scene_restore(scene, library, words, count);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_scene_get_hash_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_hash[2];
+} go_gphys_scene_get_hash_result;
+static inline go_gphys_scene_get_hash_result go_gphys_scene_get_hash(void* scene) {
+    go_gphys_scene_get_hash_result r = {0};
+    r.status = gphys_scene_get_hash(scene, r.out_hash);
     r.message = go_message(r.status);
     return r;
 }

@@ -33,6 +33,8 @@ def nullable(function, p):
         return p["role"] == "in"
     if name in ("transform", "transforms"):
         return "_add" in function["name"]
+    if name == "library":
+        return True
     return name == "scene" and function["name"] in ("gphys_solver_step", "gphys_solver_advance")
 
 

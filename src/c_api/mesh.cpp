@@ -116,6 +116,33 @@ gphys_status gphys_mesh_get_indices(const gphys_mesh* mesh, uint32_t* out_indice
     });
 }
 
+gphys_status gphys_mesh_get_snapshot(const gphys_mesh* mesh, uint32_t* out_words, uint32_t capacity,
+                                     uint32_t* out_total) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(mesh, "mesh is null");
+        GPHYS_TRY(check_list(out_words, capacity, out_total));
+        return unwrap(mesh)->snapshot(out_words, capacity, *out_total);
+    });
+}
+
+gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc* desc, const uint32_t* words, uint32_t word_count,
+                                             gphys_mesh** out_mesh) {
+    return guarded([&]() -> gphys_status {
+        gphys_mesh_desc settings{};
+        GPHYS_TRY(read_desc(desc, settings, mesh_desc_size));
+        GPHYS_REQUIRE_VALID(settings.allocator);
+        GPHYS_REQUIRE(is_bool(settings.deformable), "desc.deformable: must be 0 or 1");
+        GPHYS_REQUIRE(settings.reserved == 0, "desc.reserved: must be 0");
+        GPHYS_REQUIRE(words, "words is null");
+        GPHYS_REQUIRE(out_mesh, "out_mesh is null");
+        Memory memory(settings.allocator);
+        MeshParts parts;
+        if (const char* wrong = read_mesh_snapshot(words, word_count, &memory, parts)) return invalid(wrong);
+        *out_mesh = wrap(create<Mesh>(settings.allocator, parts, settings.deformable != 0));
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray, gphys_hit* out_hits,
                                     uint32_t capacity, uint32_t* out_total) {
     return guarded([&]() -> gphys_status {

@@ -108,6 +108,35 @@ gphys_status gphys_scene_create(const gphys_scene_desc* desc, gphys_scene** out_
     });
 }
 
+gphys_status gphys_scene_get_snapshot(const gphys_scene* scene, int32_t embed_meshes, uint32_t* out_words,
+                                      uint32_t capacity, uint32_t* out_total) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(is_bool(embed_meshes), "embed_meshes: must be 0 or 1");
+        GPHYS_TRY(check_list(out_words, capacity, out_total));
+        return unwrap(scene)->snapshot(embed_meshes != 0, out_words, capacity, *out_total);
+    });
+}
+
+gphys_status gphys_scene_restore(gphys_scene* scene, const gphys_scene* library, const uint32_t* words,
+                                 uint32_t count) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene, "scene is null");
+        GPHYS_REQUIRE(words, "words is null");
+        return unwrap(scene)->restore(library ? *unwrap(library) : *unwrap(scene), words, count);
+    });
+}
+
+gphys_status gphys_scene_get_hash(const gphys_scene* scene, uint32_t out_hash[2]) {
+    return guarded([&]() -> gphys_status {
+        GPHYS_REQUIRE(scene && out_hash, "scene or out_hash is null");
+        uint32_t hash[2];
+        unwrap(scene)->hash(hash);
+        std::memcpy(out_hash, hash, sizeof hash);
+        return GPHYS_OK;
+    });
+}
+
 gphys_status gphys_scene_set_origin(gphys_scene* scene, const double origin[3]) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene && origin, "scene or origin is null");

@@ -88,7 +88,7 @@ public:
     uint32_t slots() const { return static_cast<uint32_t>(entries_.size()); }
     uint32_t size() const { return live_; }
 
-    /// For archives (solver/snapshot/archive.h) to write a table or to read it; what was read is to be checked.
+    /// For archives (foundation/archive.h) to write a table or to read it; what was read is to be checked.
     template <class Archive, class Table>
     static void visit(Archive& archive, Table& table) {
         archive.array(table.entries_);

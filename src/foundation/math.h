@@ -92,6 +92,7 @@ public:
         if (widen(narrow(world_ - origin)) != widen(position)) world_ = origin + widen(position);
         return world_ - new_origin;
     }
+    Vec3 world() const { return world_; }
 
 private:
     Vec3 world_;

@@ -27,11 +27,23 @@ double largest_coordinate(const Vector<gphys_vec3>& vertices) {
     return largest;
 }
 
+WordHash hash_of_indices(const MeshArrays& arrays) {
+    WordHash hash;
+    hash.put(arrays.indices, arrays.index_count);
+    return hash;
+}
+
 }  // namespace
 
-Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa,
-           bool deformable)
-    : memory(hooks), kernels_(mesh_kernels(isa)), report_(report), octree_(&memory, isa), rays_root_(Box()), isa_(isa) {
+Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, WordHash index_hash,
+           Isa isa, bool deformable)
+    : memory(hooks),
+      kernels_(mesh_kernels(isa)),
+      report_(report),
+      octree_(&memory, isa),
+      rays_root_(Box()),
+      isa_(isa),
+      index_hash_(index_hash) {
     vertices_.reserve(arrays.vertex_count);
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) vertices_.push_back(arrays.vertex(i));
     if (arrays.index_count > 0) indices_.assign(arrays.indices, arrays.indices + arrays.index_count);
@@ -39,8 +51,22 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
         next_vertices_.resize(vertices_.size());
         users_.emplace(&memory);
     }
-    index_hash_.put(indices_.data(), indices_.size());
+}
+
+Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, Isa isa,
+           bool deformable)
+    : Mesh(hooks, arrays, report, hash_of_indices(arrays), isa, deformable) {
     pack();
+    measure();
+    magnified_ = make_magnified(vertices_, magnification_);
+}
+
+Mesh::Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable)
+    : Mesh(hooks, parts.arrays, parts.report, parts.index_hash, chosen_isa(), deformable) {
+    Vector<Box> boxes(&memory);
+    pack_triangles(parts, packets_, boxes);
+    octree_.build(parts.tree, boxes.data());
+    note_packed_area(boxes);
     measure();
     magnified_ = make_magnified(vertices_, magnification_);
 }
@@ -58,6 +84,10 @@ void Mesh::pack() {
     for (uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
     octree_.build(boxes.data(), numbers.data(), static_cast<uint32_t>(numbers.size()));
     packets_.swap(packets);
+    note_packed_area(boxes);
+}
+
+void Mesh::note_packed_area(const Vector<Box>& boxes) {
     packed_area_ = 0;
     for (const Box& box : boxes) packed_area_ += half_area(box);
     packed_root_area_ = half_area(bounds());

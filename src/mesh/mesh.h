@@ -3,6 +3,7 @@
 //
 //   mesh.cpp       it is made, and asked
 //   deform.cpp     it takes another form
+//   mesh_snapshot.cpp   it is copied out
 //
 // The tree's items are packets of up to eight triangles. All queries are in the mesh's own
 // coordinates and agree with asking each triangle in turn: tree and packets only leave out triangles
@@ -15,6 +16,7 @@
 #include "foundation/word_hash.h"
 #include "mesh/mesh_kernels.h"
 #include "mesh/mesh_ray.h"
+#include "mesh/mesh_snapshot.h"
 #include "mesh/mesh_users.h"
 #include "octree/octree.h"
 
@@ -25,6 +27,8 @@ public:
     /// `report` is that of the arrays and finds no bad vertex and no index out of range.
     Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report,
          Isa isa = chosen_isa(), bool deformable = false);
+    /// The same mesh as parts without a defect are of; nothing of them is needed afterwards.
+    Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable);
     ~Mesh() {
         if (magnified_) release(magnified_);
     }
@@ -67,6 +71,9 @@ public:
     uint64_t hash() const { return hash_; }
     const Octree& octree() const { return octree_; }
     const Vector<TrianglePacket>& packets() const { return packets_; }
+
+    /// As gphys_mesh_get_snapshot.
+    gphys_status snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const;
 
     /// Of the tree whose items are triangles: its leaves are the packets.
     gphys_octree_stats octree_stats() const;
@@ -113,10 +120,14 @@ public:
     Memory memory;
 
 private:
+    /// Without packets and tree.
+    Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_mesh_report& report, WordHash index_hash,
+         Isa isa, bool deformable);
     /// The mesh as arrays of its own.
     MeshArrays arrays() const;
     /// Cut the triangles into packets and build the tree. What throws std::bad_alloc has changed nothing.
     void pack();
+    void note_packed_area(const Vector<Box>& boxes);
     /// Tell packets and tree where the vertices are now. The area of the packets' boxes.
     double refit() noexcept;
     /// What follows from the vertices and the tree.

@@ -17,8 +17,8 @@ constexpr int few = split_few_size;
 constexpr int cost_levels = 48;
 
 Box bounds_of(const gphys_vec3& a, const gphys_vec3& b, const gphys_vec3& c) {
-    return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-            {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+    return without_negative_zeros({{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                                   {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}});
 }
 
 /// Of all cuts with a full packet's multiple on one side, the one of least expected cost.
@@ -88,6 +88,22 @@ void pack_triangles(const MeshArrays& arrays, Vector<TrianglePacket>& packets, V
         packets.push_back(packet_of(arrays, first, last));
         boxes.push_back(union_of(first, last));
         first = last;
+    }
+}
+
+void pack_triangles(const MeshParts& parts, Vector<TrianglePacket>& packets, Vector<Box>& boxes) {
+    packets.reserve(parts.tree.item_count);
+    boxes.reserve(parts.tree.item_count);
+    const uint32_t* next = parts.order;
+    for (uint32_t packet = 0; packet < parts.tree.item_count; ++packet) {
+        BoxedItem items[lanes];
+        uint32_t count = 0;
+        for (bool last = false; !last; ++next) {
+            last = (*next & MeshParts::last_of_packet) != 0;
+            items[count++].item = *next & ~MeshParts::last_of_packet;
+        }
+        packets.push_back(packet_of(parts.arrays, items, items + count));
+        boxes.push_back(packets.back().box());
     }
 }
 

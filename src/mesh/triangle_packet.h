@@ -5,9 +5,19 @@
 #include "foundation/compiler.h"
 #include "foundation/memory.h"
 #include "mesh/mesh_report.h"
+#include "mesh/mesh_snapshot.h"
 #include "octree/box8.h"
 
 namespace gphys {
+
+/// So that no box depends on the order in which it was made.
+inline Box without_negative_zeros(Box box) {
+    for (int k = 0; k < 3; ++k) {
+        box.min[k] += 0.0f;
+        box.max[k] += 0.0f;
+    }
+    return box;
+}
 
 struct alignas(64) TrianglePacket {
     float corner[3][3][8];  // a, b, c; x, y, z
@@ -35,7 +45,7 @@ struct alignas(64) TrianglePacket {
             all.min[k] = *std::min_element(low, low + 8);
             all.max[k] = *std::max_element(high, high + 8);
         }
-        return all;
+        return without_negative_zeros(all);
     }
 
 private:
@@ -53,5 +63,7 @@ bool for_each_lane(uint32_t lanes, Visit&& visit) {
 
 /// The triangles of valid arrays, and the box of each packet. Throws std::bad_alloc.
 void pack_triangles(const MeshArrays& arrays, Vector<TrianglePacket>& packets, Vector<Box>& boxes);
+/// The same of a mesh whose packets are known.
+void pack_triangles(const MeshParts& parts, Vector<TrianglePacket>& packets, Vector<Box>& boxes);
 
 }  // namespace gphys

@@ -12,6 +12,7 @@
 
 #include "foundation/memory.h"
 #include "octree/octree_kernels.h"
+#include "octree/octree_layout.h"
 #include "octree/sah.h"
 
 namespace gphys {
@@ -37,6 +38,8 @@ public:
 
     /// Replace everything by `count` different items.
     void build(const Box* boxes, const uint32_t* items, uint32_t count);
+    /// The same in the form of a layout without a defect; boxes in the order of its items.
+    void build(const OctreeLayout& layout, const Box* boxes);
     void insert(uint32_t item, const Box& box);
     /// Many at once: a build if they are many for this tree.
     void insert_many(const uint32_t* items, const Box* boxes, uint32_t count);
@@ -112,6 +115,13 @@ public:
     template <class Visit>
     bool overlap_pairs(const Octree& other, Visit&& visit) const;
 
+    uint32_t node_count() const { return root_ == none ? 0 : count_nodes(root_); }
+    /// The tree's layout: visit_node(word) for each node and visit_item(item) for each item, in the layout's order.
+    template <class VisitNode, class VisitItem>
+    void visit_layout(VisitNode&& visit_node, VisitItem&& visit_item) const {
+        if (root_ != none) visit_layout_below(root_, visit_node, visit_item);
+    }
+
     // For kernels that bring tests of their own items; only while the tree is not empty.
     const OctreeNode* nodes() const { return nodes_.data(); }
     uint32_t root() const { return root_; }
@@ -148,6 +158,9 @@ private:
         const Node& node = nodes_[index];
         return node.parent == none ? bounds_ : nodes_[node.parent].boxes.lane(static_cast<int>(node.lane));
     }
+
+    template <class VisitNode, class VisitItem>
+    void visit_layout_below(NodeRef ref, VisitNode& visit_node, VisitItem& visit_item) const;
 
     void build_from(Vector<BoxedItem>& items, size_t item_limit);
     void rebuild();
@@ -230,6 +243,19 @@ void Octree::update_many(uint32_t count, Moves&& moves) noexcept {
     };
     moves(put, true);
     refit_all(count);
+}
+
+template <class VisitNode, class VisitItem>
+void Octree::visit_layout_below(NodeRef ref, VisitNode& visit_node, VisitItem& visit_item) const {
+    const Node& node = nodes_[index_of(ref)];
+    visit_node(node.count - 1 + (is_leaf(ref) ? OctreeLayout::leaf_mark : 0));
+    for (uint32_t i = 0; i < node.count; ++i) {
+        if (is_leaf(ref)) {
+            visit_item(node.child[i]);
+        } else {
+            visit_layout_below(node.child[i], visit_node, visit_item);
+        }
+    }
 }
 
 }  // namespace gphys

@@ -7,6 +7,7 @@
 //   scene_queries.cpp     overlaps, nearest, sweeps, culling
 //   scene_solids.cpp      sweeps of capsules and boxes, and ways out
 //   scene_contact.cpp     one model and one point, for collision response
+//   scene_snapshot.cpp    copied out as words, and restored
 //   scene_check.cpp       is everything in agreement?
 //
 // A model's world transform is kept as float32. Everything else is derived from it: the shape in
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "foundation/archive.h"
 #include "foundation/ids.h"
 #include "foundation/pool.h"
 #include "foundation/results.h"
@@ -34,6 +36,9 @@
 #include "scene/slot_set.h"
 
 namespace gphys {
+
+struct UsedMesh;
+class HeldMeshes;
 
 using DeepestPenetrations = Smallest<gphys_penetration, DeepestFirst>;
 
@@ -54,7 +59,7 @@ public:
     Scene& operator=(const Scene&) = delete;
     ~Scene();
 
-    Memory memory;
+    mutable Memory memory;  // also for const functions that say that they allocate
 
     // Models. Whatever fails, by status or by std::bad_alloc, leaves the scene as it was.
 
@@ -105,6 +110,11 @@ public:
     uint32_t unbounded_count() const { return static_cast<uint32_t>(unbounded_.size()); }
     /// What is wrong inside, or nullptr.
     const char* defect() const;
+
+    /// As gphys_scene_get_snapshot, gphys_scene_restore and gphys_scene_get_hash. A library may be the scene itself.
+    gphys_status snapshot(bool embed_meshes, uint32_t* out, uint32_t capacity, uint32_t& total) const;
+    gphys_status restore(const Scene& library, const uint32_t* words, uint32_t count);
+    void hash(uint32_t (&out)[2]) const;
 
     /// `ignored_model` is left out, and with `subtree` all below it; 0 or a model that is gone is none. `ids` are
     /// left out, too, and must live as long as the filter.
@@ -311,6 +321,7 @@ private:
     const gphys_transform& local_of(uint32_t slot) const;
     void set_local(uint32_t slot, const gphys_transform& local);
     void derive_world(uint32_t slot);
+    void forget_place(uint32_t slot);
     Box world_box(uint32_t slot, const gphys_transform& world) const;
     /// What is wrong with a model that stands there; its box, but not of a plane.
     const char* place(uint32_t slot, const gphys_transform& world, Box& box) const;
@@ -343,6 +354,19 @@ private:
     private:
         Scene& scene_;
     };
+    // Snapshots.
+    struct Contents;
+    void exchange(Contents& other) noexcept;
+    void release_meshes();
+    template <class Visit>
+    void for_each_mesh(Visit&& visit) const;
+    template <class Sink, class PutMesh>
+    void write_state(Sink& sink, const PutMesh& put_mesh) const;
+    const char* find_meshes(const Vector<UsedMesh>& wanted, const uint32_t* embedded, uint32_t embedded_words,
+                            const Scene& library, HeldMeshes& found);
+    const char* read_models(Reader& reader, const HeldMeshes& meshes, bool has_places);
+    const char* hang_up(const Vector<uint32_t>& parents);
+    const char* lay_out(const OctreeLayout& layout);
 
     const SceneKernels& kernels_ = scene_kernels(chosen_isa());
     const BoundsKernels& bounds_kernels_ = bounds_kernels(chosen_isa());

@@ -231,7 +231,13 @@ void Scene::remove_slot(uint32_t slot) {
     }
     unlist_large_mesh(slot);
     discard_shape(slot);
+    forget_place(slot);
     ids_.remove(ids_.id(slot));
+}
+
+/// So that a state does not depend on what was in the slot before.
+void Scene::forget_place(uint32_t slot) {
+    if (slot < places_.size()) places_[slot] = WorldPlace();
 }
 
 double Scene::mesh_radius(uint32_t slot) const {
@@ -291,6 +297,7 @@ void Scene::clear() {
         ids_.remove(model);
     });
     families_.clear();
+    places_.clear();
     farthest_point_ = 0;
 }
 
@@ -439,6 +446,7 @@ gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool
         carry_back(slot);
         return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
     }
+    if (new_parent != none) forget_place(slot);
     octree_.update_many(moved, [&](const auto& put, bool) { put_below(slot, put); });
     return GPHYS_OK;
 }

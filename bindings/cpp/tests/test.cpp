@@ -105,6 +105,7 @@ TEST_CASE("meshes") {
     CHECK(mesh.get_report().open_edge_count == 0);
     CHECK(near(mesh.get_vertices().at(4), {0, 2, 0}));
     CHECK(mesh.get_indices().size() == 18);
+    CHECK(Mesh(mesh.get_snapshot()).get_indices() == mesh.get_indices());
     const Ray down{{0.3f, 5, 0.2f}, {0, -1, 0}, 10};
     const std::vector<Hit> hits = mesh.raycast_all(down);
     REQUIRE(hits.size() == 2);
@@ -501,6 +502,12 @@ TEST_CASE("rope and cloth") {
     CHECK(solver.get_hash() != past);
     solver.restore(snapshot);
     CHECK(solver.get_hash() == past);
+    const std::vector<uint32_t> scene_snapshot = scene.get_snapshot(1);
+    Scene copy;
+    copy.restore(nullptr, scene_snapshot);
+    CHECK(copy.get_hash() == scene.get_hash());
+    copy.restore(&scene, scene.get_snapshot(0));
+    CHECK(copy.get_snapshot(1) == scene_snapshot);
     solver.wake(rope);
     CHECK(solver.get_sleeping().empty());
 }

@@ -42,6 +42,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_mesh_get_report(MeshHandle mesh, MeshReport* out_report);
     [DllImport(Library)] internal static extern Status gphys_mesh_get_vertices(MeshHandle mesh, Vec3* out_vertices, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_mesh_get_indices(MeshHandle mesh, uint* out_indices, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_mesh_get_snapshot(MeshHandle mesh, uint* out_words, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_mesh_create_from_snapshot(MeshDesc* desc, uint* words, uint word_count, IntPtr* out_mesh);
     [DllImport(Library)] internal static extern Status gphys_mesh_raycast_all(MeshHandle mesh, Ray* ray, Hit* out_hits, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_mesh_raycast_any(MeshHandle mesh, Ray* ray, int* out_hit);
     [DllImport(Library)] internal static extern Status gphys_mesh_overlap(MeshHandle mesh, ShapeType type, void* shape, uint* out_triangles, uint capacity, uint* out_total);
@@ -115,6 +117,9 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_stats(SceneHandle scene, OctreeStats* out_stats);
     [DllImport(Library)] internal static extern Status gphys_scene_get_octree_boxes(SceneHandle scene, OctreeBox* out_boxes, uint capacity, uint* out_total);
     [DllImport(Library)] internal static extern Status gphys_scene_validate(SceneHandle scene);
+    [DllImport(Library)] internal static extern Status gphys_scene_get_snapshot(SceneHandle scene, int embed_meshes, uint* out_words, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_scene_restore(SceneHandle scene, SceneHandle library, uint* words, uint count);
+    [DllImport(Library)] internal static extern Status gphys_scene_get_hash(SceneHandle scene, uint* out_hash);
     [DllImport(Library)] internal static extern Status gphys_camera_desc_init(CameraDesc* desc, uint size);
     [DllImport(Library)] internal static extern Status gphys_camera_create(CameraDesc* desc, IntPtr* out_camera);
     [DllImport(Library)] internal static extern void gphys_camera_destroy(IntPtr camera);

@@ -158,6 +158,12 @@ public class MotionTests {
         var snapshot = solver.GetSnapshot();
         Refused(Status.ErrorInvalidArgument, () => twin.Restore(snapshot.Skip(1).ToArray()));
         twin.Restore(snapshot);
+        Scene place = new Scene(), copy = new Scene();
+        place.Add(new Sphere((0, 1, 0), 1));
+        copy.Restore(null, place.GetSnapshot(true));
+        CollectionAssert.AreEqual(place.GetHash(), copy.GetHash());
+        copy.Restore(place, place.GetSnapshot(false));
+        CollectionAssert.AreEqual(place.GetModels(), copy.GetModels());
         CollectionAssert.AreEqual(solver.GetHash(), twin.GetHash());
         solver.Step(0.01f);
         CollectionAssert.AreNotEqual(solver.GetHash(), twin.GetHash());

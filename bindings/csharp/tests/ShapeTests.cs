@@ -86,6 +86,9 @@ public class ShapeTests {
         Assert.AreEqual(0, mesh.GetReport().OpenEdgeCount);
         Assert.AreEqual((Vec3)(0, 0, 1), mesh.GetVertices()[3]);
         Assert.AreEqual(12, mesh.GetIndices().Length);
+        var snapshot = mesh.GetSnapshot();
+        CollectionAssert.AreEqual(mesh.GetIndices(), new Mesh(snapshot).GetIndices());
+        Refused(Status.ErrorInvalidArgument, () => new Mesh(snapshot.Skip(1).ToArray()));
         var ray = new Ray((0.2f, 0.2f, -1), (0, 0, 1), 10);
         Assert.AreEqual(1, Geometry.Raycast(mesh, ray).Value.T);
         Assert.AreEqual(2, mesh.RaycastAll(ray).Length);

@@ -108,6 +108,7 @@ public class GamephysTest {
         assertEquals(0, mesh.getReport().openEdgeCount());
         assertEquals(v(0, 2, 0), mesh.getVertices().get(4));
         assertEquals(List.of(0, 3, 4), mesh.getIndices().subList(15, 18));
+        assertEquals(mesh.getIndices(), new Mesh(mesh.getSnapshot()).getIndices());
         Ray down = new Ray(v(0.3, 5, 0.2), v(0, -1, 0), 10);
         Batch<Hit> hits = mesh.raycastAll(down);
         assertEquals(2, hits.size());
@@ -452,6 +453,11 @@ public class GamephysTest {
         assertFalse(Arrays.equals(then, solver.getHash()));
         solver.restore(snapshot);
         assertArrayEquals(then, solver.getHash());
+        Scene copy = new Scene();
+        copy.restore(null, scene.getSnapshot(true));
+        assertArrayEquals(scene.getHash(), copy.getHash());
+        copy.restore(scene, scene.getSnapshot(false));
+        assertArrayEquals(scene.getHash(), copy.getHash());
         solver.wake(0);
         assertEquals(List.of(), solver.getSleeping());
     }

@@ -19,6 +19,15 @@ export function objects(memory) {
                 return made(24);
             }, native.gphys_mesh_destroy);
         }
+        static fromSnapshot(words, desc) {
+            return Reflect.construct(Handle, [() => {
+                begin();
+                if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
+                const words_ = input(words, 4, 'words');
+                check(native.gphys_mesh_create_from_snapshot(desc == null ? 0 : base, pass(words_), words_.length, base + 24));
+                return made(24);
+            }, native.gphys_mesh_destroy], Mesh);
+        }
         setVertices(vertices) {
             begin();
             const vertices_ = input(vertices, 12, 'vertices');
@@ -35,6 +44,10 @@ export function objects(memory) {
         getIndices() {
             begin();
             return list('uint32_t', 0, (room, capacity) => native.gphys_mesh_get_indices(this.pointer, room, capacity, base));
+        }
+        getSnapshot() {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_mesh_get_snapshot(this.pointer, room, capacity, base));
         }
         raycastAll(ray) {
             begin();
@@ -435,6 +448,20 @@ export function objects(memory) {
         }
         validate() {
             check(native.gphys_scene_validate(this.pointer));
+        }
+        getSnapshot(embed_meshes) {
+            begin();
+            return list('uint32_t', 0, (room, capacity) => native.gphys_scene_get_snapshot(this.pointer, +embed_meshes, room, capacity, base));
+        }
+        restore(library, words) {
+            begin();
+            const words_ = input(words, 4, 'words');
+            const count = common(words_);
+            check(native.gphys_scene_restore(this.pointer, pointer(library, Scene, 'library', true), pass(words_), count));
+        }
+        getHash() {
+            check(native.gphys_scene_get_hash(this.pointer, base));
+            return [v.u32[0], v.u32[1]];
         }
     }
     class Camera extends Handle {

@@ -65,6 +65,11 @@ test('meshes', () => {
     assert.strictEqual(mesh.getReport().open_edge_count, 0);
     same(mesh.getVertices().f32, tetrahedron.vertices);
     same(mesh.getIndices().u32, tetrahedron.indices);
+    const loaded = gp.Mesh.fromSnapshot(mesh.getSnapshot());
+    assert(loaded instanceof gp.Mesh);
+    same(loaded.getIndices().u32, tetrahedron.indices);
+    loaded.close();
+    assert.throws(() => gp.Mesh.fromSnapshot(mesh.getSnapshot().u32.subarray(1)), gp.GamephysError);
     const ray = [[0.25, 0.25, -1], [0, 0, 1], Infinity];
     near([...mesh.raycastAll(ray)].map((hit) => hit.t), [1, 1.5]);
     assert.strictEqual(mesh.raycastAny(ray), true);
@@ -282,6 +287,12 @@ test('bodies', () => {
     other.restore(snapshot);
     same(other.getHash(), hash);
     assert.throws(() => other.restore(snapshot.u32.subarray(1)), gp.GamephysError);
+    const place = new gp.Scene(), copy = new gp.Scene();
+    place.add(gp.sphere([0, 1, 0], 1));
+    copy.restore(null, place.getSnapshot(1));
+    same(copy.getHash(), place.getHash());
+    copy.restore(place, place.getSnapshot(0));
+    same([...copy.getModels()], [...place.getModels()]);
     same([...solver.getBodies()], []);
     other.wake(0);
     same([...other.getSleeping()], []);

@@ -94,6 +94,8 @@ void gphys_mesh_destroy(gphys_mesh *mesh);
 gphys_status gphys_mesh_get_report(const gphys_mesh *mesh, gphys_mesh_report *out_report);
 gphys_status gphys_mesh_get_vertices(const gphys_mesh *mesh, gphys_vec3 *out_vertices, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_mesh_get_indices(const gphys_mesh *mesh, uint32_t *out_indices, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_mesh_get_snapshot(const gphys_mesh *mesh, uint32_t *out_words, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc *desc, const uint32_t *words, uint32_t word_count, gphys_mesh **out_mesh);
 gphys_status gphys_mesh_raycast_all(const gphys_mesh *mesh, const gphys_ray *ray, gphys_hit *out_hits, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_mesh_raycast_any(const gphys_mesh *mesh, const gphys_ray *ray, int32_t *out_hit);
 gphys_status gphys_mesh_overlap(const gphys_mesh *mesh, gphys_shape_type type, const void *shape, uint32_t *out_triangles, uint32_t capacity, uint32_t *out_total);
@@ -167,6 +169,9 @@ gphys_status gphys_scene_penetration_filtered(const gphys_scene *scene, gphys_sh
 gphys_status gphys_scene_get_octree_stats(const gphys_scene *scene, gphys_octree_stats *out_stats);
 gphys_status gphys_scene_get_octree_boxes(const gphys_scene *scene, gphys_octree_box *out_boxes, uint32_t capacity, uint32_t *out_total);
 gphys_status gphys_scene_validate(const gphys_scene *scene);
+gphys_status gphys_scene_get_snapshot(const gphys_scene *scene, int32_t embed_meshes, uint32_t *out_words, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_scene_restore(gphys_scene *scene, const gphys_scene *library, const uint32_t *words, uint32_t count);
+gphys_status gphys_scene_get_hash(const gphys_scene *scene, uint32_t *out_hash);
 gphys_status gphys_camera_desc_init(gphys_camera_desc *desc, uint32_t size);
 gphys_status gphys_camera_create(const gphys_camera_desc *desc, gphys_camera **out_camera);
 void gphys_camera_destroy(gphys_camera *camera);

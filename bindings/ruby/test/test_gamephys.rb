@@ -75,6 +75,7 @@ class TestGamephys < Minitest::Test
     assert_equal 0, mesh.get_report.open_edge_count
     assert_equal [0, 2, 0], mesh.get_vertices[4]
     assert_equal [18, 4], [mesh.get_indices.size, mesh.get_indices[17]]
+    assert_equal mesh.get_indices.to_a, Mesh.from_snapshot(mesh.get_snapshot).get_indices.to_a
     down = Ray.new([0.3, 5, 0.2], [0, -1, 0], 10)
     first, last = mesh.raycast_all(down).to_a
     assert first.t < last.t && last.t == 5
@@ -370,6 +371,9 @@ class TestGamephys < Minitest::Test
     refute_equal past, solver.get_hash
     solver.restore(snapshot)
     assert_equal past, solver.get_hash
+    copy = Scene.new
+    copy.restore(nil, scene.get_snapshot(true))
+    assert_equal scene.get_hash, copy.get_hash
     solver.wake(0)
     assert_equal [], solver.get_sleeping.to_a
   end

@@ -58,6 +58,8 @@ extern "C" {
     pub fn gphys_mesh_get_report(mesh: *mut gphys_mesh, out_report: *mut MeshReport) -> Status;
     pub fn gphys_mesh_get_vertices(mesh: *mut gphys_mesh, out_vertices: *mut Vec3, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_mesh_get_indices(mesh: *mut gphys_mesh, out_indices: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_mesh_get_snapshot(mesh: *mut gphys_mesh, out_words: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_mesh_create_from_snapshot(desc: *const MeshDesc, words: *const u32, word_count: u32, out_mesh: *mut *mut gphys_mesh) -> Status;
     pub fn gphys_mesh_raycast_all(mesh: *mut gphys_mesh, ray: *const Ray, out_hits: *mut Hit, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_mesh_raycast_any(mesh: *mut gphys_mesh, ray: *const Ray, out_hit: *mut i32) -> Status;
     pub fn gphys_mesh_overlap(mesh: *mut gphys_mesh, type_: ShapeType, shape: *const c_void, out_triangles: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
@@ -131,6 +133,9 @@ extern "C" {
     pub fn gphys_scene_get_octree_stats(scene: *mut gphys_scene, out_stats: *mut OctreeStats) -> Status;
     pub fn gphys_scene_get_octree_boxes(scene: *mut gphys_scene, out_boxes: *mut OctreeBox, capacity: u32, out_total: *mut u32) -> Status;
     pub fn gphys_scene_validate(scene: *mut gphys_scene) -> Status;
+    pub fn gphys_scene_get_snapshot(scene: *mut gphys_scene, embed_meshes: i32, out_words: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_scene_restore(scene: *mut gphys_scene, library: *mut gphys_scene, words: *const u32, count: u32) -> Status;
+    pub fn gphys_scene_get_hash(scene: *mut gphys_scene, out_hash: *mut u32) -> Status;
     pub fn gphys_camera_desc_init(desc: *mut CameraDesc, size: u32) -> Status;
     pub fn gphys_camera_create(desc: *const CameraDesc, out_camera: *mut *mut gphys_camera) -> Status;
     pub fn gphys_camera_destroy(camera: *mut gphys_camera);

@@ -149,6 +149,13 @@ fn a_solver_goes_on_from_a_snapshot() {
     let snapshot = solver.get_snapshot().unwrap();
     assert_eq!(twin.restore(&snapshot[1..]).unwrap_err().status, Status::ERROR_INVALID_ARGUMENT);
     twin.restore(&snapshot).unwrap();
+    let mut place = Scene::new(None).unwrap();
+    place.add(&Sphere::new([0.0, 1.0, 0.0], 1.0), None, None).unwrap();
+    let mut copy = Scene::new(None).unwrap();
+    copy.restore(None, &place.get_snapshot(true).unwrap()).unwrap();
+    assert_eq!(copy.get_hash().unwrap(), place.get_hash().unwrap());
+    copy.restore(Some(&place), &place.get_snapshot(false).unwrap()).unwrap();
+    assert_eq!(copy.get_models().unwrap(), place.get_models().unwrap());
     assert_eq!(twin.get_hash().unwrap(), solver.get_hash().unwrap());
     solver.step(None, 0.01).unwrap();
     assert_ne!(twin.get_hash().unwrap(), solver.get_hash().unwrap());

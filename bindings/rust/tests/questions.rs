@@ -74,6 +74,9 @@ fn a_mesh_is_a_shape() {
     assert_eq!(mesh.get_report().unwrap().open_edge_count, 0);
     assert_eq!(mesh.get_vertices().unwrap()[3], Vec3::new(0.0, 0.0, 1.0));
     assert_eq!(mesh.get_indices().unwrap().len(), 12);
+    let snapshot = mesh.get_snapshot().unwrap();
+    assert_eq!(Mesh::from_snapshot(&snapshot, None).unwrap().get_indices().unwrap(), mesh.get_indices().unwrap());
+    assert_eq!(Mesh::from_snapshot(&snapshot[1..], None).unwrap_err().status, Status::ERROR_INVALID_ARGUMENT);
     let ray = Ray::new([0.2, 0.2, -1.0], [0.0, 0.0, 1.0], 10.0);
     assert_eq!(raycast(&mesh, &ray).unwrap().unwrap().t, 1.0);
     assert_eq!(mesh.raycast_all(&ray).unwrap().len(), 2);

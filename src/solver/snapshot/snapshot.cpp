@@ -7,7 +7,7 @@
 //
 // Words may come from anywhere. Whatever is used as a number or an index is checked before (snapshot_check.h), and
 // a state that passes is as safe to step as one that the library has made.
-#include "solver/snapshot/archive.h"
+#include "foundation/archive.h"
 #include "solver/snapshot/snapshot_check.h"
 
 namespace gphys {

@@ -66,6 +66,8 @@ module Gamephys
     attach_function :gphys_mesh_get_report, [:pointer, :pointer], :int32
     attach_function :gphys_mesh_get_vertices, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_get_indices, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_get_snapshot, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_create_from_snapshot, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_raycast_all, [:pointer, :pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_mesh_raycast_any, [:pointer, :pointer, :pointer], :int32
     attach_function :gphys_mesh_overlap, [:pointer, :int32, :pointer, :pointer, :uint32, :pointer], :int32
@@ -139,6 +141,9 @@ module Gamephys
     attach_function :gphys_scene_get_octree_stats, [:pointer, :pointer], :int32
     attach_function :gphys_scene_get_octree_boxes, [:pointer, :pointer, :uint32, :pointer], :int32
     attach_function :gphys_scene_validate, [:pointer], :int32
+    attach_function :gphys_scene_get_snapshot, [:pointer, :int32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_scene_restore, [:pointer, :pointer, :pointer, :uint32], :int32
+    attach_function :gphys_scene_get_hash, [:pointer, :pointer], :int32
     attach_function :gphys_camera_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_camera_create, [:pointer, :pointer], :int32
     attach_function :gphys_camera_destroy, [:pointer], :void

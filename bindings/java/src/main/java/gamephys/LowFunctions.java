@@ -43,6 +43,8 @@ class LowFunctions {
     static native int gphys_mesh_get_report(Pointer mesh, Pointer outReport);
     static native int gphys_mesh_get_vertices(Pointer mesh, Pointer outVertices, int capacity, Pointer outTotal);
     static native int gphys_mesh_get_indices(Pointer mesh, Pointer outIndices, int capacity, Pointer outTotal);
+    static native int gphys_mesh_get_snapshot(Pointer mesh, Pointer outWords, int capacity, Pointer outTotal);
+    static native int gphys_mesh_create_from_snapshot(Pointer desc, Pointer words, int wordCount, Pointer outMesh);
     static native int gphys_mesh_raycast_all(Pointer mesh, Pointer ray, Pointer outHits, int capacity, Pointer outTotal);
     static native int gphys_mesh_raycast_any(Pointer mesh, Pointer ray, Pointer outHit);
     static native int gphys_mesh_overlap(Pointer mesh, int type, Pointer shape, Pointer outTriangles, int capacity, Pointer outTotal);
@@ -116,6 +118,9 @@ class LowFunctions {
     static native int gphys_scene_get_octree_stats(Pointer scene, Pointer outStats);
     static native int gphys_scene_get_octree_boxes(Pointer scene, Pointer outBoxes, int capacity, Pointer outTotal);
     static native int gphys_scene_validate(Pointer scene);
+    static native int gphys_scene_get_snapshot(Pointer scene, int embedMeshes, Pointer outWords, int capacity, Pointer outTotal);
+    static native int gphys_scene_restore(Pointer scene, Pointer library, Pointer words, int count);
+    static native int gphys_scene_get_hash(Pointer scene, Pointer outHash);
     static native int gphys_camera_desc_init(Pointer desc, int size);
     static native int gphys_camera_create(Pointer desc, Pointer outCamera);
     static native void gphys_camera_destroy(Pointer camera);

@@ -27,6 +27,42 @@ public final class Mesh extends Owned implements Shape {
     }
 
     /**
+     * <pre>
+     * Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
+     * Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
+     * follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
+     * what its report counts (triangles of zero area, open edges) is taken as it stands there.
+     *   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+     * Throws GamephysException with ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh,
+     * damaged, of a later format or of another byte order.
+     * Cost: O(n), a small part of Mesh's; allocates.
+     * </pre>
+     */
+    public Mesh(Batch<Integer> words, MeshDesc desc) {
+        super(create(words, desc), Low::gphys_mesh_destroy);
+    }
+
+    /**
+     * <pre>
+     * Make a mesh of a snapshot: all its answers have the bits of the mesh that the snapshot was taken of.
+     * Any words are safe, also those of a stranger: vertices, indices and the tree are checked, and what
+     * follows from them is computed. Made-up words are refused, or taken as a mesh like any other; only
+     * what its report counts (triangles of zero area, open edges) is taken as it stands there.
+     *   - desc: with `deformable` the mesh takes new vertices, whatever the one in the snapshot did
+     * Throws GamephysException with ERROR_INVALID_ARGUMENT for words that are no snapshot of a mesh,
+     * damaged, of a later format or of another byte order.
+     * Cost: O(n), a small part of Mesh's; allocates.
+     * </pre>
+     */
+    public Mesh(Batch<Integer> words) {
+        super(create(words, (MeshDesc) null), Low::gphys_mesh_destroy);
+    }
+
+    private static Pointer create(Batch<Integer> words, MeshDesc desc) {
+        return Low.create(made -> Low.gphys_mesh_create_from_snapshot(desc == null ? null : desc.pointer(), words.pointer(), words.size(), made));
+    }
+
+    /**
      * Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
      * Solver.getPositions writes it. All models of the mesh have the new form from then on, in every
      * scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
@@ -79,6 +115,22 @@ public final class Mesh extends Owned implements Shape {
     public Batch<Integer> getIndices() {
         return Low.list(Layout.INT, (room, capacity, total) -> {
                 int status = Low.gphys_mesh_get_indices(opened(), room, capacity, total);
+                Low.keep(this);
+                return status;
+            });
+    }
+
+    /**
+     * Copy a mesh out with its tree, from which Mesh makes it without building the tree.
+     * Threads: any.
+     * Cost: O(n), some 24 bytes and 5 ns for each triangle; no allocation.
+     * @return the snapshot. Words are in the machine's byte order. Every later release of the same major
+     *     version reads it.
+     * @throws GamephysException with ERROR_CAPACITY: beyond 2^32 - 1 words
+     */
+    public Batch<Integer> getSnapshot() {
+        return Low.list(Layout.INT, (room, capacity, total) -> {
+                int status = Low.gphys_mesh_get_snapshot(opened(), room, capacity, total);
                 Low.keep(this);
                 return status;
             });

@@ -1,5 +1,5 @@
-// The state of a solver as a row of 32-bit words, for snapshots and their hashes. What is listed once,
-// as visit(archive, state) in snapshot.cpp, is written, hashed and read in the same order:
+// A state as a row of 32-bit words, for snapshots and their hashes. What is listed once,
+// as in visit(archive, state) of src/solver/snapshot/snapshot.cpp, is written, hashed and read in the same order:
 //
 //   archive.value(x)   one value, a multiple of four bytes
 //   archive.flag(b)    a bool
