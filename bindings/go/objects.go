@@ -1575,8 +1575,8 @@ func (o *Scene) Snapshot(embedMeshes bool) (result []uint32, err error) {
 // Any words are safe, also those of a stranger: all that is used as a number or an index is checked
 // first. Made-up words are refused, or taken as a scene like any other.
 //   - library: meshes that are not embedded are looked for among those that models of this scene use,
-//     by what they hold: vertices and indices. One that has been deformed since is put back first.
-//     nil: among those that models of `scene` itself use, before it is restored.
+//     by what they hold: vertices and indices, so one that has been deformed since is to be put back
+//     first. nil: among those that models of `scene` itself use, before it is restored.
 // The error is ErrInvalidArgument for words that are no snapshot of a scene, damaged, of a later
 // format or of another byte order, and if a mesh is missing.
 // The error is ErrOutOfMemory if there is no room for it.

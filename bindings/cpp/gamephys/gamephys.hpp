@@ -866,8 +866,8 @@ public:
     // Any words are safe, also those of a stranger: all that is used as a number or an index is checked
     // first. Made-up words are refused, or taken as a scene like any other.
     //   - library: meshes that are not embedded are looked for among those that models of this scene use,
-    //     by what they hold: vertices and indices. One that has been deformed since is put back first.
-    //     nullptr: among those that models of `scene` itself use, before it is restored.
+    //     by what they hold: vertices and indices, so one that has been deformed since is to be put back
+    //     first. nullptr: among those that models of `scene` itself use, before it is restored.
     // Throws Error with GPHYS_ERROR_INVALID_ARGUMENT for words that are no snapshot of a scene, damaged,
     // of a later format or of another byte order, and if a mesh is missing.
     // Throws Error with GPHYS_ERROR_OUT_OF_MEMORY if there is no room for it.

@@ -1140,8 +1140,8 @@ public sealed partial class Scene : IDisposable {
     /// first. Made-up words are refused, or taken as a scene like any other.
     /// Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.</summary>
     /// <param name="library">meshes that are not embedded are looked for among those that models of this
-    /// scene use, by what they hold: vertices and indices. One that has been deformed since is put back
-    /// first. null: among those that models of `scene` itself use, before it is restored.</param>
+    /// scene use, by what they hold: vertices and indices, so one that has been deformed since is to be put
+    /// back first. null: among those that models of `scene` itself use, before it is restored.</param>
     /// <exception cref="GamephysException">Status.ErrorInvalidArgument: for words that are no snapshot of a
     /// scene, damaged, of a later format or of another byte order, and if a mesh is missing</exception>
     /// <exception cref="GamephysException">Status.ErrorOutOfMemory: if there is no room for it</exception>

@@ -858,8 +858,8 @@ end
 --- first. Made-up words are refused, or taken as a scene like any other.
 --- Cost: O(n), some 150 ns for each model, besides embedded meshes (Mesh). Allocates.
 --- @param library meshes that are not embedded are looked for among those that models of this scene
----     use, by what they hold: vertices and indices. One that has been deformed since is put back
----     first. nil: among those that models of `scene` itself use, before it is restored.
+---     use, by what they hold: vertices and indices, so one that has been deformed since is to be put
+---     back first. nil: among those that models of `scene` itself use, before it is restored.
 --- @raise status ERROR_INVALID_ARGUMENT: for words that are no snapshot of a scene, damaged, of a later
 ---     format or of another byte order, and if a mesh is missing
 --- @raise status ERROR_OUT_OF_MEMORY: if there is no room for it

@@ -919,8 +919,9 @@ class Scene(Models):
 
         Args:
             library: meshes that are not embedded are looked for among those that models of this scene
-                use, by what they hold: vertices and indices. One that has been deformed since is put
-                back first. None: among those that models of `scene` itself use, before it is restored.
+                use, by what they hold: vertices and indices, so one that has been deformed since is to
+                be put back first. None: among those that models of `scene` itself use, before it is
+                restored.
 
         Raises:
             InvalidArgument: for words that are no snapshot of a scene, damaged, of a later format or of

@@ -1137,8 +1137,8 @@ impl Scene {
     /// Cost: O(n), some 150 ns for each model, besides embedded meshes (`Mesh`). Allocates.
     ///
     /// * `library`: meshes that are not embedded are looked for among those that models of this scene use,
-    ///   by what they hold: vertices and indices. One that has been deformed since is put back first. None:
-    ///   among those that models of `scene` itself use, before it is restored.
+    ///   by what they hold: vertices and indices, so one that has been deformed since is to be put back
+    ///   first. None: among those that models of `scene` itself use, before it is restored.
     ///
     /// # Errors
     /// * `Status::ERROR_INVALID_ARGUMENT`: for words that are no snapshot of a scene, damaged, of a later
