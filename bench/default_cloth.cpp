@@ -256,20 +256,21 @@ void walk_through(World& world) {
     };
 }
 
-/// A cape on a capsule that runs at 6 m/s, turns about within a fifth of a second and stops after six seconds.
-void wear(World& world) {
+/// A cape on a capsule that runs at 6 m/s, turns about within a fifth of a second and stops after six seconds. Then it
+/// turns once more or, if it `jumps`, is turned about from one frame to the next.
+void wear(World& world, bool jumps) {
     static const gphys_capsule body{{0, 0.3f, 0}, {0, 1.5f, 0}, 0.25f};
     const gphys_model_id runner = world.add(GPHYS_SHAPE_CAPSULE, &body);
     world.add_sheet({-0.4f, 1.5f, 0.28f}, {0.8f, 0, 0}, {0, -1.1f, 0.1f});
     for (uint32_t p = 0; p < world.columns; ++p) {
         world.attach(p, runner);
     }
-    world.act = [&world, runner](double time) {
+    world.act = [&world, runner, jumps](double time) {
         // To and fro along z: half of each two seconds this way, half that way, turned by half a turn between.
         const double running = std::min(std::max(time - 0.5, 0.0), 6.0), phase = std::fmod(running, 2.0);
         const double way = phase < 1 ? 6 * phase : 6 * (2 - phase);
         const auto turning = [](double since) { return 3.14159265 * std::min(std::max(since / 0.2, 0.0), 1.0); };
-        const double turned = running >= 6                 ? 0
+        const double turned = running >= 6                 ? 3.14159265 + turning(jumps ? 1 : time - 6.5)
                               : phase < 0.2 && running > 1 ? 3.14159265 + turning(phase)
                                                            : turning(phase - 1);
         const gphys_transform place = at(0, 0, static_cast<float>(-way), static_cast<float>(turned));
@@ -322,9 +323,13 @@ int main(int count, char** arguments) {
             options.mesh = word;
         }
     }
-    std::vector<Scene> scenes{{"hanging", 100, 100, hang},  {"sphere", 100, 100, fall_on_sphere},
-                              {"box", 30, 30, fall_on_box}, {"curtain", 60, 60, walk_through},
-                              {"cape", 30, 40, wear},       {"jump", 30, 30, jump}};
+    std::vector<Scene> scenes{{"hanging", 100, 100, hang},
+                              {"sphere", 100, 100, fall_on_sphere},
+                              {"box", 30, 30, fall_on_box},
+                              {"curtain", 60, 60, walk_through},
+                              {"cape", 30, 40, [](World& world) { wear(world, false); }},
+                              {"cape_jump", 30, 40, [](World& world) { wear(world, true); }},
+                              {"jump", 30, 30, jump}};
     if (!options.mesh.empty()) {
         scenes.push_back({"mesh", 100, 100, [&](World& world) { fall_on_mesh(world, options); }});
     }

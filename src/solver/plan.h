@@ -122,8 +122,8 @@ struct Plan {
     gphys_solve_method method = GPHYS_SOLVE_FREE;
     // What follows from constraints and from pins; when out of date, what is there of it counts for nothing.
     bool chains_current = false, reach_current = false;
-    bool described = false;  // whether the links of the chains are as their constraints are
-    bool packed = false;     // whether `batches` are of both
+    bool described = false;                           // whether the links of the chains are as their constraints are
+    bool chains_packed = false, pins_packed = false;  // whether `batches` are of them
 
     /// By family. The chains of a family share no particle, so their order within it is free.
     Vector<Chain> chains;
@@ -162,7 +162,8 @@ void complete_plan(Body& body);
 void plan_direct_chains(Body& body);
 void plan_chain_families(Body& body);
 void plan_reach_limits(Body& body);
-void pack_cloth(Body& body);
+void pack_cloth_chains(Body& body);
+void pack_pins(Body& body);
 void list_kept_links(Body& body);
 
 /// Positions are moved so that the constraints hold; `step` is the effective time step of the scheme:

@@ -162,7 +162,7 @@ void Solver::Before::put_back(Body& body) {
     body.plan.chains_current = chains_current;
     body.plan.reach_current = reach_current;
     if (attachments.empty()) return;
-    body.plan.packed = false;
+    body.plan.pins_packed = false;
     body.plan.reach_limits.swap(reach_limits);
     body.attachments.swap(attachments);
     for (const Attachment& attachment : body.attachments) body.inverse_mass[attachment.particle] = 0;

@@ -13,8 +13,15 @@ bool is_slow(const Body& body, double speed) {
                        [&](Vec3 velocity) { return length_squared(velocity) <= speed * speed; });
 }
 
-/// Of rigid constraints: what elastic ones hold may be at rest at any length.
+/// Of rigid constraints: what elastic ones hold may be at rest at any length, and so may braces of cloth that yield.
 bool is_hardly_strained(const Body& body, double strain) {
+    if (is_graph(body) && body.cloth.braces_yield) {
+        const Vector<KeptLinks::Link>& links = body.plan.batches.kept.links;
+        return std::all_of(links.begin(), links.end(), [&](const KeptLinks::Link& link) {
+            const double error = distance(body.position[link.a], body.position[link.b]) - link.rest;
+            return link.brace || (link.limit && error < 0) || std::fabs(error) <= strain * link.rest;
+        });
+    }
     for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
         if (!body.constraint_ids.live(slot)) continue;
         const DistanceConstraint& c = body.constraints[slot];

@@ -185,10 +185,27 @@ void give_pulls(Body& body, const Surroundings& around, double step, double h) {
     }
 }
 
-void follow_models(Body& body, double fraction) {
+/// Models turn about, so what is attached to them goes along arcs: places halfway between two on a circle would be
+/// nearer to each other.
+void follow_models(Body& body, const Surroundings& around) {
+    gphys_model_id model = 0;
+    const PlacedModel* moved = nullptr;
+    Transform now;
     for (const Attachment& attachment : body.attachments) {
-        const Vec3 next = attachment.begin + (attachment.end - attachment.begin) * fraction;
+        if (attachment.begin == attachment.end) continue;
+        Vec3 next = attachment.begin + (attachment.end - attachment.begin) * around.end;
+        if (attachment.model != model) {
+            model = attachment.model;
+            moved = find_moved(around, model);
+            if (moved) now = interpolate(moved->world, around.scene->world(model), around.end);
+        }
+        if (moved && around.end < 1) {
+            const Vec3 aside = attachment.begin - widen(moved->world).apply(attachment.local);
+            next = now.apply(attachment.local) + aside * (1 - around.end);
+        }
         put(&body.cloth.at[4 * size_t{attachment.particle}], next - body.cloth.origin, farthest);
+    }
+    for (const Attachment& attachment : body.attachments) {
         put(&body.cloth_contacts.pulls[4 * size_t{attachment.particle}], {}, 0);
     }
 }
@@ -216,6 +233,15 @@ void take_back(Body& body, double gain) {
         drift = motion.momentum / motion.mass;
     }
     slow_by(body, drift, gain);
+}
+
+/// Whether all that pushes the body from outside in this substep is known: nothing, or models that a closed body
+/// touches. One that lies on them open may turn about as a whole by what its sweeps leave unsolved.
+bool is_accounted_for(const Body& body, bool collides) {
+    const ClothContacts& contacts = body.cloth_contacts;
+    if (body.cloth.held || body.joined || body.near) return false;
+    if (!collides || !(contacts.touches() || contacts.sunk)) return true;
+    return body.volume.held && !contacts.sunk && !contacts.pushed;
 }
 
 /// part(its number, first particle, end) in any order.
@@ -385,13 +411,15 @@ void predict_cloth(Body& body, const Surroundings& around, double h) {
     if (!body.length_changes.empty()) change_lengths(body, around.end);
     soften(body.plan.batches, cloth.average_mass, TimeScheme(h, body.earlier_step).step(body.settings.damping));
     // Moving models and other bodies do work.
-    const bool closed = body.attachments.empty() && !cloth.pulled;
+    const bool carried = std::any_of(body.attachments.begin(), body.attachments.end(),
+                                     [](const Attachment& attachment) { return attachment.begin != attachment.end; });
+    const bool closed = !carried && !cloth.pulled;
     if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(kernels, body);
     cloth.balance.closed = closed;
     if (body.air.blows()) blow_cloth(body, around, h);
     predict(kernels, cloth, cloth_step(body, h));
     damp_links(body, TimeScheme(h, body.earlier_step));
-    follow_models(body, around.end);
+    follow_models(body, around);
 }
 
 void solve_cloth(Body& body) {
@@ -448,8 +476,9 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     const bool captured = capture_limits(body, around, scheme);
     if (body.cloth_contacts.sunk && collides && !cloth.held) keep_calm(body, gain * cloth.average_mass);
     cloth.balance.closed = cloth.balance.closed && !(collides && body.cloth_contacts.pushed);
-    if (cloth.balance.closed) {
-        const double before = cloth.balance.stored;
+    const bool accounted = is_accounted_for(body, collides);
+    const double before = cloth.balance.stored;
+    if (cloth.balance.closed && !accounted) {
         cloth.balance.stored = stored_energy(kernels, body);
         cloth.balance.gain = (gain + cloth.balance.stored - before) * cloth.average_mass;
         if (cloth.balance.gain > 0 && !body.joined) take_back(body, cloth.balance.gain);
@@ -457,25 +486,38 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     body.touched = captured;
     if (collides) {
         body.touched = captured || body.cloth_contacts.touches();
-        turn_velocities(body, around, quiet_speed(gravity, h), h);
+        turn_velocities(body, around, h);
         if (body.cloth_contacts.pushed) ease_links(body);
     }
     if (cloth.most_strain > 0) {
         if (collides) note_places(body);
         const double lost = relax_links(body, collides, h);
         if (collides) stop_taken_back(body, around, h);
-        if (lost > 0 && cloth.balance.closed) take_back(body, lost * cloth.average_mass);
+        if (lost > 0 && cloth.balance.closed && !accounted) take_back(body, lost * cloth.average_mass);
+    }
+    if (accounted) {
+        if (cloth.balance.closed) cloth.balance.stored = stored_energy(kernels, body);
+        keep_momentum(body, h, cloth.balance.stored - before);
     }
     if (collides) {
         catch_escaped(body, around, gravity, h);
         if (body.cloth_contacts.sunk) leave_solids(body, h);
     }
-    cloth.balance.current = cloth.balance.closed && !collides && cloth.most_strain == 0;
+    if (cloth.balance.closed && !accounted && !body.joined && !body.cloth_contacts.sunk) {
+        // Walls and friction only take energy, but what they push out of them is raised.
+        const double stored = stored_energy(kernels, body);
+        const double all =
+            sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.gain(block); }) + stored - before;
+        if (all > 0) take_back(body, all * cloth.average_mass);
+        cloth.balance.stored = stored;
+    }
+    cloth.balance.current = cloth.balance.closed && !collides && (accounted || cloth.most_strain == 0);
     body.earlier_step = body.touched ? 0 : h;
 }
 
 void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h) {
     const bool collides = gphys::collides(body, around);
+    body.cloth_contacts.given = body.cloth_contacts.turning = {};
     if (collides) touch_walls(body, around, gravity, TimeScheme(h, body.earlier_step));
     solve_cloth(body);
     finish_cloth(body, around, gravity, h);

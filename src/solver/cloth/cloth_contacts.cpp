@@ -139,6 +139,24 @@ void look_ahead(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     Lookout(around, body, gravity, around.step_time * (1 - around.begin)).look(contacts.escaped.data(), count);
 }
 
+namespace {
+
+/// With which it comes to its wall, where it began the substep at `place` beside it and would end it at `predicted`:
+/// what it has won until there by falling, and not by falling on behind the wall. 0 if it is too slow to bounce.
+double impact_speed(const Neighbour& n, const ClothState& cloth, Vec3 place, double predicted, double quiet) {
+    const Wall& wall = n.walls[n.touching];
+    const size_t i = 4 * size_t{n.particle};
+    const double drop = std::max(0.0, dot(wall.normal, place) - wall.offset);
+    const double of_wall = dot(place - get(&cloth.start[i]), wall.normal);
+    if (predicted <= quiet) return 0;
+    if (of_wall != 0) return predicted;
+    const double speed = -dot(get(&cloth.velocity[i]), wall.normal);
+    const double pull = -dot(get(&cloth.acceleration[i]), wall.normal);
+    return speed > 0 ? std::sqrt(std::max(0.0, speed * speed + 2 * pull * drop)) : predicted;
+}
+
+}  // namespace
+
 void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
     ClothState& cloth = body.cloth;
     const BodySettings& settings = body.settings;
@@ -173,7 +191,7 @@ void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const Tim
         const Vec3 normal = n.walls[wall].normal;
         const Vec3 place = place_on_wall(n, contacts, start), moved = get(at) - place;  // beside the wall
         const double away = dot(moved, normal);
-        n.approach = -away * rate;
+        n.approach = impact_speed(n, cloth, place, -away * rate, quiet_speed(gravity, h));
         const Vec3 along = moved - normal * away;
         n.crept = -1;
         if (settings.sticks()) {
@@ -207,7 +225,8 @@ void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& 
     const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
     n.held = within(hold) || (n.crept >= 0 && within(n.crept + settings.static_friction * n.total - n.slowed));
     if (n.held) {
-        put(at, place);
+        // One that bounces is held along the wall.
+        put(at, settings.restitution * n.approach > 0 ? get(at) - along : place);
     } else if (hold > 0) {
         put(at, get(at) - along * (hold / std::sqrt(squared)));
     }
@@ -263,8 +282,12 @@ void lose(Neighbour& n, Body& body, const Surroundings& around, Vec3 velocity) {
         hand_over(n, body, around);
         n.getting = wall.model;
     }
+    const size_t i = 4 * size_t{n.particle};
+    const Vec3 turning = cross(get(&body.cloth.at[i]) - wall.normal * body.radius[n.particle], velocity);
     n.given += velocity;
-    n.turning += cross(get(&body.cloth.at[4 * size_t{n.particle}]) - wall.normal * body.radius[n.particle], velocity);
+    n.turning += turning;
+    body.cloth_contacts.given += velocity * body.cloth.acceleration[i + 3];
+    body.cloth_contacts.turning += turning * body.cloth.acceleration[i + 3];
 }
 
 }  // namespace
@@ -279,7 +302,7 @@ void count_contacts(Body& body, const Surroundings& around, double rate) {
     }
 }
 
-void turn_velocities(Body& body, const Surroundings& around, double quiet, double h) {
+void turn_velocities(Body& body, const Surroundings& around, double h) {
     ClothState& cloth = body.cloth;
     const double rate = 1 / h;
     for (const uint32_t number : body.cloth_contacts.touching) {
@@ -288,14 +311,14 @@ void turn_velocities(Body& body, const Surroundings& around, double quiet, doubl
         float* velocity = &cloth.velocity[i];
         const Vec3 start = get(&cloth.start[i]), place = place_on_wall(n, body.cloth_contacts, start);
         const Vec3 of_wall = (place - start) * rate;
-        if (get(&cloth.at[i]) == place) {
+        if (get(&cloth.at[i]) == place && body.settings.restitution * n.approach == 0) {
             lose(n, body, around, get(velocity) - of_wall);
             put(velocity, of_wall);
             continue;
         }
         const Vec3 normal = n.walls[n.touching].normal;
         const double away = dot(get(velocity) - of_wall, normal);
-        const double wanted = n.approach > quiet ? body.settings.restitution * n.approach : 0;
+        const double wanted = body.settings.restitution * n.approach;
         if (away >= wanted) continue;
         lose(n, body, around, normal * (away - wanted));
         put(velocity, get(velocity) + normal * (wanted - away));

@@ -52,7 +52,7 @@ struct alignas(64) Neighbour {
     double pressed;         // metres, by how much walls have moved it
     double total;           // the same with what links pulled it against them by
     double slowed;          // metres, by how much friction has slowed it before the links pulled
-    double approach;        // speed towards the wall before it touched
+    double approach;        // speed towards the wall when it meets it, if that is more than none; else 0
     bool chained_touching;  // whether it touched before the chains were solved
     bool held;              // whether friction keeps it at its place on the wall
     Vec3 coming;            // if so, the velocity predicted for the end of this substep
@@ -96,6 +96,7 @@ struct ClothContacts {
     Vector<float> balls;           // four floats a particle: centre, square of the radius
     Vector<float> normals, pulls;  // four floats a particle, as ClothSurfaces takes them
     Vector<uint32_t> escaped;      // of this substep; at its beginning those that look around
+    Vec3 given, turning;           // as those of the neighbours, of all in this substep, times their relative masses
     uint64_t neighbourhood = 0;    // a hash of the models that were around when the last step ended
     bool pushed = false;           // whether any that touches is, by a model that moves
     bool sunk = false;             // whether any has been found in a model

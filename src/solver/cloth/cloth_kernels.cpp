@@ -441,6 +441,17 @@ double finish(const ClothMotion& motion, const ClothStep& step) {
     return gain;
 }
 
+double gain(const ClothMotion& motion) {
+    const Float8 half = splat(0.5f);
+    Float8 sum = splat(0);
+    for (uint32_t i = 0; i < motion.floats; i += 8) {
+        const Float8 now = load(motion.velocity + i), before = load(motion.velocity_before + i);
+        const Float8 fall = load(motion.acceleration + i), way = load(motion.at + i) - load(motion.start + i);
+        sum = sum + last_of_quads(fall) * ((now - before) * (now + before) * half - without_last_of_quads(fall) * way);
+    }
+    return added(sum);
+}
+
 /// The same velocity for two particles.
 Float8 twice(const float (&velocity)[3]) {
     const float quads[8] = {velocity[0], velocity[1], velocity[2], 0, velocity[0], velocity[1], velocity[2], 0};
@@ -470,6 +481,7 @@ void slow(const ClothMotion& motion, const float (&drift)[3], float kept) {
 }  // namespace
 
 const ClothKernels cloth_kernels = {predict, solve, solve_touching, solve_pulling, solve_joined, list_strained,
-                                    stored,  limit, limit_pulling,  finish,        kinetic,      slow};
+                                    stored,  limit, limit_pulling,  finish,        gain,         kinetic,
+                                    slow};
 
 }  // namespace gphys::GPHYS_ISA

@@ -89,6 +89,8 @@ struct ClothKernels {
                           float* pulls);
     /// Returns the kinetic energy gained beyond what forces gave, per average mass.
     double (*finish)(const ClothMotion& motion, const ClothStep& step);
+    /// The same of a substep that has ended: from velocity_before to velocity, and from start to at.
+    double (*gain)(const ClothMotion& motion);
     /// Kinetic energy, per average mass, beside a motion of all, and this part of velocities kept beside it.
     double (*kinetic)(const ClothMotion& motion, const float (&drift)[3]);
     void (*slow)(const ClothMotion& motion, const float (&drift)[3], float kept);

@@ -48,51 +48,47 @@ bool pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhe
 
 /// Limits on one particle act one after the other, those on different ones side by side: first
 /// the nearest anchor of every particle, then the second nearest, and so on.
-void pack_limits(const Body& body, uint32_t nowhere, ClothBatches& batches) {
-    std::pmr::memory_resource* memory = batches.limited.get_allocator().resource();
+void pack_limits(const Body& body, ClothBatches& batches) {
+    const uint32_t nowhere = body.size();
     const Vector<ReachLimit>& limits = body.plan.reach_limits;
-    Vector<uint32_t> rank(limits.size(), memory), count(body.size(), 0, memory), order(limits.size(), memory);
-    for (uint32_t i = 0; i < limits.size(); ++i) {
+    Vector<uint32_t> rank(limits.size(), batches.limited.get_allocator()), count(body.size(), 0, rank.get_allocator());
+    uint32_t ranks = 0;
+    for (size_t i = 0; i < limits.size(); ++i) {
         rank[i] = count[limits[i].particle]++;
-        order[i] = i;
+        ranks = std::max(ranks, rank[i] + 1);
     }
-    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-        return rank[a] != rank[b] ? rank[a] < rank[b] : limits[a].particle < limits[b].particle;
-    });
-    const auto fill_up = [&] {
-        while (batches.limited.size() % lanes != 0) {
-            batches.limited.push_back(nowhere);
-            batches.anchors.push_back(nowhere);
-            batches.distances.push_back(0);
-        }
+    const auto add = [&](uint32_t particle, uint32_t anchor, double distance) {
+        batches.limited.push_back(particle);
+        batches.anchors.push_back(anchor);
+        batches.distances.push_back(static_cast<float>(distance));
     };
+    batches.limited.clear();
+    batches.anchors.clear();
+    batches.distances.clear();
     batches.ranks.assign(1, 0);
-    for (uint32_t i = 0; i < limits.size(); ++i) {
-        if (i > 0 && rank[order[i]] != rank[order[i - 1]]) {
-            fill_up();
-            batches.ranks.push_back(static_cast<uint32_t>(batches.limited.size()));
+    for (uint32_t r = 0; r < ranks; ++r) {
+        for (size_t i = 0; i < limits.size(); ++i) {
+            if (rank[i] == r) add(limits[i].particle, limits[i].anchor, limits[i].distance);
         }
-        const ReachLimit& limit = limits[order[i]];
-        batches.limited.push_back(limit.particle);
-        batches.anchors.push_back(limit.anchor);
-        batches.distances.push_back(static_cast<float>(limit.distance));
+        while (batches.limited.size() % lanes != 0) add(nowhere, nowhere, 0);
+        batches.ranks.push_back(static_cast<uint32_t>(batches.limited.size()));
     }
-    fill_up();
-    batches.ranks.push_back(static_cast<uint32_t>(batches.limited.size()));
 }
 
 /// Which chains move what is attached to models.
 void mark_attached(const Body& body, ClothBatches& batches) {
+    Vector<uint8_t> attached(body.size() + size_t{batches.spare}, 0, batches.limited.get_allocator());
+    for (const Attachment& attachment : body.attachments) attached[attachment.particle] = 1;
     for (ChainBatch& batch : batches.chains) {
         const uint32_t* first = &batches.particles[lanes * size_t{batch.first_particle}];
-        batch.attached = std::any_of(first, first + lanes * size_t{batch.link_count + 1},
-                                     [&](uint32_t p) { return find_attachment(body, p) != nullptr; });
+        batch.attached =
+            std::any_of(first, first + lanes * size_t{batch.link_count + 1}, [&](uint32_t p) { return attached[p]; });
     }
 }
 
 }  // namespace
 
-void pack_cloth(Body& body) {
+void pack_cloth_chains(Body& body) {
     const Plan& plan = body.plan;
     ClothBatches& batches = body.plan.batches;
     batches.chains.clear();
@@ -102,9 +98,6 @@ void pack_cloth(Body& body) {
     batches.compliance.clear();
     batches.damped.clear();
     batches.limits.clear();
-    batches.limited.clear();
-    batches.anchors.clear();
-    batches.distances.clear();
     const uint32_t nowhere = body.size();
     batches.longest = 0;
     batches.spare = 2;
@@ -120,7 +113,6 @@ void pack_cloth(Body& body) {
         batches.spare = std::max(batches.spare, spare);
     }
     batches.families.push_back(static_cast<uint32_t>(batches.chains.size()));
-    if (!body.attachments.empty()) mark_attached(body, batches);
     double length = 0;
     for (const double rest : plan.rest) length += rest;
     batches.link_length = length / static_cast<double>(std::max<size_t>(1, plan.rest.size()));
@@ -130,8 +122,12 @@ void pack_cloth(Body& body) {
     batches.stiffness.resize(batches.rest.size());
     batches.scale = 0;
     batches.rows.resize(size_t{cloth_row_floats} * batches.longest);
-    pack_limits(body, nowhere, batches);
     list_kept_links(body);
+}
+
+void pack_pins(Body& body) {
+    pack_limits(body, body.plan.batches);
+    mark_attached(body, body.plan.batches);
 }
 
 }  // namespace gphys

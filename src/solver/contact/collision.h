@@ -30,8 +30,9 @@ struct Surroundings {
     double begin = 0, end = 1;                   // fractions of the step
 };
 
-/// Whether the model has moved since the last step.
-bool has_moved(const Surroundings& around, gphys_model_id model);
+/// Where the model was before the last step, if it has moved since; else null.
+const PlacedModel* find_moved(const Surroundings& around, gphys_model_id model);
+inline bool has_moved(const Surroundings& around, gphys_model_id model) { return find_moved(around, model) != nullptr; }
 
 /// A placement between two others: positions and scales linearly, rotations along the shorter arc.
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction);
@@ -257,7 +258,7 @@ void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const Tim
 void note_places(Body& body);
 void leave_walls(Body& body);
 void count_contacts(Body& body, const Surroundings& around, double rate);
-void turn_velocities(Body& body, const Surroundings& around, double quiet, double h);
+void turn_velocities(Body& body, const Surroundings& around, double h);
 /// A model that moves carries particles further in a substep than friction should: links between two that touch
 /// something get their lengths back.
 void ease_links(Body& body);
@@ -302,6 +303,11 @@ struct Motion {
 Motion motion_of_cloth(const Body& body);
 double inner_energy_of_cloth(Body& body, Vec3 drift);
 void slow_cloth(Body& body, Vec3 drift, double kept);
+
+/// whole_motion.cpp: at the end of a substep of h seconds of cloth that nothing but forces and contacts has pushed, its
+/// momentum and angular momentum to what these make of those that it began with. If no energy comes from outside, what
+/// it gained, of which `stored` per average mass by elastic links, is taken from motion beside that as a rigid body.
+void keep_momentum(Body& body, double h, double stored);
 
 /// relax_links.cpp: after a substep of h seconds, links that it has left strained beyond the target. Returns the energy
 /// that forces have lost by it, per average mass.

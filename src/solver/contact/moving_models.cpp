@@ -6,8 +6,9 @@
 
 namespace gphys {
 
-bool has_moved(const Surroundings& around, gphys_model_id model) {
-    return std::binary_search(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
+const PlacedModel* find_moved(const Surroundings& around, gphys_model_id model) {
+    const auto at = std::lower_bound(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
+    return at != around.moved->end() && at->model == model ? &*at : nullptr;
 }
 
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction) {

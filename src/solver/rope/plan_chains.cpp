@@ -344,6 +344,7 @@ void complete_plan(Body& body) {
 void update_plan(Body& body) {
     Plan& plan = body.plan;
     if (!plan.chains_current) {
+        plan.chains_packed = false;
         plan.method = method_of(body);
         if (plan.method == GPHYS_SOLVE_FREE) clear_chains(plan);
         if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
@@ -356,18 +357,25 @@ void update_plan(Body& body) {
         if (plan.method == GPHYS_SOLVE_DIRECT) describe_direct_links(body);
         if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body, plan);
         note_kinds(body);
-        plan.packed = false;
+        plan.chains_packed = false;
         plan.described = true;
     }
     if (!plan.reach_current) {
         plan.reach_limits.clear();
-        plan.packed = false;
+        plan.pins_packed = false;
         if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(body);
         plan.reach_current = true;
     }
-    if (!plan.packed && plan.method == GPHYS_SOLVE_GRAPH) {
-        pack_cloth(body);
-        plan.packed = true;
+    if (plan.method != GPHYS_SOLVE_GRAPH) return;
+    // Pins come and go without changing the chains.
+    if (!plan.chains_packed) {
+        plan.pins_packed = false;
+        pack_cloth_chains(body);
+        plan.chains_packed = true;
+    }
+    if (!plan.pins_packed) {
+        pack_pins(body);
+        plan.pins_packed = true;
     }
 }
 

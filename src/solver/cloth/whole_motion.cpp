@@ -1,0 +1,124 @@
+// The motion of cloth as a whole: its momentum, its angular momentum and the rigid motion that has both.
+//
+// Constraints act between particles, so they change neither of the two. Sweeps over them do: each link is taken along
+// the direction that it had before those after it moved its ends, and what keeps energy from growing slows all
+// motion. Where all that pushes a body from outside is known it therefore gets back, at the end of a substep, what it
+// lacks of both, as a rigid motion; energy is then only taken from what moves beside that motion.
+#include "foundation/elementary.h"
+#include "solver/contact/collision.h"
+#include "solver/quads.h"
+
+namespace gphys {
+namespace {
+
+/// Of some particles, about the origin of the cloth, per average mass.
+struct Moments {
+    double mass = 0, energy = 0;
+    Vec3 places, momentum, spin;
+    Vec3 squares, products;  // of coordinates: xx, yy, zz and yz, zx, xy
+
+    void add(double m, Vec3 at, Vec3 velocity) {
+        mass += m;
+        places += at * m;
+        momentum += velocity * m;
+        spin += cross(at, velocity) * m;
+        squares += Vec3{at.x * at.x, at.y * at.y, at.z * at.z} * m;
+        products += Vec3{at.y * at.z, at.z * at.x, at.x * at.y} * m;
+        energy += length_squared(velocity) * m / 2;
+    }
+    Vec3 centre() const { return places / mass; }
+    /// About the centre.
+    Vec3 own_spin() const { return spin - cross(centre(), momentum); }
+};
+
+/// The angular velocity with which a body of these moments has that spin. None about an axis that all particles lie
+/// on: what inertia there is about it is rounding.
+Vec3 turning_of(const Moments& body, Vec3 spin) {
+    constexpr double regularisation = 1e-9;
+    const Vec3 c = body.centre();
+    const Vec3 s = body.squares - Vec3{c.x * c.x, c.y * c.y, c.z * c.z} * body.mass;
+    const Vec3 p = body.products - Vec3{c.y * c.z, c.z * c.x, c.x * c.y} * body.mass;
+    const double least = regularisation * (s.x + s.y + s.z);
+    const Vec3 x{s.y + s.z + least, -p.z, -p.y}, y{-p.z, s.z + s.x + least, -p.x}, z{-p.y, -p.x, s.x + s.y + least};
+    const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+    const double determinant = dot(x, yz);
+    if (!(determinant > 0)) return {};
+    return Vec3{dot(yz, spin), dot(zx, spin), dot(xy, spin)} / determinant;
+}
+
+/// A rigid motion: the velocity at the origin, and how it turns.
+struct Rigid {
+    Vec3 velocity, turning;
+
+    Vec3 at(Vec3 place) const { return velocity + cross(turning, place); }
+};
+Rigid rigid_motion_of(const Moments& body) {
+    const Vec3 turning = turning_of(body, body.own_spin());
+    return {body.momentum / body.mass - cross(turning, body.centre()), turning};
+}
+/// What is left of the energy without it.
+double energy_beside(const Moments& body) {
+    const Vec3 spin = body.own_spin();
+    return body.energy - length_squared(body.momentum) / (2 * body.mass) - dot(spin, turning_of(body, spin)) / 2;
+}
+
+/// visit(particle, relative mass, number of its first float), in order.
+template <class Visit>
+void each_particle(const ClothState& cloth, Visit&& visit) {
+    for (size_t i = 0; i < 4 * size_t{cloth.particles}; i += 4) visit(i, double{cloth.acceleration[i + 3]});
+}
+
+/// The rigid motion stays, and this part of all other motion.
+void slow_beside(ClothState& cloth, const Rigid& rigid, double kept) {
+    each_particle(cloth, [&](size_t i, double) {
+        const Vec3 common = rigid.at(get(&cloth.at[i]));
+        put(&cloth.velocity[i], common + (get(&cloth.velocity[i]) - common) * kept);
+    });
+}
+
+double part_without(double energy, double of) { return energy < of ? std::sqrt(1 - energy / of) : 0; }
+
+}  // namespace
+
+void keep_momentum(Body& body, double h, double stored) {
+    ClothState& cloth = body.cloth;
+    Moments before, after;
+    Vec3 force, torque_before, torque_after;
+    double work = 0;
+    each_particle(cloth, [&](size_t i, double m) {
+        const Vec3 start = get(&cloth.start[i]), at = get(&cloth.at[i]), push = get(&cloth.acceleration[i]) * m;
+        before.add(m, start, get(&cloth.velocity_before[i]));
+        after.add(m, at, get(&cloth.velocity[i]));
+        force += push;
+        torque_before += cross(start, push);
+        torque_after += cross(at, push);
+        work += dot(push, at - start);
+    });
+    torque_before -= cross(before.centre(), force);
+    torque_after -= cross(after.centre(), force);
+    const double z = body.settings.damping * h;
+    const Decay decay = gphys::decay(z);
+    const double acting = z > 0 ? h * (decay.lost / z) : h;  // seconds
+    const ClothContacts& contacts = body.cloth_contacts;
+    const Vec3 momentum = before.momentum * decay.kept + force * acting - contacts.given;
+    const Vec3 spin = before.own_spin() * decay.kept + (torque_before + torque_after) * (acting / 2) -
+                      (contacts.turning - cross(after.centre(), contacts.given));
+
+    const Vec3 push = momentum - after.momentum, twist = spin - after.own_spin();
+    const Vec3 turning = turning_of(after, twist);
+    const Rigid given{push / after.mass - cross(turning, after.centre()), turning};
+    each_particle(cloth, [&](size_t i, double) {
+        put(&cloth.velocity[i], get(&cloth.velocity[i]) + given.at(get(&cloth.at[i])));
+    });
+    after.energy += dot(after.momentum, push) / after.mass + dot(after.own_spin(), turning) +
+                    length_squared(push) / (2 * after.mass) + dot(turning, twist) / 2;
+    after.spin += twist + cross(after.centre(), push);
+    after.momentum = momentum;
+
+    const double gain = after.energy - before.energy - work + stored;
+    if (cloth.balance.closed && gain > 0) {
+        slow_beside(cloth, rigid_motion_of(after), part_without(gain, energy_beside(after)));
+    }
+}
+
+}  // namespace gphys
