@@ -1,7 +1,7 @@
 #include "float_kernels.h"
 
-#include "octree/interleaved_traversal.h"
-#include "octree/packet_traversal.h"
+#include "bvh/interleaved_traversal.h"
+#include "bvh/packet_traversal.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -49,7 +49,7 @@ bool meet(const TrianglePacket& packet, FloatRay& ray) {
     return nearer;
 }
 
-void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* along,
+void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* along,
                FloatRay* rays, const float* limits, uint32_t count, bool together) {
     PacketLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
     const auto meet_one = [&](uint32_t ray, uint32_t number) {

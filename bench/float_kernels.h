@@ -2,8 +2,8 @@
 // by the library's own traversal: what the exact tests are measured against.
 #pragma once
 
+#include "bvh/bvh_kernels.h"
 #include "mesh/triangle_packet.h"
-#include "octree/octree_kernels.h"
 
 namespace gphys {
 
@@ -21,7 +21,7 @@ struct FloatRay {
 
 struct FloatKernels {
     /// As MeshKernels::rays; each ray ends up with its nearest hit.
-    void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* along,
+    void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const RayProbe* along,
                  FloatRay* rays, const float* limits, uint32_t count, bool together);
 };
 

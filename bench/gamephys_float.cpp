@@ -2,17 +2,17 @@
 // wrong, if it trusted float arithmetic as other libraries do.
 #include <memory>
 
+#include "bvh/bvh_queries.h"
 #include "float_kernels.h"
 #include "implementation.h"
 #include "mesh/mesh.h"
-#include "octree/octree_queries.h"
 
 namespace bench {
 
 namespace {
 
+using gphys::Bvh8;
 using gphys::FloatRay;
-using gphys::Octree;
 using gphys::RayProbe;
 
 struct FloatVec {
@@ -122,7 +122,7 @@ public:
 
     bool closest(const std::vector<gphys_ray>& rays) override {
         hits_.resize(rays.size());
-        constexpr uint32_t at_once = Octree::rays_at_once;
+        constexpr uint32_t at_once = Bvh8::rays_at_once;
         for (size_t first = 0; first < rays.size(); first += at_once) {
             const auto count = static_cast<uint32_t>(std::min<size_t>(at_once, rays.size() - first));
             if (mesh_) {
@@ -168,14 +168,14 @@ private:
             numbers.push_back(static_cast<uint32_t>(around.size()));
             around.push_back(gphys::bounds(gphys::widen(shape)));
         }
-        octree_ = std::make_unique<Octree>(std::pmr::get_default_resource());
+        octree_ = std::make_unique<Bvh8>(std::pmr::get_default_resource());
         octree_->build(around.data(), numbers.data(), static_cast<uint32_t>(numbers.size()));
     }
 
     template <class Shape>
     void meet(const std::vector<Shape>& shapes, const gphys_ray* rays, uint32_t count, gphys_hit* hits) {
         prepared_.assign(rays, rays + count);
-        gphys::Ray exact[Octree::rays_at_once];
+        gphys::Ray exact[Bvh8::rays_at_once];
         for (uint32_t i = 0; i < count; ++i) exact[i] = gphys::widen(rays[i]);
         octree_->raycast_many(exact, count, [&](const uint32_t* numbers, const uint32_t* items, uint32_t size) {
             uint32_t shorter = 0;
@@ -200,9 +200,9 @@ private:
 
     void meet_mesh(const gphys_ray* rays, uint32_t count, gphys_hit* hits) {
         const gphys::Box root = mesh_->bounds();
-        RayProbe along[Octree::rays_at_once];
-        float limits[Octree::rays_at_once];
-        gphys::Ray exact[Octree::rays_at_once];
+        RayProbe along[Bvh8::rays_at_once];
+        float limits[Bvh8::rays_at_once];
+        gphys::Ray exact[Bvh8::rays_at_once];
         prepared_.assign(rays, rays + count);
         for (uint32_t i = 0; i < count; ++i) {
             exact[i] = gphys::widen(rays[i]);
@@ -211,7 +211,7 @@ private:
         }
         const auto probe_of = [&](uint32_t i) -> const RayProbe& { return along[i]; };
         const auto ray_of = [&](uint32_t i) -> const gphys::Ray& { return exact[i]; };
-        const Octree& tree = mesh_->octree();
+        const Bvh8& tree = mesh_->octree();
         gphys::RayPackets(root, tree.size())
             .split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
                 kernels_.rays(tree.nodes(), tree.root(), mesh_->packets().data(), along + first,
@@ -233,7 +233,7 @@ private:
     const gphys::FloatKernels& kernels_ = gphys::float_kernels(gphys::chosen_isa());
     std::vector<FloatBox> boxes_;
     std::vector<FloatSphere> spheres_;
-    std::unique_ptr<Octree> octree_;
+    std::unique_ptr<Bvh8> octree_;
     std::unique_ptr<const gphys::Mesh, Release> mesh_;
     std::vector<FloatRay> prepared_;
     std::vector<gphys_hit> hits_;

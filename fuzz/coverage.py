@@ -45,7 +45,7 @@ def run(job):
 
 
 # What is compiled for each instruction set; the states of test_golden.c are of all of the solver.
-kernels = ("octree", "octree_update", "mesh", "mesh_instance", "scene", "near_parts", "triangle_packet", "hit_kernels",
+kernels = ("bvh", "bvh_update", "mesh", "mesh_instance", "scene", "closest_features", "triangle_packet", "hit_kernels",
            "cloth_kernels", "rope_kernels")
 programs = {"shapes": 6000, "mesh": 1000, "world": 2000, "snapshot": 400}
 # Of these what counts is the number of attempts; the words of a snapshot are changed by a fuzz target as well.

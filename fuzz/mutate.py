@@ -4,7 +4,7 @@
 BUILD is a finished build by the preset "release". Until the time is over, one token of one file is changed at random
 (an operator, a comparison, a constant, a condition), the file compiled, the tests that concern it linked with that
 object before the archive, and run. Prints each change that neither the C++ tests nor the fuzz targets noticed, and in
-the end how many there were. FILEs: of src; by default src/geometry, src/octree, src/mesh and the checks of snapshots.
+the end how many there were. FILEs: of src; by default src/geometry, src/bvh, src/mesh and the checks of snapshots.
 A change that compiles to the same bits as before is left out, and one by which the tests take too long, which may be
 an endless loop, is counted apart.
 """
@@ -28,15 +28,15 @@ build = pathlib.Path(sys.argv[1]).resolve()
 end = time.monotonic() + float(sys.argv[2])
 chance = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
 
-default = [*source.glob("src/geometry/*.cpp"), *source.glob("src/octree/*.cpp"), *source.glob("src/mesh/*.cpp"),
+default = [*source.glob("src/geometry/*.cpp"), *source.glob("src/bvh/*.cpp"), *source.glob("src/mesh/*.cpp"),
            source / "src/solver/snapshot/snapshot_check.cpp"]
 files = [source / name for name in sys.argv[4:]] or sorted(default)
 
 # Folder: the files of tests_cpp, and the fuzz targets.
 concerned = {
     "geometry": (["raycast", "raycast_triangle", "overlap", "closest", "classify", "sweep"], ["shapes", "mesh"]),
-    "octree": (["octree", "octree_update", "mesh", "scene", "scene_queries", "scene_transforms", "workers"], ["mesh", "world"]),
-    "mesh": (["mesh", "mesh_instance", "near_parts", "triangle_packet", "scene_queries", "hit_kernels"], ["mesh", "world"]),
+    "bvh": (["bvh", "bvh_update", "mesh", "scene", "scene_queries", "scene_transforms", "workers"], ["mesh", "world"]),
+    "mesh": (["mesh", "mesh_instance", "closest_features", "triangle_packet", "scene_queries", "hit_kernels"], ["mesh", "world"]),
     "snapshot": (["snapshot_check", "solver_snapshot"], ["snapshot", "world"]),
 }
 programs = {"shapes": 2000, "mesh": 300, "world": 600, "snapshot": 60}

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <ostream>
 
+#include "scene/conservative_shape.h"
 #include "scene/eight_models.h"
-#include "scene/quick_shape.h"
 #include "test.h"
 
 namespace gphys {
@@ -56,9 +56,9 @@ struct Tally {
     int no = 0, yes = 0, open = 0;
 
     /// Whether the verdict agrees with the exact answer.
-    bool add(Verdict verdict, bool truth) {
-        ++(verdict == Verdict::no ? no : verdict == Verdict::yes ? yes : open);
-        return verdict == Verdict::open || (verdict == Verdict::yes) == truth;
+    bool add(TriState verdict, bool truth) {
+        ++(verdict == TriState::no ? no : verdict == TriState::yes ? yes : open);
+        return verdict == TriState::open || (verdict == TriState::yes) == truth;
     }
 };
 inline std::ostream& operator<<(std::ostream& out, const Tally& tally) {
@@ -66,7 +66,7 @@ inline std::ostream& operator<<(std::ostream& out, const Tally& tally) {
 }
 
 /// That of one of eight questions.
-inline Verdict verdict_of(const Verdicts8& verdicts, int k) {
+inline TriState verdict_of(const TriStates8& verdicts, int k) {
     return verdict_of((verdicts.no >> k & 1) != 0, (verdicts.yes >> k & 1) != 0);
 }
 

@@ -10,7 +10,7 @@ using namespace gphys;
 
 namespace {
 
-using HitEight = Verdicts8 (*HitKernels::*)(const RaysAndModels<Ray>& pairs, Hits8& hits);
+using HitEight = TriStates8 (*HitKernels::*)(const RaysAndModels<Ray>& pairs, Hits8& hits);
 
 HitEight kernel_for(const EightCases<gphys_sphere>&) { return &HitKernels::spheres; }
 HitEight kernel_for(const EightCases<gphys_aabb>&) { return &HitKernels::aabbs; }
@@ -46,9 +46,9 @@ TEST_CASE("of eight rays each gets the hit that it gets alone, or is left open, 
         const auto pairs = eight.pairs(eight.rays);
         const HitEight meet = kernel_for(eight);
         Hits8 hits, same_hits;
-        const Verdicts8 verdicts = (all.front()->*meet)(pairs, hits);
+        const TriStates8 verdicts = (all.front()->*meet)(pairs, hits);
         for (const HitKernels* kernels : all) {
-            const Verdicts8 same = (kernels->*meet)(pairs, same_hits);
+            const TriStates8 same = (kernels->*meet)(pairs, same_hits);
             REQUIRE((same.no == verdicts.no && same.yes == verdicts.yes));
             for (int k = 0; k < 8; ++k) {
                 if ((verdicts.yes >> k & 1) == 0) continue;
@@ -58,11 +58,11 @@ TEST_CASE("of eight rays each gets the hit that it gets alone, or is left open, 
         }
         REQUIRE((verdicts.no & verdicts.yes) == 0);
         for (int k = 0; k < 8; ++k) {
-            const Verdict verdict = verdict_of(verdicts, k);
+            const TriState verdict = verdict_of(verdicts, k);
             Hit hit;
             const bool truth = eight.meets(k, hit);
-            if (verdict == Verdict::yes) REQUIRE(same_hit(hits, k, hit));
-            if (verdict == Verdict::open && truth && hit.flags != 0) {
+            if (verdict == TriState::yes) REQUIRE(same_hit(hits, k, hit));
+            if (verdict == TriState::open && truth && hit.flags != 0) {
                 ++tallies.inside;
             } else {
                 REQUIRE(eight.tally_of(k, tallies).add(verdict, truth));

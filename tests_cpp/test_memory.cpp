@@ -37,7 +37,7 @@ private:
 
 TEST_CASE("rooms of threads share no page, and begin with a line") {
     Adjoining heap;
-    RoomMemory memory(&heap);
+    ThreadArena memory(&heap);
     constexpr size_t page = 4096;
     size_t taken = 0;
     uintptr_t end_before = 0;
@@ -49,7 +49,7 @@ TEST_CASE("rooms of threads share no page, and begin with a line") {
         if (end_before != 0) CHECK(first / page > (end_before - 1) / page);
         end_before = first + size;
         memory.deallocate(room, size, 8);
-        taken += size + 2 * RoomMemory::margin;
+        taken += size + 2 * ThreadArena::margin;
     }
     CHECK(heap.given_back == taken);
 }
@@ -59,14 +59,14 @@ TEST_CASE("what one object has allocated another cannot give back") {
     CHECK(memory.is_equal(memory));
     CHECK_FALSE(memory.is_equal(other));
     test::WatchedMemory heap;
-    const RoomMemory rooms(&heap), more_rooms(&heap);
+    const ThreadArena rooms(&heap), more_rooms(&heap);
     CHECK(rooms.is_equal(rooms));
     CHECK_FALSE(rooms.is_equal(more_rooms));
 }
 
 TEST_CASE("a room that cannot be had is refused") {
     test::WatchedMemory heap;
-    RoomMemory memory(&heap);
+    ThreadArena memory(&heap);
     heap.fail_at = 0;
     CHECK_THROWS_AS(memory.allocate(100, 8), std::bad_alloc);
     CHECK(heap.bytes_in_use == 0);

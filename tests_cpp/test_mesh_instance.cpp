@@ -1,7 +1,7 @@
 #include "mesh/mesh_instance.h"
 
 #include "meshes.h"
-#include "scene/quick_tests.h"
+#include "scene/conservative_tests.h"
 
 using namespace gphys;
 
@@ -62,7 +62,7 @@ TEST_CASE("a ray that meets a mesh is never held off by what encloses it") {
     Lattice lattice;
     for (const test::Arrays& arrays : shapes) {
         Mesh* mesh = arrays.make();
-        int met = 0, quick_no = 0;
+        int met = 0, conservative_no = 0;
         for (int i = 0; i < 40000; ++i) {
             const bool coarse = i % 2 == 0;
             const gphys_transform stored = lattice.transform(coarse);
@@ -77,15 +77,15 @@ TEST_CASE("a ray that meets a mesh is never held off by what encloses it") {
             REQUIRE(raycast_any(instance, ray) == truth);
             REQUIRE((!truth || (hit.t == expected.t && hit.triangle == expected.triangle)));
             const Mesh* pointer = mesh;
-            const QuickRay quick(ray);
-            const Verdict verdict =
-                quick_verdict(pointer, stored, [&](const auto& shape) { return quick(shape, ray.t_max); });
-            REQUIRE(verdict != Verdict::yes);
-            REQUIRE_FALSE((truth && verdict == Verdict::no));
-            quick_no += verdict == Verdict::no;
+            const ConservativeRay quick(ray);
+            const TriState verdict =
+                conservative_verdict(pointer, stored, [&](const auto& shape) { return quick(shape, ray.t_max); });
+            REQUIRE(verdict != TriState::yes);
+            REQUIRE_FALSE((truth && verdict == TriState::no));
+            conservative_no += verdict == TriState::no;
         }
         CHECK(met > 500);
-        CHECK(quick_no > 20000);
+        CHECK(conservative_no > 20000);
         Mesh::release(mesh);
     }
 }

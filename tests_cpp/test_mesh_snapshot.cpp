@@ -272,9 +272,9 @@ TEST_CASE("a tree as deep as the queries' stacks hold is taken, a deeper one ref
     REQUIRE(words[7] == 1);
     const uint32_t leaf = words.back();
     words.pop_back();
-    words.insert(words.end(), octree_max_levels - 1, 0);
+    words.insert(words.end(), bvh_max_levels - 1, 0);
     words.push_back(leaf);
-    words[7] = octree_max_levels;
+    words[7] = bvh_max_levels;
     mend(words);
     const Handle deep = loaded(words);
     require_same_answers(deep.get(), built(test::sphere(0)).get(), 9, 100);

@@ -4,7 +4,7 @@
 
 #include "meshes.h"
 #include "scene/bounds_kernels.h"
-#include "scene/quick_shape.h"
+#include "scene/conservative_shape.h"
 #include "scene_fixture.h"
 
 using namespace gphys;
@@ -215,7 +215,7 @@ TEST_CASE("the boxes of eight turned Aabbs at once are those of each, on any ins
                 REQUIRE(known_one == (is_turned(one.world.rotation) && is_centered(one.box)));
                 if (!known_one) continue;
                 ++told;
-                const Box truth = quick_bounds(one.box, one.world), box = boxes.lane(k);
+                const Box truth = conservative_bounds(one.box, one.world), box = boxes.lane(k);
                 REQUIRE(std::memcmp(&box, &truth, sizeof box) == 0);
             }
         }

@@ -173,7 +173,7 @@ TEST_CASE("a snapshot's arrays of a body have the lengths that belong together")
         [](Body& b) { b.start_velocity.resize(10); },
         [](Body& b) { b.touches.resize(10); },
         [](Body& b) { b.stuck.resize(10); },
-        [](Body& b) { b.cloth.looked.resize(10); },
+        [](Body& b) { b.cloth.search_balls.resize(10); },
         [](Body& b) { b.triangles.push_back(0); },
         [](Body& b) { b.settings.self_collision = 2; },
         [](Body& b) { b.settings.self_collision ^= 1; },
@@ -291,8 +291,8 @@ TEST_CASE("a snapshot's touches, boxes and looks around are of numbers") {
     }
     const auto with_look = [&](size_t number, float value) {
         return takes(sheet, [&](Body& b) {
-            b.cloth.looked.assign(size_t{4} * 9, 1);
-            b.cloth.looked[size_t{4} * 8 + number] = value;
+            b.cloth.search_balls.assign(size_t{4} * 9, 1);
+            b.cloth.search_balls[size_t{4} * 8 + number] = value;
         });
     };
     const float far = 4 * GPHYS_MAX_COORDINATE, further = std::nextafter(far, HUGE_VALF);
@@ -300,7 +300,7 @@ TEST_CASE("a snapshot's touches, boxes and looks around are of numbers") {
         CHECK(with_look(axis, -far));
         CHECK_FALSE(with_look(axis, -further));
     }
-    for (const float reach : {0.0f, far, ClothState::not_looked}) CHECK(with_look(3, reach));
+    for (const float reach : {0.0f, far, ClothState::no_ball}) CHECK(with_look(3, reach));
     for (const float reach : {-0.5f, further, HUGE_VALF}) CHECK_FALSE(with_look(3, reach));
 }
 
@@ -425,7 +425,7 @@ TEST_CASE("a snapshot's plan of a rope is the one that its constraints ask for")
 /// The same plan, but for the chains of one family, which come in reverse.
 void reverse_family(Plan& plan, size_t family) {
     const Plan before = plan;
-    std::reverse(plan.chains.begin() + plan.families[family], plan.chains.begin() + plan.families[family + 1]);
+    std::reverse(plan.chains.begin() + plan.colours[family], plan.chains.begin() + plan.colours[family + 1]);
     plan.particles.clear();
     plan.slots.clear();
     for (Chain& chain : plan.chains) {
@@ -443,9 +443,9 @@ TEST_CASE("in a snapshot's plan of cloth the longest chain of a family comes fir
     Body& sheet = bodies.sheet();
     const Plan& plan = sheet.plan;
     size_t alike = 0, unlike = 0;
-    for (size_t family = 0; family + 1 < plan.families.size(); ++family) {
-        const uint32_t longest = plan.chains[plan.families[family]].link_count;
-        const uint32_t shortest = plan.chains[plan.families[family + 1] - 1].link_count;
+    for (size_t family = 0; family + 1 < plan.colours.size(); ++family) {
+        const uint32_t longest = plan.chains[plan.colours[family]].link_count;
+        const uint32_t shortest = plan.chains[plan.colours[family + 1] - 1].link_count;
         INFO(longest << " to " << shortest << " links");
         const bool taken = takes(
             sheet, [&](Body& b) { reverse_family(b.plan, family); }, defect_of_plan);
@@ -463,7 +463,7 @@ TEST_CASE("a snapshot's plan of cloth has each constraint once, and solves side 
     const Plan& plan = sheet.plan;
     REQUIRE(plan.method == GPHYS_SOLVE_GRAPH);
     REQUIRE(plan.chains.size() > 2);
-    REQUIRE(plan.families.size() > 2);
+    REQUIRE(plan.colours.size() > 2);
     REQUIRE(plan.reach_current);
     REQUIRE_FALSE(plan.reach_limits.empty());
     CHECK(taken([](Body&) {}));
@@ -476,15 +476,15 @@ TEST_CASE("a snapshot's plan of cloth has each constraint once, and solves side 
     CHECK_FALSE(taken([](Body& b) { ++b.plan.chains.back().link_count; }));
     CHECK_FALSE(taken([](Body& b) { b.plan.particles.push_back(0); }));
     CHECK_FALSE(taken([](Body& b) { b.plan.slots.push_back(0); }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.chains.pop_back(), --b.plan.families.back(); }));
+    CHECK_FALSE(taken([](Body& b) { b.plan.chains.pop_back(), --b.plan.colours.back(); }));
 
     // Families follow each other from the first chain to the last; a longer chain comes first.
-    CHECK_FALSE(taken([](Body& b) { b.plan.families.clear(); }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.families.front() = 1; }));
-    CHECK_FALSE(taken([](Body& b) { --b.plan.families.back(); }));
-    CHECK_FALSE(taken([](Body& b) { std::swap(b.plan.families[0], b.plan.families[1]); }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.families[1] = b.plan.families.back() + 1; }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.families.erase(b.plan.families.begin() + 1); }));  // a common particle
+    CHECK_FALSE(taken([](Body& b) { b.plan.colours.clear(); }));
+    CHECK_FALSE(taken([](Body& b) { b.plan.colours.front() = 1; }));
+    CHECK_FALSE(taken([](Body& b) { --b.plan.colours.back(); }));
+    CHECK_FALSE(taken([](Body& b) { std::swap(b.plan.colours[0], b.plan.colours[1]); }));
+    CHECK_FALSE(taken([](Body& b) { b.plan.colours[1] = b.plan.colours.back() + 1; }));
+    CHECK_FALSE(taken([](Body& b) { b.plan.colours.erase(b.plan.colours.begin() + 1); }));  // a common particle
 
     // Each link is the constraint between its particles.
     CHECK_FALSE(taken([](Body& b) { b.plan.slots[0] = b.plan.slots[1]; }));

@@ -82,13 +82,13 @@ TEST_CASE("planes and boxes are swept as the scene sweeps them") {
         const Sphere moving{random.direction() * random.uniform(0, 8), i % 5 == 0 ? 0 : random.uniform(0, 0.3)};
         const Vec3 way = random.direction() * random.uniform(0, 8);
         Hit quick, exact;
-        const Verdict verdict = flat.sweep(moving, way, quick);
+        const TriState verdict = flat.sweep(moving, way, quick);
         ++counts[static_cast<int>(verdict)];
-        if (verdict == Verdict::open) continue;
+        if (verdict == TriState::open) continue;
         const bool met = scene.sweep_model(model, moving, way, exact);
         CAPTURE(i, moving.radius, quick.t, exact.t);
-        if (met != (verdict == Verdict::yes)) {  // at the very end of the way, or at an edge
-            const double graze = verdict == Verdict::yes ? quick.t : exact.t;
+        if (met != (verdict == TriState::yes)) {  // at the very end of the way, or at an edge
+            const double graze = verdict == TriState::yes ? quick.t : exact.t;
             REQUIRE(graze > 1 - 1e-12);
             continue;
         }
@@ -98,9 +98,9 @@ TEST_CASE("planes and boxes are swept as the scene sweeps them") {
         REQUIRE(distance(quick.point, exact.point) <= 1e-11);
         REQUIRE((exact.flags & GPHYS_HIT_INSIDE) == 0);
     }
-    CHECK(counts[static_cast<int>(Verdict::yes)] > 4000);
-    CHECK(counts[static_cast<int>(Verdict::no)] > 20000);
-    figure("sweeps left open", counts[static_cast<int>(Verdict::open)] / 60000.0, "");
+    CHECK(counts[static_cast<int>(TriState::yes)] > 4000);
+    CHECK(counts[static_cast<int>(TriState::no)] > 20000);
+    figure("sweeps left open", counts[static_cast<int>(TriState::open)] / 60000.0, "");
 
     Scene scene(nullptr);
     const gphys_sphere ball{{0, 0, 0}, 1};

@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
 # A folder of src is a layer. Every #include points to its own layer or to one that it may know:
-#   foundation -> shapes -> geometry -> octree -> mesh -> scene -> solver
+#   foundation -> shapes -> geometry -> bvh -> mesh -> scene -> solver
 #   shapes -> camera;  pick joins camera and scene;  c_api sits on top
-# The octree knows boxes and integers, and of the questions those about boxes; camera and scene do not know each other.
+# The bvh knows boxes and integers, and of the questions those about boxes; camera and scene do not know each other.
 source "$SOURCE/tests_package/common.sh"
 
 declare -A knows=(
     [foundation]=""
     [shapes]="foundation"
     [geometry]="foundation shapes"
-    [octree]="foundation shapes geometry"
-    [mesh]="foundation shapes geometry octree"
-    [scene]="foundation shapes geometry octree mesh"
-    [solver]="foundation shapes geometry octree mesh scene"
+    [bvh]="foundation shapes geometry"
+    [mesh]="foundation shapes geometry bvh"
+    [scene]="foundation shapes geometry bvh mesh"
+    [solver]="foundation shapes geometry bvh mesh scene"
     [camera]="foundation shapes"
-    [pick]="foundation shapes geometry octree mesh scene camera"
-    [c_api]="foundation shapes geometry octree mesh scene solver camera pick"
+    [pick]="foundation shapes geometry bvh mesh scene camera"
+    [c_api]="foundation shapes geometry bvh mesh scene solver camera pick"
 )
 
 shopt -s globstar

@@ -22,7 +22,7 @@ CHAPTERS = [
     ("Reference", ["reference/index"]),
     ("Languages", ["docs/bindings", *(f"bindings/{name}/README" for name in
                    ("cpp", "python", "javascript", "rust", "go", "csharp", "java", "lua", "ruby"))]),
-    ("How it works", ["docs/architecture", "docs/solver", "docs/limits_of_speed"]),
+    ("How it works", ["docs/architecture", "docs/code_paths", "docs/solver", "docs/limits_of_speed"]),
     ("Measured", ["docs/report", "docs/benchmarks", "docs/solver_figures", "docs/accuracy"]),
     ("Project", ["docs/reliability", "docs/functions", "docs/releasing", "CHANGELOG", "CONTRIBUTING"]),
 ]

@@ -1,8 +1,8 @@
 // The (out, capacity, out_total) lists of the public header.
 #pragma once
 
+#include "bvh/bvh8.h"
 #include "c_api/api.h"
-#include "octree/octree.h"
 
 namespace gphys {
 
@@ -17,7 +17,7 @@ inline gphys_status listed(uint32_t total, uint32_t capacity, uint32_t* out_tota
     return total > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
 }
 
-/// Boxes of an octree or of a mesh's, parents first.
+/// Boxes of an BVH or of a mesh's, parents first.
 template <class Tree>
 gphys_status copy_boxes(const Tree& tree, gphys_octree_box* out, uint32_t capacity, uint32_t* out_total) {
     GPHYS_TRY(check_list(out, capacity, out_total));

@@ -190,7 +190,7 @@ gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_st
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(mesh, "mesh is null");
         GPHYS_REQUIRE(out_stats, "out_stats is null");
-        *out_stats = unwrap(mesh)->octree_stats();
+        *out_stats = unwrap(mesh)->bvh_stats();
         return GPHYS_OK;
     });
 }

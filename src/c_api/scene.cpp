@@ -289,9 +289,9 @@ gphys_status gphys_scene_get_scene_bounds(const gphys_scene* scene, gphys_aabb* 
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         GPHYS_REQUIRE(out_bounds, "out_bounds is null");
-        const Octree& octree = unwrap(scene)->octree();
-        if (octree.size() == 0) return GPHYS_NO_HIT;
-        *out_bounds = to_aabb(octree.bounds());
+        const Bvh8& bvh = unwrap(scene)->bvh();
+        if (bvh.size() == 0) return GPHYS_NO_HIT;
+        *out_bounds = to_aabb(bvh.bounds());
         return GPHYS_OK;
     });
 }
@@ -355,7 +355,7 @@ gphys_status gphys_scene_get_octree_stats(const gphys_scene* scene, gphys_octree
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
         GPHYS_REQUIRE(out_stats, "out_stats is null");
-        gphys_octree_stats stats = unwrap(scene)->octree().stats();
+        gphys_octree_stats stats = unwrap(scene)->bvh().stats();
         stats.unbounded_count = unwrap(scene)->unbounded_count();
         *out_stats = stats;
         return GPHYS_OK;
@@ -366,7 +366,7 @@ gphys_status gphys_scene_get_octree_boxes(const gphys_scene* scene, gphys_octree
                                           uint32_t* out_total) {
     return guarded([&]() -> gphys_status {
         GPHYS_REQUIRE(scene, "scene is null");
-        return copy_boxes(unwrap(scene)->octree(), out_boxes, capacity, out_total);
+        return copy_boxes(unwrap(scene)->bvh(), out_boxes, capacity, out_total);
     });
 }
 

@@ -39,14 +39,14 @@ public:
         finished_.store(0, std::memory_order_relaxed);
         ticket_.store(++phase_ << 40 | uint64_t{count} << end_shift, std::memory_order_release);
         take_all(0);
-        for (Patience patience; finished_.load(std::memory_order_acquire) < count;) patience.wait();
+        for (SpinBackoff patience; finished_.load(std::memory_order_acquire) < count;) patience.wait();
     }
 
 private:
     static constexpr int end_shift = 20;
 
     /// A little of the processor's time, then, if others need it, the system's.
-    class Patience {
+    class SpinBackoff {
     public:
         void wait() {
             if (++turns_ % 256 == 0) {
@@ -77,7 +77,7 @@ private:
     }
 
     void help(uint32_t member) {
-        for (Patience patience; !done_.load(std::memory_order_acquire); patience.wait()) take_all(member);
+        for (SpinBackoff patience; !done_.load(std::memory_order_acquire); patience.wait()) take_all(member);
     }
 
     std::atomic<uint32_t> members_{0}, finished_{0};

@@ -124,21 +124,21 @@ bool meet(const Triangle& a, const Triangle& b) { return overlaps(a, b); }
 
 // Frustum: as half-spaces, after the cheap tests that nearly always decide.
 
-enum class Verdict { apart, meet, open };
+enum class TriState { apart, meet, open };
 
 /// Wholly outside one plane or, by one of its points, inside all.
 template <class Other>
-Verdict verdict_of_planes(const Other& other, Vec3 point_of_other, const Frustum& frustum) {
+TriState verdict_of_planes(const Other& other, Vec3 point_of_other, const Frustum& frustum) {
     for (int i = 0; i < 6; ++i) {
-        if (heights(other, plane_at(frustum, i)).high < 0) return Verdict::apart;
+        if (heights(other, plane_at(frustum, i)).high < 0) return TriState::apart;
     }
-    return contains(frustum, point_of_other, 0) ? Verdict::meet : Verdict::open;
+    return contains(frustum, point_of_other, 0) ? TriState::meet : TriState::open;
 }
 
 template <class BoxType>
 bool box_meets_frustum(const BoxType& box, Vec3 center, const Frustum& frustum) {
-    const Verdict verdict = verdict_of_planes(box, center, frustum);
-    if (verdict != Verdict::open) return verdict == Verdict::meet;
+    const TriState verdict = verdict_of_planes(box, center, frustum);
+    if (verdict != TriState::open) return verdict == TriState::meet;
     Halfspaces set;
     set.add(frustum);
     set.add(box);
@@ -160,8 +160,8 @@ bool meet(const Plane& plane, const Frustum& frustum) {
 }
 
 bool meet(const Triangle& triangle, const Frustum& frustum) {
-    const Verdict verdict = verdict_of_planes(triangle, triangle.a, frustum);
-    if (verdict != Verdict::open) return verdict == Verdict::meet;
+    const TriState verdict = verdict_of_planes(triangle, triangle.a, frustum);
+    if (verdict != TriState::open) return verdict == TriState::meet;
     Halfspaces set;
     set.add(frustum);
     return set.meet(triangle);

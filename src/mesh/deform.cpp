@@ -1,5 +1,5 @@
 // New vertices for the same triangles. Packets keep their triangles, and the tree its packets: both are refitted, and
-// the tree is built again by parts where it has degraded, as that of a scene is (octree_renew.cpp). Neighbours on the
+// the tree is built again by parts where it has degraded, as that of a scene is (bvh_rebuild.cpp). Neighbours on the
 // surface stay neighbours however it bends, so packets hardly degrade; where they do, as when a surface is torn apart,
 // all triangles are cut into packets anew.
 #include "mesh/mesh.h"
@@ -55,7 +55,7 @@ const char* Mesh::set_vertices(const MeshArrays& arrays) {
 
 double Mesh::refit() noexcept {
     double area = 0;
-    octree_.update_many(static_cast<uint32_t>(packets_.size()), [&](const auto& put, bool) {
+    bvh_.update_many(static_cast<uint32_t>(packets_.size()), [&](const auto& put, bool) {
         for (uint32_t number = 0; number < packets_.size(); ++number) {
             TrianglePacket& packet = packets_[number];
             for (int lane = 0; lane < 8; ++lane) {

@@ -40,7 +40,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
     : memory(hooks),
       kernels_(mesh_kernels(isa)),
       report_(report),
-      octree_(&memory, isa),
+      bvh_(&memory, isa),
       rays_root_(Box()),
       isa_(isa),
       index_hash_(index_hash) {
@@ -65,7 +65,7 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable
     : Mesh(hooks, parts.arrays, parts.report, parts.index_hash, chosen_isa(), deformable) {
     Vector<Box> boxes(&memory);
     pack_triangles(parts, packets_, boxes);
-    octree_.build(parts.tree, boxes.data());
+    bvh_.build(parts.tree, boxes.data());
     note_packed_area(boxes);
     measure();
     magnified_ = make_magnified(vertices_, magnification_);
@@ -82,7 +82,7 @@ void Mesh::pack() {
     pack_triangles(arrays(), packets, boxes);
     Vector<uint32_t> numbers(boxes.size(), &memory);
     for (uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
-    octree_.build(boxes.data(), numbers.data(), static_cast<uint32_t>(numbers.size()));
+    bvh_.build(boxes.data(), numbers.data(), static_cast<uint32_t>(numbers.size()));
     packets_.swap(packets);
     note_packed_area(boxes);
 }
@@ -127,14 +127,14 @@ void Mesh::release(const Mesh* mesh) noexcept {
     if (mesh->holds_.fetch_sub(1, std::memory_order_acq_rel) == 1) destroy(const_cast<Mesh*>(mesh));
 }
 
-gphys_octree_stats Mesh::octree_stats() const {
-    gphys_octree_stats stats = octree_.stats();
+gphys_octree_stats Mesh::bvh_stats() const {
+    gphys_octree_stats stats = bvh_.stats();
     stats.item_count = triangle_count();
     stats.leaf_count = static_cast<uint32_t>(packets_.size());
     stats.node_count += stats.leaf_count;
     if (stats.depth > 0) ++stats.depth;
     uint64_t bytes = stats.memory_bytes + uint64_t{packets_.capacity()} * sizeof(TrianglePacket);
-    if (magnified_) bytes += magnified_->octree_stats().memory_bytes;
+    if (magnified_) bytes += magnified_->bvh_stats().memory_bytes;
     stats.memory_bytes = static_cast<uint32_t>(std::min<uint64_t>(bytes, std::numeric_limits<uint32_t>::max()));
     return stats;
 }
@@ -172,11 +172,10 @@ void Mesh::cross_many(const PreparedRay* rays, uint32_t count, NearestCrossing* 
     };
     const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i].sheared; };
     const auto probe_of = [&](uint32_t i) -> const RayProbe& { return rays[i].along; };
-    RayPackets(bounds(), octree_.size())
-        .split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
-            kernels_.rays(octree_.nodes(), octree_.root(), packets_.data(), rays + first, last - first, together, exact,
-                          nearest + first);
-        });
+    RayPackets(bounds(), bvh_.size()).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
+        kernels_.rays(bvh_.nodes(), bvh_.root(), packets_.data(), rays + first, last - first, together, exact,
+                      nearest + first);
+    });
 }
 
 uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
@@ -247,7 +246,7 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
     const bool as_reported = ties == Ties::as_reported;
     Hit first;
     double first_t = infinity;
-    octree_.sweep(moving.center, displacement, moving.radius, [&](uint32_t number, double& t_max) {
+    bvh_.sweep(moving.center, displacement, moving.radius, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
         for_each_lane(kernels_.lanes_along(packet, probe, probe.limit(t_max)), [&](int lane) {
             Hit candidate;
@@ -274,7 +273,7 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
     const RayProbe probe(box.middle, displacement, box.half, bounds());
     Hit first;
     float first_t = std::numeric_limits<float>::infinity();
-    octree_.sweep(box.middle, displacement, box.half, [&](uint32_t number, double& t_max) {
+    bvh_.sweep(box.middle, displacement, box.half, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
         for_each_lane(kernels_.lanes_along(packet, probe, probe.limit(t_max)), [&](int lane) {
             Hit candidate;
@@ -304,9 +303,9 @@ bool Mesh::overlaps(const Shape& shape) const {
 }
 
 bool Mesh::overlaps(const Mesh& other) const {
-    return !octree_.overlap_pairs(other.octree_, [&](uint32_t mine, uint32_t theirs) {
+    return !bvh_.overlap_pairs(other.bvh_, [&](uint32_t mine, uint32_t theirs) {
         const TrianglePacket &a = packets_[mine], &b = other.packets_[theirs];
-        return for_each_lane(kernels_.lanes_in_box(a, other.octree_.box(theirs)), [&](int lane) {
+        return for_each_lane(kernels_.lanes_in_box(a, other.bvh_.box(theirs)), [&](int lane) {
             const Triangle triangle = a.triangle(lane);
             return for_each_lane(kernels_.lanes_in_box(b, gphys::bounds(triangle)),
                                  [&](int other_lane) { return !gphys::overlaps(triangle, b.triangle(other_lane)); });

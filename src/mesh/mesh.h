@@ -13,12 +13,12 @@
 #include <atomic>
 #include <optional>
 
+#include "bvh/bvh8.h"
 #include "foundation/word_hash.h"
 #include "mesh/mesh_kernels.h"
 #include "mesh/mesh_ray.h"
 #include "mesh/mesh_snapshot.h"
 #include "mesh/mesh_users.h"
-#include "octree/octree.h"
 
 namespace gphys {
 
@@ -61,7 +61,7 @@ public:
     /// Of what the vertices are now.
     gphys_mesh_report report() const;
     /// Empty without triangles.
-    Box bounds() const { return octree_.bounds(); }
+    Box bounds() const { return bvh_.bounds(); }
     /// The centre of the bounds, and how far from it vertices are at most.
     Vec3 center() const { return center_; }
     double radius() const { return radius_; }
@@ -69,14 +69,14 @@ public:
     const gphys_sphere& ball() const { return ball_; }
     /// Of the vertices and indices: the same for equal meshes, wherever they are.
     uint64_t hash() const { return hash_; }
-    const Octree& octree() const { return octree_; }
+    const Bvh8& bvh() const { return bvh_; }
     const Vector<TrianglePacket>& packets() const { return packets_; }
 
     /// As gphys_mesh_get_snapshot.
     gphys_status snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) const;
 
     /// Of the tree whose items are triangles: its leaves are the packets.
-    gphys_octree_stats octree_stats() const;
+    gphys_octree_stats bvh_stats() const;
     /// Each box of that tree, parents first: visit(gphys_octree_box).
     template <class Visit>
     void for_each_box(Visit&& visit) const;
@@ -84,7 +84,7 @@ public:
     bool raycast(const Ray& ray, Hit& hit) const;
     /// Up to rays_at_once rays with the same answers, rounded: bit i of the result is set if *rays[i] hits, which
     /// *out[i] tells then. Faster than one by one, the more so if they go the same way.
-    static constexpr uint32_t rays_at_once = Octree::rays_at_once;
+    static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
     uint64_t raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const;
     /// The same of the mesh where it stands, for rays in double precision that are no segments.
     uint64_t raycast_many(const Ray* rays, uint32_t count, const Transform& world, gphys_hit* const* out) const;
@@ -172,7 +172,7 @@ private:
     Vector<gphys_vec3> vertices_{&memory};
     Vector<uint32_t> indices_{&memory};
     Vector<TrianglePacket> packets_{&memory};
-    Octree octree_;
+    Bvh8 bvh_;
     RaysRoot rays_root_;
     Vec3 center_;
     double radius_ = 0;
@@ -199,7 +199,7 @@ void Mesh::walk(const PreparedRay& ray, Visit&& visit) const {
     const auto step = [](void* context, const TrianglePacket& packet, uint32_t lanes) {
         return (*static_cast<Function*>(context))(packet, lanes);
     };
-    kernels_.ray(octree_.nodes(), octree_.root(), packets_.data(), ray,
+    kernels_.ray(bvh_.nodes(), bvh_.root(), packets_.data(), ray,
                  {step, const_cast<void*>(static_cast<const void*>(&visit))});
 }
 
@@ -249,7 +249,7 @@ bool Mesh::find_closest(Vec3 point, double max_distance, const DistanceOf& dista
     const PointProbe probe(point, bounds());
     auto least = std::numeric_limits<decltype(distance_of(point, 0.0))>::infinity();
     uint32_t nearest = GPHYS_NO_TRIANGLE;
-    octree_.nearest(point, max_distance, [&](uint32_t number, double& bound) {
+    bvh_.nearest(point, max_distance, [&](uint32_t number, double& bound) {
         const TrianglePacket& packet = packets_[number];
         for_each_lane(kernels_.lanes_near(packet, probe, probe.limit(bound)), [&](int lane) {
             const Vec3 candidate = gphys::closest_point(packet.triangle(lane), point);
@@ -277,7 +277,7 @@ void Mesh::for_each_overlap(const Shape& shape, Visit&& visit) const {
 template <class Bounded, class Visit>
 void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit) const {
     const Box box = gphys::bounds(shape);
-    octree_.overlap_box(box, [&](uint32_t number, bool) {
+    bvh_.overlap_box(box, [&](uint32_t number, bool) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(kernels_.lanes_in_box(packet, box), [&](int lane) {
             return !gphys::overlaps(shape, packet.triangle(lane)) || visit(packet.index[lane]);
@@ -291,7 +291,7 @@ void Mesh::for_each_overlap_of(const Plane& plane, Visit&& visit) const {
         const Aabb exact{{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}};
         return gphys::overlaps(exact, plane);
     };
-    octree_.overlap(touches, [&](uint32_t number) {
+    bvh_.overlap(touches, [&](uint32_t number) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(packet.lanes(), [&](int lane) {
             return !gphys::overlaps(plane, packet.triangle(lane)) || visit(packet.index[lane]);
@@ -301,7 +301,7 @@ void Mesh::for_each_overlap_of(const Plane& plane, Visit&& visit) const {
 
 template <class Visit>
 void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit) const {
-    octree_.frustum(frustum, all_of_space, [&](uint32_t number, bool wholly_inside) {
+    bvh_.frustum(frustum, all_of_space, [&](uint32_t number, bool wholly_inside) {
         const TrianglePacket& packet = packets_[number];
         return for_each_lane(packet.lanes(), [&](int lane) {
             return !(wholly_inside || gphys::overlaps(frustum, packet.triangle(lane))) || visit(packet.index[lane]);
@@ -311,7 +311,7 @@ void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit) const {
 
 template <class Visit>
 void Mesh::for_each_box(Visit&& visit) const {
-    octree_.for_each_box(
+    bvh_.for_each_box(
         [&](gphys_octree_box box) {
             box.item_count = 0;
             visit(box);

@@ -1,14 +1,14 @@
 #include "mesh/mesh_kernels.h"
 
+#include "bvh/interleaved_traversal.h"
+#include "bvh/ordered_traversal.h"
+#include "bvh/packet_traversal.h"
+#include "bvh/ray_lanes.h"
 #include "foundation/compiler.h"
 #include "geometry/shear.h"
 #include "mesh/triangle_lanes.h"
 #include "mesh/triangle_setup.h"
 #include "mesh/triangle_test.h"
-#include "octree/interleaved_traversal.h"
-#include "octree/ordered_traversal.h"
-#include "octree/packet_traversal.h"
-#include "octree/ray_lanes.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -87,7 +87,7 @@ void prepare_placed(const Ray* rays, uint32_t count, const Transform& world, con
     }
 }
 
-void walk_ray(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
+void walk_ray(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
               const PacketVisitor& to) {
     const TriangleTest test(ray.triangles);
     float limit = ray.limit;
@@ -98,7 +98,7 @@ void walk_ray(const OctreeNode* nodes, uint32_t root, const TrianglePacket* pack
             if (lanes != 0) limit = to.visit(to.context, packets[number], lanes);
             return limit;
         },
-        [](const OctreeNode&) {});
+        [](const BvhNode&) {});
 }
 
 /// Which triangles of packets rays cross, asked eight at a time.
@@ -148,7 +148,7 @@ private:
     RaysAndTriangles pairs_;
 };
 
-void walk_rays(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
+void walk_rays(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest) {
     PacketLimits of_all(count, [&](uint32_t ray) { return rays[ray].limit; });
     float* const limits = of_all.limits;

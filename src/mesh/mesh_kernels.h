@@ -1,8 +1,8 @@
 // What a mesh asks of its packets, once for each instruction set.
 #pragma once
 
+#include "bvh/bvh_kernels.h"
 #include "mesh/mesh_ray.h"
-#include "octree/octree_kernels.h"
 
 namespace gphys {
 
@@ -24,12 +24,12 @@ struct MeshKernels {
     /// The same of rays in double precision that are no segments, carried into a mesh that stands at `world`.
     void (*prepare_placed)(const Ray* rays, uint32_t count, const Transform& world, const RaysRoot& root,
                            PreparedRay* to);
-    /// Roughly nearest first, through an octree whose items are the numbers of `packets`.
-    void (*ray)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
+    /// Roughly nearest first, through an BVH whose items are the numbers of `packets`.
+    void (*ray)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay& ray,
                 const PacketVisitor& to);
     /// Where many rays first cross the triangles; up to RayPackets::most with the same signs of direction
     /// may go together.
-    void (*rays)(const OctreeNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
+    void (*rays)(const BvhNode* nodes, uint32_t root, const TrianglePacket* packets, const PreparedRay* rays,
                  uint32_t count, bool together, CrossesTriangle exact, NearestCrossing* nearest);
     /// The hits of rays that cross something. Bit i of the result is set if that of ray i is written.
     uint64_t (*hits)(const PreparedRay* rays, const NearestCrossing* nearest, uint32_t count, gphys_hit* const* out);

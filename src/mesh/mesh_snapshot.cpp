@@ -115,7 +115,7 @@ gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) c
     const gphys_mesh_report now = report();
     const Sizes sizes{static_cast<uint32_t>(vertices_.size()),
                       static_cast<uint32_t>(indices_.size()),
-                      octree_.node_count(),
+                      bvh_.node_count(),
                       now.degenerate_count,
                       now.first_degenerate,
                       now.open_edge_count};
@@ -133,12 +133,12 @@ gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) c
     copy(indices_.data(), indices_.size());
     copy(vertices_.data(), words_of_vertex * vertices_.size());
     uint32_t *order = to, *node = to + triangle_count();
-    octree_.visit_layout([&](uint32_t word) { *node++ = word; },
-                         [&](uint32_t number) {
-                             const TrianglePacket& packet = packets_[number];
-                             order = std::copy_n(packet.index, packet.count(), order);
-                             order[-1] |= MeshParts::last_of_packet;
-                         });
+    bvh_.visit_layout([&](uint32_t word) { *node++ = word; },
+                      [&](uint32_t number) {
+                          const TrianglePacket& packet = packets_[number];
+                          order = std::copy_n(packet.index, packet.count(), order);
+                          order[-1] |= MeshParts::last_of_packet;
+                      });
     SnapshotHeader header{mesh_snapshot_magic, mesh_snapshot_format, total, {}};
     header.set_checksum(mesh_snapshot_checksum(out, total));
     std::memcpy(out, &header, sizeof header);

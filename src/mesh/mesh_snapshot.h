@@ -5,7 +5,7 @@
 //   indices    three for each triangle
 //   vertices   three floats each
 //   order      the triangles as the packets hold them; the last of each packet has last_of_packet
-//   nodes      the layout of the tree (octree_layout.h), whose items are the packets
+//   nodes      the layout of the tree (bvh_layout.h), whose items are the packets
 //
 // What follows from others (corners of packets, boxes) is made again. So nothing that a query relies on is taken on
 // trust: indices, order and nodes are checked, and the boxes are right whatever the words were.
@@ -13,10 +13,10 @@
 // Releases of one major version read all formats of earlier ones.
 #pragma once
 
+#include "bvh/bvh_layout.h"
 #include "foundation/snapshot_header.h"
 #include "foundation/word_hash.h"
 #include "mesh/mesh_report.h"
-#include "octree/octree_layout.h"
 
 namespace gphys {
 
@@ -29,7 +29,7 @@ struct MeshParts {
     WordHash index_hash;
     uint64_t hash;  // of indices and vertices
     const uint32_t* order;
-    OctreeLayout tree;
+    BvhLayout tree;
 };
 
 struct MeshSnapshotSizes {

@@ -12,7 +12,7 @@ class MeshUser {
 public:
     /// Why the model cannot have the mesh as it is now, or null.
     virtual const char* refusal_of_mesh(uint32_t model) const = 0;
-    /// The mesh has changed, and nobody refuses that.
+    /// The mesh has changed, and nobody rejects that.
     virtual void mesh_changed(uint32_t model) noexcept = 0;
 
 protected:

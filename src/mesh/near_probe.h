@@ -2,7 +2,7 @@
 // triangles of a packet together (near_kernels.cpp). The derivations are there.
 #pragma once
 
-#include "octree/box8.h"
+#include "bvh/box8.h"
 
 namespace gphys {
 

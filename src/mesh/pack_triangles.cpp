@@ -1,8 +1,8 @@
-// Triangles are cut by expected cost like the items of the octree above them (sah.h). The last few
+// Triangles are cut by expected cost like the items of the BVH above them (sah.h). The last few
 // cuts are made where they leave full packets: a packet costs the same however many triangles it
 // holds, and a mesh takes as many bytes as it has packets.
+#include "bvh/sah.h"
 #include "mesh/triangle_packet.h"
-#include "octree/sah.h"
 
 namespace gphys {
 

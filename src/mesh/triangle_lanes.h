@@ -3,10 +3,10 @@
 // arithmetic, or treat apart, is left open for them.
 #pragma once
 
+#include "bvh/ray_setup.h"
 #include "foundation/compiler.h"
 #include "geometry/hit_lanes.h"
 #include "mesh/mesh_ray.h"
-#include "octree/ray_setup.h"
 
 namespace gphys::GPHYS_ISA {
 

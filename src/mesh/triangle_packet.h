@@ -1,12 +1,12 @@
 // Up to eight triangles side by side, so that a query tests them together and reads nothing else:
-// what the items of a mesh's octree stand for.
+// what the items of a mesh's BVH stand for.
 #pragma once
 
+#include "bvh/box8.h"
 #include "foundation/compiler.h"
 #include "foundation/memory.h"
 #include "mesh/mesh_report.h"
 #include "mesh/mesh_snapshot.h"
-#include "octree/box8.h"
 
 namespace gphys {
 

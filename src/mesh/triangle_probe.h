@@ -2,8 +2,8 @@
 // (triangle_test.h). It may keep a triangle that the ray misses, never the reverse.
 #pragma once
 
+#include "bvh/box8.h"
 #include "geometry/intersect.h"
-#include "octree/box8.h"
 
 namespace gphys {
 

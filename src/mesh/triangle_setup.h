@@ -2,9 +2,9 @@
 // double, and for eight side by side, with the Double8 of a set of instructions.
 #pragma once
 
+#include "bvh/ray_setup.h"
 #include "foundation/compiler.h"
 #include "foundation/numbers.h"
-#include "octree/ray_setup.h"
 
 namespace gphys {
 

@@ -1,7 +1,7 @@
 #include "scene/bounds_kernels.h"
 
 #include "foundation/simd.h"
-#include "scene/quick_shape.h"
+#include "scene/conservative_shape.h"
 #include "scene/scene_kernels.h"
 
 namespace gphys::GPHYS_ISA {

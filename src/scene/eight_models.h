@@ -18,7 +18,7 @@ struct RaysAndModels {
 };
 
 /// Of eight questions, those whose answer is certainly no, and yes; the others are open.
-struct Verdicts8 {
+struct TriStates8 {
     uint32_t no, yes;
 };
 

@@ -1,11 +1,11 @@
 #include "scene/hit_kernels.h"
 
+#include "bvh/ray_lanes.h"
 #include "foundation/compiler.h"
 #include "foundation/rotation.h"
 #include "geometry/hit_lanes.h"
 #include "geometry/raycast_box.h"
 #include "geometry/raycast_sphere.h"
-#include "octree/ray_lanes.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -45,11 +45,11 @@ GPHYS_INLINE void put(Double8 t, const Vec<Double8>& point, const Vec<Double8>& 
     store_quads([&](int i) { return &hits.rounded[i].normal.x; }, rounded_normal(normal, splat(0)));
 }
 
-Verdicts8 verdicts(DoubleMask8 no, DoubleMask8 yes) { return {bits(no), bits(yes)}; }
+TriStates8 verdicts(DoubleMask8 no, DoubleMask8 yes) { return {bits(no), bits(yes)}; }
 
 // --- Spheres (raycast_round.cpp) -----------------------------------------------------------------
 
-Verdicts8 spheres(const RaysAndModels<Ray>& pairs, Hits8& hits) {
+TriStates8 spheres(const RaysAndModels<Ray>& pairs, Hits8& hits) {
     const Worlds8 world(pairs);
     const Four8 sphere([&](int i) { return pairs.other[i]; });
     const Vec<Double8> center =
@@ -113,7 +113,7 @@ struct Turned8 {
     GPHYS_INLINE Vec<Double8> normal(const Vec<Double8>& local) const { return axes * local; }
 };
 
-Verdicts8 aabbs(const RaysAndModels<Ray>& pairs, Hits8& hits) {
+TriStates8 aabbs(const RaysAndModels<Ray>& pairs, Hits8& hits) {
     const Worlds8 world(pairs);
     const Four8 a([&](int i) { return pairs.model[i] + shape_at; });
     const Four8 b([&](int i) { return pairs.model[i] + shape_at + 2; });
@@ -141,7 +141,7 @@ Verdicts8 aabbs(const RaysAndModels<Ray>& pairs, Hits8& hits) {
     return verdicts(entry.no, entry.yes);
 }
 
-Verdicts8 obbs(const RaysAndModels<Ray>& pairs, Hits8& hits) {
+TriStates8 obbs(const RaysAndModels<Ray>& pairs, Hits8& hits) {
     const Worlds8 world(pairs);
     const Four8 a([&](int i) { return pairs.model[i] + shape_at; });
     const Four8 b([&](int i) { return pairs.model[i] + shape_at + 2; });

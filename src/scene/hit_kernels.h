@@ -24,9 +24,9 @@ struct Hits8 {
 
 struct HitKernels {
     // The models of each are of one type.
-    Verdicts8 (*spheres)(const RaysAndModels<Ray>& pairs, Hits8& hits);
-    Verdicts8 (*aabbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
-    Verdicts8 (*obbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
+    TriStates8 (*spheres)(const RaysAndModels<Ray>& pairs, Hits8& hits);
+    TriStates8 (*aabbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
+    TriStates8 (*obbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
     /// Rays that certainly miss the balls around meshes.
     uint32_t (*miss_balls)(const RaysAndModels<Ray>& pairs);
 };

@@ -1,4 +1,4 @@
-// Models - a shape or a shared mesh, placed in the world, perhaps below a parent - and the octree
+// Models - a shape or a shared mesh, placed in the world, perhaps below a parent - and the BVH
 // that finds them. The C layer has checked all values; ids are checked here.
 //
 //   scene_models.cpp      models come and go, and hang below one another
@@ -11,14 +11,15 @@
 //   scene_check.cpp       is everything in agreement?
 //
 // A model's world transform is kept as float32. Everything else is derived from it: the shape in
-// the world (in double precision, when a query asks) and the model's box in the octree (rounded
-// outward). A query walks the octree, asks the exact shape of each candidate, and lets the octree
+// the world (in double precision, when a query asks) and the model's box in the BVH (rounded
+// outward). A query walks the BVH, asks the exact shape of each candidate, and lets the BVH
 // know how near the best answer is.
 #pragma once
 
 #include <algorithm>
 #include <cstring>
 
+#include "bvh/bvh8.h"
 #include "foundation/archive.h"
 #include "foundation/ids.h"
 #include "foundation/pool.h"
@@ -27,11 +28,10 @@
 #include "foundation/strided.h"
 #include "foundation/workers.h"
 #include "geometry/intersect.h"
-#include "octree/octree.h"
 #include "scene/bounds_kernels.h"
+#include "scene/conservative_shape.h"
 #include "scene/hit_kernels.h"
 #include "scene/query_filter.h"
-#include "scene/quick_shape.h"
 #include "scene/scene_kernels.h"
 #include "scene/slot_set.h"
 
@@ -105,7 +105,7 @@ public:
     /// False if the model is unbounded.
     bool bounds(gphys_model_id model, Box& out) const;
 
-    const Octree& octree() const { return octree_; }
+    const Bvh8& bvh() const { return bvh_; }
     const Workers& workers() const { return workers_; }
     uint32_t unbounded_count() const { return static_cast<uint32_t>(unbounded_.size()); }
     /// What is wrong inside, or nullptr.
@@ -128,7 +128,7 @@ public:
     gphys_status raycast(const Ray& ray, const QueryFilter& filter, gphys_hit& out) const;
     /// Up to rays_at_once rays, faster than one by one; they are cut short where they hit. Where nothing
     /// is hit, *out[i] is left alone.
-    static constexpr uint32_t rays_at_once = Octree::rays_at_once;
+    static constexpr uint32_t rays_at_once = Bvh8::rays_at_once;
     void raycast_many(Ray* rays, uint32_t count, uint32_t layers, gphys_hit* const* out) const;
     void raycast_many(Ray* rays, uint32_t count, const RayFilters& filters, gphys_hit* const* out) const;
     bool raycast_any(const Ray& ray, uint32_t layers) const;
@@ -261,7 +261,7 @@ private:
     class FirstOfRay;
     class LargeMeshes;
     class EightPairs;
-    class QuickRays;
+    class ConservativeRays;
     class SharedModel;
 
     ItemMemory model_memory() const { return {models_.data(), sizeof(Model)}; }
@@ -366,7 +366,7 @@ private:
                             const Scene& library, HeldMeshes& found);
     const char* read_models(Reader& reader, const HeldMeshes& meshes, bool has_places);
     const char* hang_up(const Vector<uint32_t>& parents);
-    const char* lay_out(const OctreeLayout& layout);
+    const char* lay_out(const BvhLayout& layout);
 
     const SceneKernels& kernels_ = scene_kernels(chosen_isa());
     const BoundsKernels& bounds_kernels_ = bounds_kernels(chosen_isa());
@@ -378,14 +378,14 @@ private:
     Vector<uint32_t> tags_{&memory};          // by slot
     Vector<ShapeTail> shape_tails_{&memory};  // by slot, up to the last that needed one
     Pool<Family> families_{&memory};
-    Octree octree_{&memory, chosen_isa(), &workers_};  // items are slots
-    Vec3 origin_;                                      // in the world, of all coordinates
-    Vector<WorldPlace> places_{&memory};               // by slot, of models without a parent; since set_origin
-    float farthest_point_ = 0;  // of all shapes that there were, from the origins of their models
+    Bvh8 bvh_{&memory, chosen_isa(), &workers_};  // items are slots
+    Vec3 origin_;                                 // in the world, of all coordinates
+    Vector<WorldPlace> places_{&memory};          // by slot, of models without a parent; since set_origin
+    float farthest_point_ = 0;                    // of all shapes that there were, from the origins of their models
     // That each model is in, a change of layers may leave some out; none if there is a model without
     // any point, an empty mesh.
     uint32_t common_layers_ = ~0u;
-    Vector<uint32_t> unbounded_{&memory};  // slots of planes: no octree holds them, and there are few
+    Vector<uint32_t> unbounded_{&memory};  // slots of planes: no BVH holds them, and there are few
     // Slots of meshes that were the largest when they were added. Batches of rays are quicker if such a mesh answers
     // many rays at once; the answers do not depend on which are listed.
     static constexpr uint32_t most_large_meshes = 4;
@@ -439,13 +439,13 @@ template <class Filter, class Quick, class Exact>
 bool Scene::decide(const Filter& filter, uint32_t slot, Quick&& quick, Exact&& exact) const {
     return with_stored(slot, [&](const auto& shape) {
         const gphys_transform& world = models_[slot].world;
-        const Verdict verdict = quick_verdict(shape, world, quick);
-        if (verdict == Verdict::no || !sees(filter, slot)) return false;
-        return verdict == Verdict::open ? with_placed(shape, world, exact) : verdict == Verdict::yes;
+        const TriState verdict = conservative_verdict(shape, world, quick);
+        if (verdict == TriState::no || !sees(filter, slot)) return false;
+        return verdict == TriState::open ? with_placed(shape, world, exact) : verdict == TriState::yes;
     });
 }
 
-/// Tell the octree where the models from `top` down are.
+/// Tell the BVH where the models from `top` down are.
 template <class Put>
 void Scene::put_below(uint32_t top, const Put& put) const {
     for (uint32_t slot = top; slot != none; slot = next_below(slot, top)) {
@@ -500,7 +500,7 @@ void Scene::for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) cons
     for (const uint32_t slot : unbounded_) {
         if (touches_box(ids_.id(slot), box)) offer(slot);
     }
-    octree_.overlap_box(
+    bvh_.overlap_box(
         box, [&](uint32_t slot, bool) { return offer(slot); }, model_memory(), model_memory());
 }
 

@@ -14,13 +14,13 @@ bool same_bits(const gphys_transform& a, const gphys_transform& b) { return std:
 
 const char* Scene::defect() const {
     if (const char* wrong = ids_.defect()) return wrong;
-    if (const char* wrong = octree_.defect()) return wrong;
+    if (const char* wrong = bvh_.defect()) return wrong;
     if (ids_.slots() > models_.size() || ids_.slots() > tags_.size()) return "there are more slots than models";
 
     uint32_t bounded = 0, unbounded = 0, families = 0, linked_children = 0, counted_children = 0;
     for (uint32_t slot = 0; slot < ids_.slots(); ++slot) {
         if (!ids_.live(slot)) {
-            if (octree_.contains(slot)) return "the octree holds a removed model";
+            if (bvh_.contains(slot)) return "the bvh holds a removed model";
             continue;
         }
         const Model& model = models_[slot];
@@ -30,16 +30,16 @@ const char* Scene::defect() const {
         Box box;
         if (place(slot, model.world, box)) return "a model stands where the scene cannot hold it";
         const bool is_plane = model.type() == GPHYS_SHAPE_PLANE;
-        if (is_plane == octree_.contains(slot)) return "a model is not where queries look for it";
+        if (is_plane == bvh_.contains(slot)) return "a model is not where queries look for it";
         if (is_plane) {
             const uint32_t position = model.shape[position_in_list];
             if (position >= unbounded_.size() || unbounded_[position] != slot)
                 return "an unbounded model is not listed";
             ++unbounded;
         } else {
-            const Box held = octree_.box(slot);
+            const Box held = bvh_.box(slot);
             if (!std::equal(held.min, held.min + 3, box.min) || !std::equal(held.max, held.max + 3, box.max)) {
-                return "the octree holds an old box";
+                return "the bvh holds an old box";
             }
             ++bounded;
         }
@@ -63,7 +63,7 @@ const char* Scene::defect() const {
         if (children != record.child_count) return "children are miscounted";
         counted_children += children;
     }
-    if (bounded != octree_.size()) return "the octree holds more than the models";
+    if (bounded != bvh_.size()) return "the bvh holds more than the models";
     if (unbounded != unbounded_.size()) return "the list of unbounded models holds more than them";
     if (families != families_.size()) return "records of families are miscounted";
     if (linked_children != counted_children) return "a child is missing from its parent's list";

@@ -1,11 +1,11 @@
 #include "scene/scene_kernels.h"
 
+#include "bvh/ray_lanes.h"
 #include "foundation/compiler.h"
 #include "foundation/scaled_rotation.h"
 #include "geometry/overlap_boxes.h"
 #include "geometry/raycast_box.h"
 #include "geometry/raycast_sphere.h"
-#include "octree/ray_lanes.h"
 
 namespace gphys::GPHYS_ISA {
 
@@ -109,17 +109,17 @@ struct Sight8 {
     Float8 off;  // by how much each coordinate is, besides some roundings of what is added up in the end
 };
 
-/// QuickRay::verdict of placed boxes: the same numbers and margins. `half` and `turn_back` are of boxes in
+/// ConservativeRay::verdict of placed boxes: the same numbers and margins. `half` and `turn_back` are of boxes in
 /// the world, `unit` is what that multiplies lengths by.
 template <class TurnBack>
-Verdicts8 rays_and_boxes(const Sight8& sight, const Vec<Float8>& half, Float8 unit, const TurnBack& turn_back) {
+TriStates8 rays_and_boxes(const Sight8& sight, const Vec<Float8>& half, Float8 unit, const TurnBack& turn_back) {
     const Float8 margin = (splat(float_slack) * (sum(abs(sight.from)) + sum(half)) + sight.off) * unit;
     const RayAndBox<Vec<Float8>> both(turn_back(sight.from), half * unit, margin, turn_back(sight.direction),
                                       sight.direction_slack * unit, sight.end);
     return {bits(both.may_meet()) ^ 0xff, bits(both.must_meet())};
 }
 
-Verdicts8 rays_and_aabbs(const RaysAndModels<RayQuads>& pairs) {
+TriStates8 rays_and_aabbs(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 a = load_quads([&](int i) { return pairs.model[i] + shape_at; });
     const Quads8 b = load_quads([&](int i) { return pairs.model[i] + shape_at + 2; });
     const Vec<Float8> low{a.x, a.y, a.z}, high{b.y, b.z, b.w};
@@ -129,7 +129,7 @@ Verdicts8 rays_and_aabbs(const RaysAndModels<RayQuads>& pairs) {
                           [&](const Vec<Float8>& v) { return world.turn.inverse(v); });
 }
 
-Verdicts8 rays_and_obbs(const RaysAndModels<RayQuads>& pairs) {
+TriStates8 rays_and_obbs(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 a = load_quads([&](int i) { return pairs.model[i] + shape_at; });
     const Quads8 b = load_quads([&](int i) { return pairs.model[i] + shape_at + 2; });
     const Quads8 q = load_quads([&](int i) { return pairs.other[i]; });
@@ -143,7 +143,7 @@ Verdicts8 rays_and_obbs(const RaysAndModels<RayQuads>& pairs) {
 
 /// Whether the point of a ray that is closest to the centre is certainly outside, or inside. float_slack is 128 units
 /// of rounding.
-Verdicts8 rays_and_spheres(const RaysAndModels<RayQuads>& pairs) {
+TriStates8 rays_and_spheres(const RaysAndModels<RayQuads>& pairs) {
     const Quads8 sphere = load_quads([&](int i) { return pairs.other[i]; });
     const Worlds8 world(pairs);
     const Sight8 sight(pairs, world, {sphere.x, sphere.y, sphere.z});
@@ -157,7 +157,7 @@ Verdicts8 rays_and_spheres(const RaysAndModels<RayQuads>& pairs) {
             bits(below <= square_beyond(closest, zero - margin) + least) ^ 0xff};
 }
 
-/// Eight models that are Aabbs, as a point sees them: by the numbers and margins of BoxInSight (quick_shape.h).
+/// Eight models that are Aabbs, as a point sees them: by the numbers and margins of BoxInSight (conservative_shape.h).
 struct Boxes8 {
     Boxes8(const float* quads, const uint32_t* first_quad, const SeenFrom& point)
         : Boxes8(quad(quads, first_quad, 0), quad(quads, first_quad, 1), quad(quads, first_quad, 2),
@@ -188,8 +188,8 @@ private:
     }
 };
 
-/// QuickPoint of the placed boxes: the same numbers and margins.
-Verdicts8 boxes_near(const float* quads, const uint32_t* first_quad, const BallLanes& ball) {
+/// ConservativePoint of the placed boxes: the same numbers and margins.
+TriStates8 boxes_near(const float* quads, const uint32_t* first_quad, const BallLanes& ball) {
     const Boxes8 boxes(quads, first_quad, ball.center);
     const Float8 unit = boxes.turn.norm_squared();
     const Vec<Float8> outside = abs(boxes.turn.inverse(boxes.from)) - unit * boxes.half;
@@ -202,12 +202,12 @@ Verdicts8 boxes_near(const float* quads, const uint32_t* first_quad, const BallL
     return {no & boxes.centered, yes & boxes.centered};
 }
 
-/// As QuickBlock, where the query is parallel to the axes of the world. To models that are not turned at all the axes
-/// of faces are enough.
+/// As ConservativeBlock, where the query is parallel to the axes of the world. To models that are not turned at all the
+/// axes of faces are enough.
 ///
 /// A component of an axis is off by at most 18 roundings of 2^-24 of `unit`: six, of numbers that add up to three times
 /// that. What is added up of such components and distances takes five more. float_slack stands for 128.
-Verdicts8 boxes_in_block(const float* quads, const uint32_t* first_quad, const BlockLanes& block) {
+TriStates8 boxes_in_block(const float* quads, const uint32_t* first_quad, const BlockLanes& block) {
     const Boxes8 boxes(quads, first_quad, block.center);
     const Float8 unit = boxes.turn.norm_squared();
     const Vec<Float8> sizes = splat3(block.half);

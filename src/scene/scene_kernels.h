@@ -1,12 +1,12 @@
 // What many rays ask of many models, and a ball of many boxes, once for each instruction set.
 #pragma once
 
+#include "scene/conservative_shape.h"
 #include "scene/eight_models.h"
-#include "scene/quick_shape.h"
 
 namespace gphys {
 
-/// One of many rays: what QuickRay (quick_tests.h) knows of it, in fours so that eight are read at once.
+/// One of many rays: what ConservativeRay (conservative_tests.h) knows of it, in fours so that eight are read at once.
 struct alignas(16) RayQuads {
     float head[3], end;                   // of the origin, as those of SplitPoint; t_max, see ray_end
     float rest[3], origin_slack;          // of each coordinate
@@ -18,7 +18,7 @@ inline float ray_end(double t_max, Vec3 direction) {
     return static_cast<float>(std::min(t_max * std::max(max_component(abs(direction)), least_speed), most_end));
 }
 
-/// A point that models are seen from, as SplitPoint (quick_shape.h).
+/// A point that models are seen from, as SplitPoint (conservative_shape.h).
 struct SeenFrom {
     float head[3], rest[3];
     float slack;
@@ -33,7 +33,7 @@ struct SeenFrom {
     }
 };
 
-/// A ball: what QuickPoint (quick_tests.h) knows of it.
+/// A ball: what ConservativePoint (conservative_tests.h) knows of it.
 struct BallLanes {
     SeenFrom center;
     float reach;
@@ -41,7 +41,7 @@ struct BallLanes {
     BallLanes(Vec3 c, double radius) : center(c, 0), reach(static_cast<float>(std::min(radius, most_reach))) {}
 };
 
-/// A box that is parallel to the axes of the world: what QuickBlock knows of it.
+/// A box that is parallel to the axes of the world: what ConservativeBlock knows of it.
 struct BlockLanes {
     SeenFrom center;
     float half[3];
@@ -53,17 +53,17 @@ struct BlockLanes {
 };
 
 struct SceneKernels {
-    /// What QuickRay knows of many rays. `count` is at least 1; what is written is rounded up to a multiple
+    /// What ConservativeRay knows of many rays. `count` is at least 1; what is written is rounded up to a multiple
     /// of eight.
     void (*ray_quads)(const Ray* rays, uint32_t count, RayQuads* to);
     // Whether each ray meets its model until its end, all of which are of one type.
-    Verdicts8 (*rays_and_spheres)(const RaysAndModels<RayQuads>& pairs);
-    Verdicts8 (*rays_and_aabbs)(const RaysAndModels<RayQuads>& pairs);
-    Verdicts8 (*rays_and_obbs)(const RaysAndModels<RayQuads>& pairs);
+    TriStates8 (*rays_and_spheres)(const RaysAndModels<RayQuads>& pairs);
+    TriStates8 (*rays_and_aabbs)(const RaysAndModels<RayQuads>& pairs);
+    TriStates8 (*rays_and_obbs)(const RaysAndModels<RayQuads>& pairs);
     // Whether eight models that are Aabbs meet a query; those that are not about their origins stay open. Model k has
     // four quads from first_quad[k] on: its transform, two words of no interest, min and max.
-    Verdicts8 (*boxes_near)(const float* quads, const uint32_t* first_quad, const BallLanes& ball);
-    Verdicts8 (*boxes_in_block)(const float* quads, const uint32_t* first_quad, const BlockLanes& block);
+    TriStates8 (*boxes_near)(const float* quads, const uint32_t* first_quad, const BallLanes& ball);
+    TriStates8 (*boxes_in_block)(const float* quads, const uint32_t* first_quad, const BlockLanes& block);
 };
 
 GPHYS_DECLARE_KERNELS(SceneKernels, scene_kernels)

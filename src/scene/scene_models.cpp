@@ -67,7 +67,7 @@ const char* Scene::MeshFollower::refusal_of_mesh(uint32_t slot) const {
 }
 
 void Scene::MeshFollower::mesh_changed(uint32_t slot) noexcept {
-    scene_.octree_.update(slot, scene_.world_box(slot, scene_.models_[slot].world));
+    scene_.bvh_.update(slot, scene_.world_box(slot, scene_.models_[slot].world));
     scene_.farthest_point_ = std::max(scene_.farthest_point_, scene_.farthest_point(slot));
 }
 
@@ -124,7 +124,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     }
     if (bounded) {
         try {
-            octree_.insert_many(slots.data(), boxes.data(), count);
+            bvh_.insert_many(slots.data(), boxes.data(), count);
         } catch (...) {
             discard_all();
             throw;
@@ -173,15 +173,15 @@ gphys_status Scene::set_shape(gphys_model_id id, gphys_shape_type type, const vo
     }
     if (bounded && !was_bounded) {
         try {
-            octree_.insert(slot, box);
+            bvh_.insert(slot, box);
         } catch (...) {
             put_back();
             throw;
         }
     }
 
-    if (was_bounded && bounded) octree_.update(slot, box);
-    if (was_bounded && !bounded) octree_.remove(slot);
+    if (was_bounded && bounded) bvh_.update(slot, box);
+    if (was_bounded && !bounded) bvh_.remove(slot);
     if (!was_bounded && bounded) unlist_unbounded(old.shape[position_in_list]);
     if (was_bounded && !bounded) list_unbounded(slot);
     unlist_large_mesh(slot);
@@ -227,7 +227,7 @@ void Scene::remove_slot(uint32_t slot) {
     if (models_[slot].type() == GPHYS_SHAPE_PLANE) {
         unlist_unbounded(models_[slot].shape[position_in_list]);
     } else {
-        octree_.remove(slot);
+        bvh_.remove(slot);
     }
     unlist_large_mesh(slot);
     discard_shape(slot);
@@ -289,7 +289,7 @@ gphys_status Scene::remove_subtree(gphys_model_id model) {
 }
 
 void Scene::clear() {
-    octree_.clear();
+    bvh_.clear();
     unbounded_.clear();
     large_mesh_count_ = 0;
     for_each_model([&](gphys_model_id model) {
@@ -330,7 +330,7 @@ void Scene::copy_shape(gphys_model_id model, void* out) const {
 
 bool Scene::bounds(gphys_model_id model, Box& out) const {
     if (type(model) == GPHYS_SHAPE_PLANE) return false;
-    out = octree_.box(IdTable::slot_of(model));
+    out = bvh_.box(IdTable::slot_of(model));
     return true;
 }
 
@@ -447,7 +447,7 @@ gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool
         return fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong);
     }
     if (new_parent != none) forget_place(slot);
-    octree_.update_many(moved, [&](const auto& put, bool) { put_below(slot, put); });
+    bvh_.update_many(moved, [&](const auto& put, bool) { put_below(slot, put); });
     return GPHYS_OK;
 }
 

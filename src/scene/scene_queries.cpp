@@ -1,13 +1,13 @@
-// Questions to the scene, but for rays (scene_rays.cpp). Each walks the octree (and the few models that
-// no octree can hold), asks the exact shape of each candidate, and tells the octree what is not worth
+// Questions to the scene, but for rays (scene_rays.cpp). Each walks the BVH (and the few models that
+// no BVH can hold), asks the exact shape of each candidate, and tells the BVH what is not worth
 // visiting any more.
 #include <cmath>
 
 #include "foundation/compiler.h"
-#include "scene/quick_tests.h"
+#include "scene/best_candidate.h"
+#include "scene/conservative_tests.h"
 #include "scene/scene.h"
 #include "scene/slot_set.h"
-#include "scene/winner.h"
 #include "shapes/halfspaces.h"
 
 namespace gphys {
@@ -64,7 +64,7 @@ void Scene::overlap_each(const AskEight& ask_eight, const uint32_t* slots, uint3
     uint32_t boxes[8], first_quad[8], waiting = 0;
     const auto decide_boxes = [&] {
         for (uint32_t k = waiting; k < 8; ++k) first_quad[k] = first_quad[0];
-        const Verdicts8 verdicts = ask_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
+        const TriStates8 verdicts = ask_eight(reinterpret_cast<const float*>(models_.data()), first_quad);
         for (uint32_t k = 0; k < waiting; ++k) {
             out.add_if((verdicts.yes >> k & 1) && sees(filter, boxes[k]), ids_.id(boxes[k]));
         }
@@ -96,11 +96,11 @@ void Scene::meet(const Shape* shapes, uint32_t count, uint32_t layers, OverlapIt
             } else if constexpr (std::is_same_v<Query, Sphere>) {
                 Sphere balls[OverlapItems::most_queries];
                 for (uint32_t i = 0; i < count; ++i) balls[i] = std::get<Sphere>(shapes[i]);
-                octree_.overlap_balls(balls, count, models, if_inside, met);
+                bvh_.overlap_balls(balls, count, models, if_inside, met);
             } else {
                 Box boxes[OverlapItems::most_queries];
                 for (uint32_t i = 0; i < count; ++i) boxes[i] = gphys::bounds(std::get<Query>(shapes[i]));
-                octree_.overlap_boxes(boxes, count, models, std::is_same_v<Query, Aabb> ? if_inside : models, met);
+                bvh_.overlap_boxes(boxes, count, models, std::is_same_v<Query, Aabb> ? if_inside : models, met);
             }
         },
         shapes[0]);
@@ -114,7 +114,7 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
     std::visit(
         [&](const auto& shape) {
             using Query = std::decay_t<decltype(shape)>;
-            const auto quick = quick_overlap(shape);
+            const auto quick = conservative_overlap(shape);
             const auto ask = [&](uint32_t slot) {
                 out.add_if(may_see(filter, slot) && decide(filter, slot, quick, exact), ids_.id(slot));
                 return true;
@@ -143,9 +143,9 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
                 return find_all(met->items[0], met->count[0], false) && find_all(met->items[1], met->count[1], true);
             };
             if constexpr (std::is_same_v<Query, Plane>) {
-                octree_.overlap([&](const Box& box) { return may_touch(shape, box); }, ask);
+                bvh_.overlap([&](const Box& box) { return may_touch(shape, box); }, ask);
             } else if constexpr (std::is_same_v<Query, Frustum>) {
-                octree_.frustum(shape, box_around(shape), find, models, if_inside);
+                bvh_.frustum(shape, box_around(shape), find, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Sphere>) {
                 const BallLanes ball(shape.center, shape.radius);
                 const auto near_ball = [&](const float* quads, const uint32_t* first) {
@@ -153,19 +153,19 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
                 };
                 const auto find_all = find_by(near_ball);
                 is_met ? find_met(find_all)
-                       : octree_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
+                       : bvh_.overlap_ball(shape.center, shape.radius, find_all, models, if_inside);
             } else if constexpr (std::is_same_v<Query, Aabb>) {
                 const BlockLanes block(shape);
                 const auto in_block = [&](const float* quads, const uint32_t* first) {
                     return kernels_.boxes_in_block(quads, first, block);
                 };
                 const auto find_all = find_by(in_block);
-                is_met ? find_met(find_all) : octree_.overlap_box(gphys::bounds(shape), find_all, models, if_inside);
+                is_met ? find_met(find_all) : bvh_.overlap_box(gphys::bounds(shape), find_all, models, if_inside);
             } else {
                 const auto ask_all = [&](const uint32_t* slots, uint32_t count, bool) {
                     return std::all_of(slots, slots + count, ask);
                 };
-                is_met ? find_met(ask_all) : octree_.overlap_box(gphys::bounds(shape), ask_all, models, models);
+                is_met ? find_met(ask_all) : bvh_.overlap_box(gphys::bounds(shape), ask_all, models, models);
             }
         },
         query);
@@ -173,12 +173,12 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
 
 template <class Filter>
 gphys_status Scene::nearest_by(Vec3 point, double max_distance, const Filter& filter, gphys_nearest& out) const {
-    const QuickPoint quick_point(point);
-    Winner winner;
+    const ConservativePoint conservative_point(point);
+    BestCandidate winner;
     double reach = max_distance;
     Vec3 closest, candidate;
     uint32_t closest_triangle = GPHYS_NO_TRIANGLE, triangle = GPHYS_NO_TRIANGLE;
-    const auto quick = [&](const auto& shape) { return unless_no(quick_point(shape, reach)); };
+    const auto quick = [&](const auto& shape) { return unless_no(conservative_point(shape, reach)); };
     const auto exact = [&](const auto& shape) { return closest_point_of(shape, point, reach, candidate, triangle); };
     const auto ask = [&](uint32_t slot) {
         if (!may_see(filter, slot) || !decide(filter, slot, quick, exact)) return;
@@ -196,7 +196,7 @@ gphys_status Scene::nearest_by(Vec3 point, double max_distance, const Filter& fi
         ask(slot);
         within = reach;
     };
-    octree_.nearest(point, reach, visit, model_memory());
+    bvh_.nearest(point, reach, visit, model_memory());
     if (!winner.exists()) return GPHYS_NO_HIT;
     out = to_nearest(closest, winner.value, closest_triangle, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
@@ -205,7 +205,7 @@ gphys_status Scene::nearest_by(Vec3 point, double max_distance, const Filter& fi
 template <class Filter>
 gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
     Hit first, hit;
-    Winner winner;
+    BestCandidate winner;
     double end = 1;
     const auto exact = [&](const auto& shape) {
         hit = Hit();
@@ -224,7 +224,7 @@ gphys_status Scene::sweep_by(const Sphere& moving, Vec3 displacement, const Filt
         ask(slot);
         t_max = end;
     };
-    octree_.sweep(moving.center, displacement, moving.radius, visit, model_memory());
+    bvh_.sweep(moving.center, displacement, moving.radius, visit, model_memory());
     if (!winner.exists()) return GPHYS_NO_HIT;
     out = to_contact(first, displacement, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
@@ -245,7 +245,7 @@ uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_mode
             const auto is_in_view = [&](const auto& shape) { return overlaps_shape(shape, frustum); };
             if (with_shape(slot, is_in_view)) add_if_seen(slot);
         }
-        octree_.frustum(frustum, box_around(frustum), [&](const uint32_t* slots, uint32_t count) {
+        bvh_.frustum(frustum, box_around(frustum), [&](const uint32_t* slots, uint32_t count) {
             if (all_in_layers) {
                 total += for_each_seen_of_layers(filter, slots, count, add);
             } else {

@@ -1,5 +1,5 @@
-// What rays ask of the scene. Each walks the octree, and asks the exact shape of each candidate unless a
-// quicker test is certain: of one ray that of quick_tests.h, of many those of kernels, eight rays at a time.
+// What rays ask of the scene. Each walks the BVH, and asks the exact shape of each candidate unless a
+// quicker test is certain: of one ray that of conservative_tests.h, of many those of kernels, eight rays at a time.
 #include <algorithm>
 #include <functional>
 #include <new>
@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "foundation/compiler.h"
-#include "scene/quick_tests.h"
+#include "scene/best_candidate.h"
+#include "scene/conservative_tests.h"
 #include "scene/scene.h"
-#include "scene/winner.h"
 
 namespace gphys {
 
@@ -85,16 +85,16 @@ private:
     const Scene* scene_;
     Ray* rest_;     // how far other models can still come before the hit
     double t_max_;  // of the ray as it was given
-    Winner winner_;
+    BestCandidate winner_;
     gphys_hit* out_;
 };
 
 template <class Filter>
 gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& out) const {
     Ray rest = ray;
-    const QuickRay quick_ray(ray);
+    const ConservativeRay conservative_ray(ray);
     FirstOfRay first(*this, rest, filter, out);
-    const auto quick = [&](const auto& shape) { return quick_ray.refuses(shape, rest.t_max); };
+    const auto quick = [&](const auto& shape) { return conservative_ray.rejects(shape, rest.t_max); };
     const auto visit = [&](uint32_t slot, double& t_max) {
         if (!may_see(filter, slot)) return;
         decide(filter, slot, quick, [&](const auto& shape) {
@@ -103,12 +103,12 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
         });
         t_max = rest.t_max;
     };
-    octree_.raycast(rest, visit, model_memory());
+    bvh_.raycast(rest, visit, model_memory());
     return first.status();
 }
 
 /// Meshes that most rays of a batch come near, as the level does in which a camera is. They are asked before the walk
-/// through the octree, for all rays at once: then rays that go together share the walk through the mesh as well.
+/// through the BVH, for all rays at once: then rays that go together share the walk through the mesh as well.
 class Scene::LargeMeshes {
 public:
     /// take(ray, slot, hit) gets what rays hit, of which model and tag are not filled in.
@@ -184,7 +184,7 @@ public:
     uint32_t seen() const { return std::accumulate(std::begin(of_type_), std::end(of_type_), 0u, std::bit_or<>()); }
     /// What kernel(pairs) says of those of a type.
     template <class RayForm, class Kernel>
-    Verdicts8 ask(gphys_shape_type type, const RayForm* rays, const Kernel& kernel) const {
+    TriStates8 ask(gphys_shape_type type, const RayForm* rays, const Kernel& kernel) const {
         const uint32_t some = of_type_[type];
         if (some == 0) return {0, 0};
         RaysAndModels<RayForm> pairs;
@@ -196,7 +196,7 @@ public:
             pairs.model[k] = &scene_.models_[slot].world.position.x;
             pairs.other[k] = other_words(type, slot);
         }
-        const Verdicts8 verdicts = kernel(pairs);
+        const TriStates8 verdicts = kernel(pairs);
         return {verdicts.no & some, verdicts.yes & some};
     }
 
@@ -220,18 +220,18 @@ private:
 };
 
 /// The quick tests of many rays, eight at a time.
-class Scene::QuickRays {
+class Scene::ConservativeRays {
 public:
     /// The rays must live as long.
-    QuickRays(const Scene& scene, const Ray* rays, uint32_t count) : kernels_(scene.kernels_), rays_(rays) {
+    ConservativeRays(const Scene& scene, const Ray* rays, uint32_t count) : kernels_(scene.kernels_), rays_(rays) {
         if (count > 0) kernels_.ray_quads(rays, count, quads_);
     }
 
-    Verdicts8 ask(const EightPairs& pairs) const {
-        Verdicts8 all = {0, 0};
-        for (const Verdicts8& verdicts : {pairs.ask(GPHYS_SHAPE_SPHERE, quads_, kernels_.rays_and_spheres),
-                                          pairs.ask(GPHYS_SHAPE_AABB, quads_, kernels_.rays_and_aabbs),
-                                          pairs.ask(GPHYS_SHAPE_OBB, quads_, kernels_.rays_and_obbs)}) {
+    TriStates8 ask(const EightPairs& pairs) const {
+        TriStates8 all = {0, 0};
+        for (const TriStates8& verdicts : {pairs.ask(GPHYS_SHAPE_SPHERE, quads_, kernels_.rays_and_spheres),
+                                           pairs.ask(GPHYS_SHAPE_AABB, quads_, kernels_.rays_and_aabbs),
+                                           pairs.ask(GPHYS_SHAPE_OBB, quads_, kernels_.rays_and_obbs)}) {
             all.no |= verdicts.no;
             all.yes |= verdicts.yes;
         }
@@ -282,12 +282,12 @@ uint32_t Scene::hit_at_once(const EightPairs& pairs, const Ray* rays, const Met&
     uint32_t answered = pairs
                             .ask(GPHYS_SHAPE_MESH, rays,
                                  [&](const auto& some) {
-                                     return Verdicts8{hit_kernels_->miss_balls(some), 0};
+                                     return TriStates8{hit_kernels_->miss_balls(some), 0};
                                  })
                             .no;
     const auto ask = [&](gphys_shape_type type, auto kernel) {
         Hits8 hits;
-        const Verdicts8 verdicts = pairs.ask(type, rays, [&](const auto& some) { return kernel(some, hits); });
+        const TriStates8 verdicts = pairs.ask(type, rays, [&](const auto& some) { return kernel(some, hits); });
         answered |= verdicts.no | verdicts.yes;
         for (uint32_t rest = verdicts.yes; rest != 0; rest &= rest - 1) {
             met(static_cast<uint32_t>(lowest_bit(rest)), hits);
@@ -310,8 +310,8 @@ void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, g
             return hit;
         });
     });
-    if (asked.count() == octree_.size()) return;
-    QuickRays quick(*this, rays, hit_kernels_ ? 0 : count);
+    if (asked.count() == bvh_.size()) return;
+    ConservativeRays quick(*this, rays, hit_kernels_ ? 0 : count);
     SharedModel shared(*this);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
         const EightPairs pairs(*this, numbers, slots, size, filters, asked);
@@ -341,10 +341,10 @@ void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, g
         }
         return shorter;
     };
-    octree_.raycast_many(rays, count, visit, model_memory());
+    bvh_.raycast_many(rays, count, visit, model_memory());
 }
 
-/// Whether a ray meets a plane, which no octree holds.
+/// Whether a ray meets a plane, which no BVH holds.
 template <class Filter>
 bool Scene::meets_unbounded(const Ray& ray, const Filter& filter) const {
     const auto meets = [&](const auto& shape) { return is_met(shape, ray); };
@@ -357,11 +357,11 @@ bool Scene::meets_unbounded(const Ray& ray, const Filter& filter) const {
 template <class Filter>
 bool Scene::raycast_any_by(const Ray& ray, const Filter& filter) const {
     if (meets_unbounded(ray, filter)) return true;
-    const QuickRay quick_ray(ray);
-    const auto quick = [&](const auto& shape) { return quick_ray(shape, ray.t_max); };
+    const ConservativeRay conservative_ray(ray);
+    const auto quick = [&](const auto& shape) { return conservative_ray(shape, ray.t_max); };
     const auto exact = [&](const auto& shape) { return is_met(shape, ray); };
     const auto ask = [&](uint32_t slot) { return may_see(filter, slot) && decide(filter, slot, quick, exact); };
-    return octree_.raycast_any(ray, ask, model_memory());
+    return bvh_.raycast_any(ray, ask, model_memory());
 }
 
 template <class Filters>
@@ -377,11 +377,11 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
         met |= uint64_t{1} << i;
         rays[i].t_max = -1;
     });
-    if (asked.count() == octree_.size()) return met;
-    const QuickRays quick(*this, rays, count);
+    if (asked.count() == bvh_.size()) return met;
+    const ConservativeRays quick(*this, rays, count);
     const auto visit = [&](const uint32_t* numbers, const uint32_t* slots, uint32_t size) {
         const EightPairs pairs(*this, numbers, slots, size, filters, asked);
-        const Verdicts8 verdicts = quick.ask(pairs);
+        const TriStates8 verdicts = quick.ask(pairs);
         const auto is_seen = [&](uint32_t k) { return sees(filter_of_ray(filters, numbers[k]), slots[k]); };
         uint32_t done = verdicts.yes;
         if constexpr (std::is_same_v<Filters, RayFilters>) {
@@ -402,15 +402,15 @@ uint64_t Scene::raycast_any_many_by(Ray* rays, uint32_t count, const Filters& fi
         }
         return done;
     };
-    octree_.raycast_any_many(rays, count, visit, model_memory());
+    bvh_.raycast_any_many(rays, count, visit, model_memory());
     return met;
 }
 
 template <class Filter>
 void Scene::raycast_all_by(const Ray& ray, const Filter& filter, Smallest<gphys_hit, FirstHit>& out) const {
-    const QuickRay quick_ray(ray);
+    const ConservativeRay conservative_ray(ray);
     Hit hit;
-    const auto quick = [&](const auto& shape) { return quick_ray.refuses(shape, ray.t_max); };
+    const auto quick = [&](const auto& shape) { return conservative_ray.rejects(shape, ray.t_max); };
     const auto exact = [&](const auto& shape) {
         hit = Hit();
         return gphys::raycast(shape, ray, hit);
@@ -420,7 +420,7 @@ void Scene::raycast_all_by(const Ray& ray, const Filter& filter, Smallest<gphys_
         out.add(to_hit(hit, ids_.id(slot), tags_[slot]));
     };
     for (const uint32_t slot : unbounded_) ask(slot);
-    octree_.raycast(
+    bvh_.raycast(
         ray, [&](uint32_t slot, double&) { ask(slot); }, model_memory());
 }
 

@@ -125,7 +125,7 @@ bool is_place_in_world(Vec3 place) { return max_component(abs(place)) <= 2 * GPH
 
 }  // namespace
 
-/// All but the octree that a snapshot holds and what follows from it.
+/// All but the BVH that a snapshot holds and what follows from it.
 struct Scene::Contents {
     explicit Contents(Memory* memory)
         : ids(memory),
@@ -217,14 +217,14 @@ gphys_status Scene::snapshot(bool embed_meshes, uint32_t* out, uint32_t capacity
     }
     const auto put_all = [&](auto& sink) {
         Writer<std::decay_t<decltype(sink)>> writer(sink);
-        writer.value(Sizes{meshes.size(), octree_.node_count(), octree_.size(), static_cast<uint32_t>(embedded),
+        writer.value(Sizes{meshes.size(), bvh_.node_count(), bvh_.size(), static_cast<uint32_t>(embedded),
                            places_.empty() ? 0u : 1u});
         for (const UsedMesh& mesh : used) writer.value(mesh);
         write_state(sink, [&](const Mesh* mesh) { writer.value(meshes.number_of(mesh)); });
     };
     WordCount count;
     put_all(count);
-    const uint64_t tree = uint64_t{octree_.node_count()} + octree_.size();
+    const uint64_t tree = uint64_t{bvh_.node_count()} + bvh_.size();
     const uint64_t words = snapshot_header_words + count.words + tree + embedded;
     if (words > std::numeric_limits<uint32_t>::max()) {
         return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have 2^32 words or more");
@@ -234,8 +234,8 @@ gphys_status Scene::snapshot(bool embed_meshes, uint32_t* out, uint32_t capacity
 
     WordCopy copy{out + snapshot_header_words};
     put_all(copy);
-    uint32_t *node = copy.to, *item = copy.to + octree_.node_count();
-    octree_.visit_layout([&](uint32_t word) { *node++ = word; }, [&](uint32_t slot) { *item++ = slot; });
+    uint32_t *node = copy.to, *item = copy.to + bvh_.node_count();
+    bvh_.visit_layout([&](uint32_t word) { *node++ = word; }, [&](uint32_t slot) { *item++ = slot; });
     uint32_t* next = copy.to + tree;
     for (uint32_t i = 0; embed_meshes && i < meshes.size(); ++i) {
         uint32_t size = 0;
@@ -383,10 +383,10 @@ const char* Scene::hang_up(const Vector<uint32_t>& parents) {
     return reached == ids_.size() ? nullptr : "words: models are their own parents";
 }
 
-/// The octree of models that have been read. Returns what is wrong; what fails leaves the octree as it was.
-const char* Scene::lay_out(const OctreeLayout& layout) {
-    constexpr const char* wrong_items = "words: the octree does not hold the models";
-    if (layout.defect()) return "words: the octree is none";
+/// The BVH of models that have been read. Returns what is wrong; what fails leaves the BVH as it was.
+const char* Scene::lay_out(const BvhLayout& layout) {
+    constexpr const char* wrong_items = "words: the bvh does not hold the models";
+    if (layout.defect()) return "words: the bvh is none";
     if (layout.item_count != ids_.size() - unbounded_.size()) return wrong_items;
     Vector<uint8_t> seen(ids_.slots(), 0, &memory);
     Vector<Box> boxes(layout.item_count, &memory);
@@ -399,7 +399,7 @@ const char* Scene::lay_out(const OctreeLayout& layout) {
         if (const char* wrong = place(slot, models_[slot].world, boxes[i])) return wrong;
         farthest_point_ = std::max(farthest_point_, farthest_point(slot));
     }
-    octree_.build(layout, boxes.data());
+    bvh_.build(layout, boxes.data());
     return nullptr;
 }
 
@@ -428,7 +428,7 @@ gphys_status Scene::restore(const Scene& library, const uint32_t* words, uint32_
     if (!all.good() || before + behind > count || sizes.has_places > 1) return refused(cut_short);
     Reader reader(words + before, static_cast<size_t>(count - before - behind));
     const uint32_t* const nodes = words + (count - behind);
-    const OctreeLayout layout{nodes, sizes.nodes, nodes + sizes.nodes, sizes.items};
+    const BvhLayout layout{nodes, sizes.nodes, nodes + sizes.nodes, sizes.items};
 
     if (sizes.meshes > (count - before) / (sizeof(UsedMesh) / 4)) return refused(cut_short);
     Vector<UsedMesh> wanted(sizes.meshes, &memory);

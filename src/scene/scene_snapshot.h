@@ -1,16 +1,16 @@
 // A scene as a row of 32-bit words, in the machine's byte order:
 //
 //   header     snapshot_header.h
-//   sizes      of the meshes, the octree and the embedded meshes
+//   sizes      of the meshes, the BVH and the embedded meshes
 //   meshes     by the lowest model that uses each: what it holds, and how many words it has if it is embedded
 //   state      origin, ids, and by slot the models: what the scene's hash is of
-//   octree     its layout (octree_layout.h); items are slots
+//   BVH     its layout (bvh_layout.h); items are slots
 //   embedded   snapshots of meshes, each with a header and checksum of its own
 //
 // World transforms, boxes and lists of children follow from the rest and are made again. So whatever the words were,
 // the scene that they give is sound, or they are refused.
 //
-// The octree is not built again: to build it takes several times as long as to lay it out, and a bad one costs
+// The BVH is not built again: to build it takes several times as long as to lay it out, and a bad one costs
 // nothing but time.
 //
 // Releases of one major version read all formats of earlier ones.
@@ -24,7 +24,7 @@ namespace gphys {
 
 struct SceneSnapshotSizes {
     uint32_t meshes;
-    uint32_t nodes, items;  // of the octree
+    uint32_t nodes, items;  // of the BVH
     uint32_t embedded_words;
     uint32_t has_places;  // of models in the world (set_origin): 0 or 1
 };

@@ -1,6 +1,6 @@
 // How spheres, capsules and boxes move in the scene: what they touch first, and how they get out of what they overlap.
+#include "scene/best_candidate.h"
 #include "scene/scene.h"
-#include "scene/winner.h"
 
 namespace gphys {
 
@@ -30,7 +30,7 @@ template <class Filter>
 gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filter& filter, gphys_hit& out) const {
     if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, filter, out);
     Hit first, hit;
-    Winner winner;
+    BestCandidate winner;
     double end = 1;
     const auto exact = [&](const auto& shape) { return sweep_shape(shape, moving, displacement, hit); };
     const auto ask = [&](uint32_t slot) {
@@ -47,7 +47,7 @@ gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filte
         t_max = end;
     };
     const BoxInMotion box(moving);
-    octree_.sweep(box.middle, displacement, box.half, visit, model_memory());
+    bvh_.sweep(box.middle, displacement, box.half, visit, model_memory());
     if (!winner.exists()) return GPHYS_NO_HIT;
     out = to_contact(first, displacement, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
@@ -66,7 +66,7 @@ void Scene::penetration_by(const Shape& moving, const Filter& filter, DeepestPen
     };
     for (const uint32_t slot : unbounded_) ask(slot);
     const auto visit = [&](uint32_t slot, bool) { return ask(slot); };
-    octree_.overlap_box(BoxInMotion(moving).box, visit, model_memory(), model_memory());
+    bvh_.overlap_box(BoxInMotion(moving).box, visit, model_memory(), model_memory());
 }
 
 gphys_status Scene::sweep(const Shape& moving, Vec3 displacement, uint32_t layers, gphys_hit& out) const {

@@ -33,7 +33,7 @@ void Scene::derive_world(uint32_t slot) {
 Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
     return with_stored(slot, [&](const auto& stored) {
         if constexpr (is_box<std::decay_t<decltype(stored)>>) {
-            if (is_turned(world.rotation)) return quick_bounds(stored, world);
+            if (is_turned(world.rotation)) return conservative_bounds(stored, world);
         }
         return with_placed(stored, world, [](const auto& shape) {
             if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Plane>) {
@@ -116,7 +116,7 @@ gphys_status Scene::set_transforms(const gphys_model_id* models, const gphys_tra
     return wrong ? fail(GPHYS_ERROR_INVALID_ARGUMENT, wrong) : GPHYS_OK;
 }
 
-/// put_some(begin, end) for all models that move: by the workers if they are different items of the octree.
+/// put_some(begin, end) for all models that move: by the workers if they are different items of the BVH.
 template <class PutSome>
 void Scene::put_all(uint32_t count, bool on_any_thread, const PutSome& put_some) const {
     workers_.run(on_any_thread ? count / models_per_task + 1 : 1, [&](uint32_t task) {
@@ -125,7 +125,7 @@ void Scene::put_all(uint32_t count, bool on_any_thread, const PutSome& put_some)
     });
 }
 
-/// Tell the octree where up to eight models are.
+/// Tell the BVH where up to eight models are.
 template <class Put>
 void Scene::put_eight(const gphys_model_id* models, uint32_t count, const Put& put) const {
     const auto model = [&](uint32_t k) -> const Model& { return models_[IdTable::slot_of(models[k])]; };
@@ -156,7 +156,7 @@ const char* Scene::move_alone(const gphys_model_id* models, const Strided<gphys_
     for (uint32_t i = 0; i < count; ++i) {
         if (const char* wrong = place(IdTable::slot_of(models[i]), local[i])) return wrong;
     }
-    octree_.update_many(count, [&](const auto& put, bool on_any_thread) {
+    bvh_.update_many(count, [&](const auto& put, bool on_any_thread) {
         put_all(count, on_any_thread, [&](uint32_t begin, uint32_t end) {
             for (uint32_t first = begin; first < end; first += 8) {
                 const uint32_t some = std::min(end - first, 8u);
@@ -200,7 +200,7 @@ const char* Scene::move_with_relatives(const gphys_model_id* models, const Strid
         model.moving = 0;
     }
     if (!wrong) {
-        octree_.update_many(moved, [&](const auto& put, bool on_any_thread) {
+        bvh_.update_many(moved, [&](const auto& put, bool on_any_thread) {
             // If each stands once and takes none along, they are different items.
             put_all(count, on_any_thread && !with_relatives && moved == count, [&](uint32_t begin, uint32_t end) {
                 for (uint32_t i = begin; i < end; ++i) {

@@ -1,6 +1,6 @@
 #include "scene/slot_set_kernels.h"
 
-#include "octree/compress_store.h"
+#include "bvh/compress_store.h"
 
 namespace gphys::GPHYS_ISA {
 

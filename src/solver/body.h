@@ -132,7 +132,7 @@ struct ClothState {
           velocity(memory),
           velocity_before(memory),
           acceleration(memory),
-          looked(memory),
+          search_balls(memory),
           sums(memory),
           stored(memory),
           extents(memory),
@@ -149,13 +149,13 @@ struct ClothState {
     bool pulled = false;      // the caller may have done work on it since the last step
     bool held = false;        // whether any particle does not move freely
     Vector<float> at, start, moved, velocity, velocity_before, acceleration;
-    /// Four floats a particle: where it looked around last, relative to the origin, and how far. Empty if the next
-    /// step has to begin anew.
-    Vector<float> looked;
-    static constexpr float not_looked = -1;  // how far
-    Vector<double> sums;                     // of energy, by block of particles
-    Vector<double> stored;                   // energy, by batch of chains
-    Vector<ClothExtent> extents;             // by share of particles
+    /// Four floats a particle: where it searched for contacts last, relative to the origin, and how far. Empty if the
+    /// next step has to begin anew.
+    Vector<float> search_balls;
+    static constexpr float no_ball = -1;  // how far
+    Vector<double> sums;                  // of energy, by block of particles
+    Vector<double> stored;                // energy, by batch of chains
+    Vector<ClothExtent> extents;          // by share of particles
     ClothBalance balance;
     Vector<float> tether_diagonal, tether_off;  // as ClothTethers takes them; only of joined cloth
     // Of cloth that is relaxed (relax_links.cpp):

@@ -26,14 +26,14 @@ void change_length(Body& body, uint32_t slot, double to) {
     constraint.rest = to;
 }
 
-/// visit(link, its place in ClothBatches::rest): as pack_cloth has put them.
+/// visit(link, its place in ClothBatches::rest): as pack_cloth_chains has put them.
 template <class Visit>
 void each_place(const Plan& plan, Visit&& visit) {
     constexpr uint32_t lanes = 8;
-    for (size_t family = 0; family + 1 < plan.families.size(); ++family) {
-        for (uint32_t i = plan.families[family]; i < plan.families[family + 1]; ++i) {
-            const uint32_t nth = i - plan.families[family];
-            const ChainBatch& batch = plan.batches.chains[plan.batches.families[family] + nth / lanes];
+    for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
+        for (uint32_t i = plan.colours[colour]; i < plan.colours[colour + 1]; ++i) {
+            const uint32_t nth = i - plan.colours[colour];
+            const ChainBatch& batch = plan.batches.chains[plan.batches.colours[colour] + nth / lanes];
             for (uint32_t j = 0; j < plan.chains[i].link_count; ++j) {
                 visit(plan.chains[i].first_link + j, lanes * (batch.first_link + j) + nth % lanes);
             }

@@ -9,7 +9,7 @@
 namespace gphys {
 
 /// Bodies that collide with each other and may meet in this step: their boxes, swept and sorted along x.
-void Solver::unite_near_bodies(Sets& sets, double dt) {
+void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
     reaches_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         const Body& body = state_.bodies[slot];
@@ -42,10 +42,10 @@ void Solver::unite_near_bodies(Sets& sets, double dt) {
     }
 }
 
-/// Sets of bodies that joints hold together or that may meet. A set is awake if any of its bodies is.
+/// DisjointSets of bodies that joints hold together or that may meet. A set is awake if any of its bodies is.
 void Solver::unite_bodies(const Scene* scene, double dt) {
     const uint32_t slots = state_.ids.slots();
-    Sets sets(set_of_, slots);
+    DisjointSets sets(set_of_, slots);
     for (uint32_t slot = 0; slot < slots; ++slot) {
         if (state_.ids.live(slot)) state_.bodies[slot].joined = false;
     }
@@ -69,7 +69,7 @@ void Solver::list_islands() {
     island_bodies_.clear();
     joined_bodies_.clear();
     island_systems_.clear();
-    for (const Moving& moving : moving_) island_bodies_.push_back(moving.slot);
+    for (const ActiveBody& moving : moving_) island_bodies_.push_back(moving.slot);
     const auto by_set = [&](uint32_t a, uint32_t b) {
         return set_of_[a] != set_of_[b] ? set_of_[a] < set_of_[b] : a < b;
     };
@@ -112,7 +112,7 @@ void Solver::list_islands() {
     for (const Island& island : islands_) {
         for (uint32_t i = 0; i < island.body_count; ++i) together_[island_bodies_[island.first_body + i]] = 1;
     }
-    for (Moving& moving : moving_) {
+    for (ActiveBody& moving : moving_) {
         moving.together = together_[moving.slot] != 0;
         if (!moving.together) continue;
         moving.undisturbed = false;
@@ -122,7 +122,7 @@ void Solver::list_islands() {
 
 /// A substep of bodies that collide with others. Contacts come between the prediction and the constraints, so
 /// that what constraints take back of them is no motion; the velocities are turned at the end.
-void Solver::move_touching(const Island& island, const Joined& joined, const Surroundings& around, double h) {
+void Solver::move_touching(const Island& island, const Joined& joined, const CollisionContext& around, double h) {
     const uint32_t* const slots = &island_bodies_[island.first_body];
     const Vec3 gravity = state_.settings.gravity;
     bool interrupted = false, touched = false;
@@ -132,7 +132,7 @@ void Solver::move_touching(const Island& island, const Joined& joined, const Sur
         interrupted = interrupted || body.earlier_step == 0;
         touched = touched || body.touched;
     }
-    const auto move_once = [&](const Surroundings& within, double part) {
+    const auto move_once = [&](const CollisionContext& within, double part) {
         for (uint32_t i = 0; i < island.body_count; ++i) {
             Body& body = state_.bodies[slots[i]];
             if (!body.joined) begin_move(body, within, gravity, part);
@@ -170,7 +170,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
         for (uint32_t i = 0; i < island.body_count; ++i) visit(state_.bodies[slots[i]]);
     };
     const Vec3 gravity = state_.settings.gravity;
-    const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
+    const CollisionContext whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     uint32_t substeps = 1;
     each_body([&](Body& body) {
         clear_touches(body);
@@ -185,7 +185,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     if (island.touching_count > 0) particle_contacts_.begin(island, state_.bodies, slots);
     for (uint32_t i = 1; i <= substeps; ++i) {
         const double begin = static_cast<double>(i - 1) / substeps, end = static_cast<double>(i) / substeps;
-        const Surroundings around{scene, &moved_, dt, begin, end};
+        const CollisionContext around{scene, &moved_, dt, begin, end};
         const double h = dt / substeps;
         if (island.touching_count > 0) {
             move_touching(island, joined, around, h);

@@ -7,9 +7,9 @@
 namespace gphys {
 
 /// Disjoint sets of numbers; the root of a set is its lowest number.
-class Sets {
+class DisjointSets {
 public:
-    Sets(Vector<uint32_t>& parent, uint32_t count) : parent_(parent) {
+    DisjointSets(Vector<uint32_t>& parent, uint32_t count) : parent_(parent) {
         parent_.resize(count);
         for (uint32_t i = 0; i < count; ++i) parent_[i] = i;
     }

@@ -10,31 +10,31 @@ namespace gphys {
 class RopeContacts;
 
 /// step.cpp: one substep of a body on its own. `contacts`: of a rope beside models that stand still, or null.
-void move(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeContacts* contacts = nullptr);
+void move(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts = nullptr);
 /// The same in two parts, between which others may push its particles: those without constraints are moved by
 /// the first, all others only predicted.
-void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
-void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
 /// Its parts for chains: free particles to where they would go without constraints, attached ones after their
 /// models; the velocities that the time scheme gives for the solved positions; and tensions to the models that
 /// ropes hang from.
-void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
+void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 /// As it was before begin_chains, before anything else has been done.
 void take_back_chains(Body& body);
 void finish_chains(Body& body, const TimeScheme& scheme);
-void give_tensions(Body& body, const Surroundings& around, const TimeScheme& scheme);
+void give_tensions(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 
 /// All of them for a rope alone; and what follows begin_chains.
-void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeContacts* contacts);
-void end_rope(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
+void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts);
+void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 
 /// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds.
 void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end);
 
 /// One of the substeps of a step, or of the rest of one.
-inline Surroundings part_of_step(const Surroundings& step, uint32_t i, uint32_t substeps) {
-    Surroundings part = step;
+inline CollisionContext part_of_step(const CollisionContext& step, uint32_t i, uint32_t substeps) {
+    CollisionContext part = step;
     const double length = step.end - step.begin;
     part.begin = step.begin + length * (static_cast<double>(i) / substeps);
     part.end = i + 1 < substeps ? step.begin + length * (static_cast<double>(i + 1) / substeps) : step.end;
@@ -47,10 +47,10 @@ void let_go_touching(Body& body);
 
 /// A substep in parts: move(part of the surroundings, part of h).
 template <size_t count, class Move>
-void move_in_parts(const double (&parts)[count], const Surroundings& around, double h, Move&& move) {
+void move_in_parts(const double (&parts)[count], const CollisionContext& around, double h, Move&& move) {
     double done = 0;
     for (const double part : parts) {
-        Surroundings within = around;
+        CollisionContext within = around;
         within.begin = around.begin + (around.end - around.begin) * done;
         done += part;
         within.end = around.begin + (around.end - around.begin) * done;
@@ -63,7 +63,7 @@ void move_in_parts(const double (&parts)[count], const Surroundings& around, dou
 /// radians. What is not found in the shortest ones either is not looked for any longer. Of `motion`: begin(around, h),
 /// solve() and began_in_shape(), then either finish(around, h) or take_back(). Returns whether all was found.
 template <class Motion>
-bool move_in_halves(Motion& motion, const Surroundings& around, double h, int halvings = 7) {
+bool move_in_halves(Motion& motion, const CollisionContext& around, double h, int halvings = 7) {
     // Where links turn by a radian the method may go about for a while before it converges.
     constexpr int most_solutions = 8;
     constexpr double halves[] = {0.5, 0.5};
@@ -77,7 +77,7 @@ bool move_in_halves(Motion& motion, const Surroundings& around, double h, int ha
     }
     motion.take_back();
     found = true;
-    move_in_parts(halves, around, h, [&](const Surroundings& within, double part) {
+    move_in_parts(halves, around, h, [&](const CollisionContext& within, double part) {
         found = move_in_halves(motion, within, part, found ? halvings - 1 : 0) && found;
     });
     return found;
@@ -86,7 +86,7 @@ bool move_in_halves(Motion& motion, const Surroundings& around, double h, int ha
 /// The first substep after an interruption. Not after a contact, which interrupts all the time; motion has no
 /// second derivative there.
 template <class Move>
-void start_slowly(const Surroundings& around, double h, Move&& move) {
+void start_slowly(const CollisionContext& around, double h, Move&& move) {
     move_in_parts(starting_parts, around, h, move);
 }
 
@@ -109,9 +109,9 @@ void each_body(const Joined& joined, Visit&& visit) {
 }
 
 /// joined_motion.cpp: one substep of all of them, or the two parts of one.
-void move_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
-void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
-void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h);
+void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
+void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
+void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
 /// joined_energy.cpp: slow them so that a substep gains no energy, if there is cloth among them.
 void keep_joined_energy(const Joined& joined, Vec3 gravity);
 /// What it needs, and before the first substep, after begin_cloth.

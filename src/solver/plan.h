@@ -62,7 +62,7 @@ struct KeptLinks {
 struct ClothBatches {
     explicit ClothBatches(std::pmr::memory_resource* memory)
         : chains(memory),
-          families(memory),
+          colours(memory),
           particles(memory),
           rest(memory),
           compliance(memory),
@@ -78,9 +78,9 @@ struct ClothBatches {
           rows(memory),
           kept(memory) {}
 
-    Vector<ChainBatch> chains;  // family after family
-    Vector<uint32_t> families;  // the first batch of each, and the end: those of a family share no particle
-    uint32_t spare = 2;         // particles beyond the last one that a family's lanes need
+    Vector<ChainBatch> chains;  // colour after colour
+    Vector<uint32_t> colours;   // the first batch of each, and the end: those of a colour share no particle
+    uint32_t spare = 2;         // particles beyond the last one that a colour's lanes need
     Vector<uint32_t> particles;
     Vector<float> rest;
     Vector<double> compliance;  // by link and chain; infinity for those that are not there
@@ -103,7 +103,7 @@ struct ClothBatches {
 struct Plan {
     explicit Plan(std::pmr::memory_resource* memory)
         : chains(memory),
-          families(memory),
+          colours(memory),
           particles(memory),
           slots(memory),
           rest(memory),
@@ -125,9 +125,9 @@ struct Plan {
     bool described = false;                           // whether the links of the chains are as their constraints are
     bool chains_packed = false, pins_packed = false;  // whether `batches` are of them
 
-    /// By family. The chains of a family share no particle, so their order within it is free.
+    /// By colour. The chains of a colour share no particle, so their order within it is free.
     Vector<Chain> chains;
-    Vector<uint32_t> families;  // the first chain of each, and the end
+    Vector<uint32_t> colours;  // the first chain of each, and the end
     Vector<uint32_t> particles;
     Vector<uint32_t> slots;                    // by link: of its constraint
     Vector<double> rest, compliance, damping;  // by link

@@ -171,7 +171,7 @@ void Solver::Before::put_back(Body& body) {
 
 /// Within the room that is reserved.
 void Solver::begin_step(const Scene* scene) noexcept {
-    for (const Moving& moving : moving_) {
+    for (const ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         if (body.sleep.asleep) wake(body);
         aim_attachments(body, scene);
@@ -198,7 +198,7 @@ void Solver::look_around(const Scene& scene, double dt) {
         if (!extent) extent.emplace();
         extent->add(stretch.extent);
     }
-    for (Moving& moving : moving_) {
+    for (ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         const double fastest = moving.fastest = length(body.extent->fastest);
         const Aabb box = body.extent->box;
@@ -211,7 +211,7 @@ void Solver::look_around(const Scene& scene, double dt) {
         moving.close = within(way);
         moving.nearby = within(way + dt * fastest_model);
     }
-    for (Moving& moving : moving_) {
+    for (ActiveBody& moving : moving_) {
         const size_t before = next_seen_.size();
         scene.for_each_in_box(moving.nearby, state_.bodies[moving.slot].settings.layers, [&](gphys_model_id model) {
             // The box around a terrain or a turned slab holds bodies that are far from its surface.
@@ -233,10 +233,10 @@ void Solver::look_around(const Scene& scene, double dt) {
         const gphys_transform& now = scene.world(seen.model);
         if (std::memcmp(&now, &seen.world, sizeof now) != 0) moved_.push_back(seen);
     }
-    for (const Moving& moving : moving_) {
+    for (const ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         reserve_impulses(body, moving.models_near + moved_.size());
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth_contacts.movers.reserve(moved_.size());
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth_contacts.moving_colliders.reserve(moved_.size());
     }
     find_disturbed(scene);
 }
@@ -245,7 +245,7 @@ void Solver::look_around(const Scene& scene, double dt) {
 /// needs the most.
 void Solver::bound_work(double dt) {
     const uint32_t most = state_.settings.max_work;
-    for (const Moving& moving : moving_) {
+    for (const ActiveBody& moving : moving_) {
         state_.bodies[moving.slot].allowed_substeps = most > 0 ? moving.substeps : std::numeric_limits<uint32_t>::max();
     }
     if (most == 0) return;
@@ -258,11 +258,11 @@ void Solver::bound_work(double dt) {
         for (uint32_t i = 0; i < island.body_count; ++i) state_.bodies[slots[i]].allowed_substeps = needed;
     }
     double work = 0;
-    for (const Moving& moving : moving_) {
+    for (const ActiveBody& moving : moving_) {
         work += static_cast<double>(state_.bodies[moving.slot].allowed_substeps) * moving.size;
     }
     const double kept = work > most ? most / work : 1;
-    for (Moving& moving : moving_) {
+    for (ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         const uint32_t least = least_substeps(body, dt);
         body.allowed_substeps = std::max(least, static_cast<uint32_t>(body.allowed_substeps * kept));
@@ -275,7 +275,7 @@ void Solver::find_disturbed(const Scene& scene) {
     for (const PlacedModel& before : moved_) {
         Box way;
         const bool bounded = way_of(scene, before, way);
-        for (Moving& moving : moving_) {
+        for (ActiveBody& moving : moving_) {
             const uint32_t layers = scene.layers(before.model) & state_.bodies[moving.slot].settings.layers;
             if (layers != 0 && (!bounded || overlaps(way, moving.nearby))) {
                 moving.undisturbed = false;
@@ -286,10 +286,10 @@ void Solver::find_disturbed(const Scene& scene) {
 }
 
 /// Cloth that would keep the others waiting: more than a worker's part of all particles. With fewer links, what
-/// two workers' caches have to tell each other between families takes most of the gain: two were seen to take
+/// two workers' caches have to tell each other between colours takes most of the gain: two were seen to take
 /// 0.64 times as long as one with 59 000 links, 0.75 times with 21 000. Where their cores are far apart, 200 ns
 /// instead of 50, it was 1.2 times with 59 000.
-bool Solver::is_worth_sharing(const Moving& moving, size_t particles) const {
+bool Solver::is_worth_sharing(const ActiveBody& moving, size_t particles) const {
     constexpr size_t least_links = 40000;
     const Plan& plan = state_.bodies[moving.slot].plan;
     return plan.method == GPHYS_SOLVE_GRAPH && plan.rest.size() >= least_links &&
@@ -302,9 +302,9 @@ void Solver::divide_work() {
     while (rooms_.size() < workers_.count()) rooms_.emplace_back(&room_memory_);
     size_t alone = 0, together = 0;  // nodes of the longest ropes
     size_t particles = 0;
-    for (const Moving& moving : moving_) particles += moving.size;
+    for (const ActiveBody& moving : moving_) particles += moving.size;
     for (uint32_t i = 0, next; i < moving_.size(); i = next) {
-        const Moving& first = moving_[i];
+        const ActiveBody& first = moving_[i];
         next = i + 1;
         if (first.together) continue;
         if (first.undisturbed && first.size <= longest_rope_together) {

@@ -50,7 +50,7 @@ void wake(Body& body) {
     body.sleep.calm = 0;
     body.sleep.asleep = false;
     body.extent.reset();
-    body.cloth.looked.clear();
+    body.cloth.search_balls.clear();
 }
 
 bool is_calm(Body& body, const SolverSettings& settings, double dt) {

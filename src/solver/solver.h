@@ -25,12 +25,12 @@
 //                        rope_kernels.cpp moves them
 //     rope_limits.cpp    links that only pull
 //     damping.h          damped links as undamped ones with other numbers
-//   cloth/             cloth and graphs: families of chains
+//   cloth/             cloth and graphs: colours of chains
 //     plan_cloth.cpp     chains and limits, packed for the kernels
 //     cloth.cpp          a substep
 //     cloth_contacts.cpp what cloth touches, as part of its chains
 //     relax_links.cpp    what chains have left strained: kept_links.cpp has which links, all but braces
-//     kept_walls.cpp     what of it holds from step to step
+//     contact_cache.cpp     what of it holds from step to step
 //     reach_limits.cpp   how far cloth can be from its pins
 //     volume.cpp         what closed cloth encloses
 //   contact/           particles against the scene, against particles, and what models get from it
@@ -204,7 +204,7 @@ public:
 
 private:
     /// A body of the step under way.
-    struct Moving {
+    struct ActiveBody {
         uint32_t size, slot, substeps;
         uint32_t chains;           // of its constraints
         bool undisturbed = false;  // a rope that meets nothing while it stays in the box
@@ -217,12 +217,12 @@ private:
         bool together = false;     // with others, in an island
 
         /// Of undisturbed ropes: whether they can be moved together.
-        bool alike(const Moving& other) const {
+        bool alike(const ActiveBody& other) const {
             return chains == 1 && other.chains == 1 && starts == other.starts && substeps == other.substeps;
         }
         /// Undisturbed ropes last, those alike beside each other. The largest first: no worker begins a large
         /// body when the others are done.
-        bool operator<(const Moving& other) const {
+        bool operator<(const ActiveBody& other) const {
             if (undisturbed != other.undisturbed) return other.undisturbed;
             if (undisturbed && starts != other.starts) return starts;
             if (undisturbed && chains != other.chains) return chains > other.chains;
@@ -276,21 +276,21 @@ private:
     void prepare_body(uint32_t slot, const Scene* scene, double dt);
     void begin_step(const Scene* scene) noexcept;
     void divide_work();
-    bool is_worth_sharing(const Moving& moving, size_t particles) const;
-    void move_shared(const Moving& moving, const Scene* scene, double dt);
-    void begin_moving(const Moving& moving, const Scene* scene, double dt);
-    void end_moving(const Moving& moving, const Scene* scene, double dt, uint32_t substeps);
-    uint32_t move_in_substeps(Body& body, uint32_t count, const Surroundings& step, RopeContacts* contacts);
-    void move_through(const Moving& moving, RopeRoom& room, const Scene* scene, double dt);
+    bool is_worth_sharing(const ActiveBody& moving, size_t particles) const;
+    void move_shared(const ActiveBody& moving, const Scene* scene, double dt);
+    void begin_moving(const ActiveBody& moving, const Scene* scene, double dt);
+    void end_moving(const ActiveBody& moving, const Scene* scene, double dt, uint32_t substeps);
+    uint32_t move_in_substeps(Body& body, uint32_t count, const CollisionContext& step, RopeContacts* contacts);
+    void move_through(const ActiveBody& moving, RopeRoom& room, const Scene* scene, double dt);
     void move_part(const Task& task, const Scene* scene, double dt);
     void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);
     void remove_joint(uint32_t slot);
     void remove_joints_of(uint32_t body);
     void plan_joints();
     void unite_bodies(const Scene* scene, double dt);
-    void unite_near_bodies(Sets& sets, double dt);
+    void unite_near_bodies(DisjointSets& sets, double dt);
     void list_islands();
-    void move_touching(const Island& island, const Joined& joined, const Surroundings& around, double h);
+    void move_touching(const Island& island, const Joined& joined, const CollisionContext& around, double h);
     void move_island(const Island& island, const Scene* scene, double dt);
     /// Whether the body sleeps and nothing wakes it.
     bool sleeps_on(const Body& body, const Scene* scene);
@@ -303,11 +303,11 @@ private:
     SolverState state_{&memory};
     /// Models near the bodies as they stand, and those of state_.seen that moved since.
     Vector<PlacedModel> next_seen_{&memory}, moved_{&memory};
-    Vector<Moving> moving_{&memory};
+    Vector<ActiveBody> moving_{&memory};
     Vector<Before> before_{&memory};
     Vector<Task> tasks_{&memory};
     Vector<Stretch> stretches_{&memory};
-    RoomMemory room_memory_{&memory};
+    ThreadArena room_memory_{&memory};
     Vector<RopeRoom> rooms_{&memory};  // by worker
     /// Of the last step: by model and body, and by model.
     Vector<Giver> givers_{&memory};

@@ -41,7 +41,7 @@ void bring_back(Body& body) {
     for (Vector<float>* values : {&body.cloth.moved, &body.cloth.velocity_before}) {
         std::fill(values->begin(), values->end(), 0.0f);
     }
-    body.cloth.looked.clear();
+    body.cloth.search_balls.clear();
     body.cloth.balance.lost = 0;
     std::fill(body.plan.tension.begin(), body.plan.tension.end(), 0.0);
     body.volume.pressure = 0;

@@ -5,7 +5,7 @@
 //   direct       predict, solve chains as a whole, new velocities, collide,
 //                solve again beside contacts                                 rope_substep.cpp
 //                the same of chains that branch                              joined_motion.cpp
-//   graph        predict, chain families, reach limits, velocities, collide  cloth.cpp
+//   graph        predict, chain colours, reach limits, velocities, collide  cloth.cpp
 #include "solver/motion.h"
 #include "solver/rope/rope.h"
 #include "solver/solver.h"
@@ -24,7 +24,7 @@ void follow_models(Body& body, double fraction, double h, uint32_t first, uint32
     }
 }
 
-void move(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeContacts* contacts) {
+void move(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
             fly(body, around, gravity, h);
@@ -39,7 +39,7 @@ void move(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeCo
     }
 }
 
-void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
             fly(body, around, gravity, h);
@@ -53,7 +53,7 @@ void begin_move(Body& body, const Surroundings& around, Vec3 gravity, double h) 
     }
 }
 
-void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     switch (body.plan.method) {
         case GPHYS_SOLVE_FREE:
             break;
@@ -67,14 +67,14 @@ void end_move(Body& body, const Surroundings& around, Vec3 gravity, double h) {
 }
 
 /// Before and after all substeps of one body that is moved alone.
-void Solver::begin_moving(const Moving& moving, const Scene* scene, double dt) {
+void Solver::begin_moving(const ActiveBody& moving, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
     body.impulses.clear();
     give_attached(body, {scene, &moved_, dt, 0, 0}, 1, {}, 0);
     begin_air(body, state_.settings.gravity, dt);
 }
 
-void Solver::end_moving(const Moving& moving, const Scene* scene, double dt, uint32_t substeps) {
+void Solver::end_moving(const ActiveBody& moving, const Scene* scene, double dt, uint32_t substeps) {
     Body& body = state_.bodies[moving.slot];
     add_parts(body);
     for (const FlightPart& part : body.parts) {
@@ -90,11 +90,11 @@ void Solver::end_moving(const Moving& moving, const Scene* scene, double dt, uin
 }
 
 /// In so many, or more if the first show that these are too long. Returns how many it were.
-uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const Surroundings& step, RopeContacts* contacts) {
-    Surroundings rest = step;
+uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionContext& step, RopeContacts* contacts) {
+    CollisionContext rest = step;
     uint32_t made = 0;
     for (uint32_t i = 0; i < count;) {
-        const Surroundings part = part_of_step(rest, i++, count);
+        const CollisionContext part = part_of_step(rest, i++, count);
         move(body, part, state_.settings.gravity, step.step_time * (rest.end - rest.begin) / count, contacts);
         ++made;
         const uint32_t wanted = substeps_of_rest(body, state_.settings, step.step_time, part.end, made);
@@ -108,10 +108,10 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const Surroundings
 }
 
 /// All substeps of one body. Touches nothing of other bodies, allocates nothing.
-void Solver::move_through(const Moving& moving, RopeRoom& room, const Scene* scene, double dt) {
+void Solver::move_through(const ActiveBody& moving, RopeRoom& room, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
     const Vec3 gravity = state_.settings.gravity;
-    const Surroundings whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
+    const CollisionContext whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     uint32_t substeps = moving.substeps;
     begin_moving(moving, scene, dt);
     body.in_stages = false;
@@ -135,7 +135,7 @@ void Solver::move_through(const Moving& moving, RopeRoom& room, const Scene* sce
 
 /// The same of a part of a body, between its beginning and its end.
 void Solver::move_part(const Task& task, const Scene* scene, double dt) {
-    const Moving& moving = moving_[task.first];
+    const ActiveBody& moving = moving_[task.first];
     Body& body = state_.bodies[moving.slot];
     FlightPart& part = body.parts[task.part];
     const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.size());
@@ -145,7 +145,7 @@ void Solver::move_part(const Task& task, const Scene* scene, double dt) {
 
 void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt) {
     UndisturbedRope ropes[ropes_together];
-    const Moving* const first = &moving_[task.first];
+    const ActiveBody* const first = &moving_[task.first];
     for (uint32_t i = 0; i < task.count; ++i) {
         Body& body = state_.bodies[first[i].slot];
         ropes[i] = {&body, scene && body.settings.layers != 0 ? &first[i].close : nullptr, false};
@@ -168,7 +168,7 @@ void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* sce
     }
 }
 
-void Solver::move_shared(const Moving& moving, const Scene* scene, double dt) {
+void Solver::move_shared(const ActiveBody& moving, const Scene* scene, double dt) {
     Team team;
     ClothState& cloth = state_.bodies[moving.slot].cloth;
     cloth.team = &team;
@@ -180,11 +180,11 @@ void Solver::step(const Scene* scene, double dt) {
     prepare(scene, dt);
     begin_step(scene);
     const auto each_divided = [&](auto&& visit) {
-        for (const Moving& moving : moving_) {
+        for (const ActiveBody& moving : moving_) {
             if (!moving.together && !state_.bodies[moving.slot].parts.empty()) visit(moving);
         }
     };
-    each_divided([&](const Moving& moving) { begin_moving(moving, scene, dt); });
+    each_divided([&](const ActiveBody& moving) { begin_moving(moving, scene, dt); });
     for (const Task& task : tasks_) {
         if (task.shared) move_shared(moving_[task.first], scene, dt);
     }
@@ -207,7 +207,7 @@ void Solver::step(const Scene* scene, double dt) {
             }
         }
     });
-    each_divided([&](const Moving& moving) { end_moving(moving, scene, dt, moving.substeps); });
+    each_divided([&](const ActiveBody& moving) { end_moving(moving, scene, dt, moving.substeps); });
     state_.seen.swap(next_seen_);
     add_impulses();
 }

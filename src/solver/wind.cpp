@@ -144,7 +144,7 @@ void end_air(Body& body) {
 }
 
 /// The velocities are those that the time scheme goes on with, of a particle that nothing pushes.
-void blow_cloth(Body& body, const Surroundings& around, double h) {
+void blow_cloth(Body& body, const CollisionContext& around, double h) {
     ClothState& cloth = body.cloth;
     if (around.begin == 0) std::copy(cloth.acceleration.begin(), cloth.acceleration.end(), body.air.steady.begin());
     const TimeScheme scheme(h, body.earlier_step);

@@ -13,7 +13,7 @@
 namespace gphys {
 
 struct Body;
-struct Surroundings;
+struct CollisionContext;
 
 struct Air {
     explicit Air(std::pmr::memory_resource* memory) : velocity(memory), force(memory), rate(memory), steady(memory) {}
@@ -36,6 +36,6 @@ void reserve_air(Body& body);
 void begin_air(Body& body, Vec3 gravity, double dt);
 void end_air(Body& body);
 /// Before a substep of cloth: its accelerations have those of the air in them.
-void blow_cloth(Body& body, const Surroundings& around, double h);
+void blow_cloth(Body& body, const CollisionContext& around, double h);
 
 }  // namespace gphys

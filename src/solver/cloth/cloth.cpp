@@ -1,4 +1,4 @@
-// Cloth and other graphs: chains of constraints, each solved as a whole, one family after the
+// Cloth and other graphs: chains of constraints, each solved as a whole, one colour after the
 // other. Within a chain the corrections of all links are found together by elimination on their
 // tridiagonal system (Thomas), so tension crosses the cloth in one sweep where a constraint at a
 // time needs as many sweeps as there are links. One pass per substep and always the same order:
@@ -127,7 +127,7 @@ void damp_links(Body& body, const TimeScheme& scheme) {
 }
 
 /// Limits that have become taut: their ends no longer part, and what has done so is an interruption.
-bool capture_limits(Body& body, const Surroundings& around, const TimeScheme& scheme) {
+bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
     ClothState& cloth = body.cloth;
     // Models were given the forces of this substep as if they went on; an impact has no such history.
     const double step = scheme.step(body.settings.damping);
@@ -174,7 +174,7 @@ double stored_energy(const ClothKernels& kernels, Body& body) {
 }
 
 /// What chains and limits have pulled attached particles with: the force of a whole substep.
-void give_pulls(Body& body, const Surroundings& around, double step, double h) {
+void give_pulls(Body& body, const CollisionContext& around, double step, double h) {
     const double to_impulse = body.cloth.average_mass * h / (step * step);
     for (const Attachment& attachment : body.attachments) {
         const size_t i = 4 * size_t{attachment.particle};
@@ -187,7 +187,7 @@ void give_pulls(Body& body, const Surroundings& around, double step, double h) {
 
 /// Models turn about, so what is attached to them goes along arcs: places halfway between two on a circle would be
 /// nearer to each other.
-void follow_models(Body& body, const Surroundings& around) {
+void follow_models(Body& body, const CollisionContext& around) {
     gphys_model_id model = 0;
     const PlacedModel* moved = nullptr;
     Transform now;
@@ -289,13 +289,13 @@ void publish(Body& body) {
     });
 }
 
-/// solve(batch, chains, rows) for each batch: families one after the other.
+/// solve(batch, chains, rows) for each batch: colours one after the other.
 template <class Solve>
 void solve_families(Body& body, Solve&& solve) {
     ClothBatches& batches = body.plan.batches;
     const ClothChains chains = damped_chains_of(batches);
-    for (size_t family = 0; family + 1 < batches.families.size(); ++family) {
-        const uint32_t first = batches.families[family], end = batches.families[family + 1];
+    for (size_t colour = 0; colour + 1 < batches.colours.size(); ++colour) {
+        const uint32_t first = batches.colours[colour], end = batches.colours[colour + 1];
         share(body.cloth.team, end - first, [&](uint32_t i, uint32_t member) {
             solve(batches.chains[first + i], chains,
                   &batches.rows[size_t{cloth_row_floats} * batches.longest * member]);
@@ -369,12 +369,12 @@ void reserve_cloth(Body& body) {
     if (body.volume.held) body.volume.gradient.resize(body.size());
 }
 
-void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
+void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
     ClothState& cloth = body.cloth;
     const ClothExtent extent = extent_of(body);
     if (!keeps_origin(body, extent.box)) {
         cloth.origin = (extent.box.min + extent.box.max) / 2;
-        cloth.looked.clear();
+        cloth.search_balls.clear();
     }
     cloth.average_mass = extent.mass / body.size();
     cloth.wanted_substep = infinity;
@@ -401,11 +401,11 @@ void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
     if (collides(body, around)) {
         look_around_cloth(body, around, gravity);
     } else {
-        cloth.looked.clear();
+        cloth.search_balls.clear();
     }
 }
 
-void predict_cloth(Body& body, const Surroundings& around, double h) {
+void predict_cloth(Body& body, const CollisionContext& around, double h) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     ClothState& cloth = body.cloth;
     if (!body.length_changes.empty()) change_lengths(body, around.end);
@@ -462,13 +462,13 @@ void project_cloth(Body& body) {
     reach_limits(body);
 }
 
-void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     ClothState& cloth = body.cloth;
     const TimeScheme scheme(h, body.earlier_step);
     const bool collides = gphys::collides(body, around);
     if (!body.attachments.empty()) give_pulls(body, around, scheme.step(body.settings.damping), h);
-    if (collides) leave_walls(body);
+    if (collides) leave_planes(body);
     const ClothStep step = cloth_step(body, h);
     const double gain = sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.finish(block, step); });
     cloth.velocity.swap(cloth.velocity_before);
@@ -515,24 +515,24 @@ void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h
     body.earlier_step = body.touched ? 0 : h;
 }
 
-void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void end_cloth_substep(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const bool collides = gphys::collides(body, around);
     body.cloth_contacts.given = body.cloth_contacts.turning = {};
-    if (collides) touch_walls(body, around, gravity, TimeScheme(h, body.earlier_step));
+    if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.earlier_step));
     solve_cloth(body);
     finish_cloth(body, around, gravity, h);
 }
 
-void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     if (body.cloth.most_strain > 0 && collides(body, around)) look_ahead(body, around, gravity, h);
     predict_cloth(body, around, h);
     end_cloth_substep(body, around, gravity, h);
 }
 
-void end_cloth(Body& body, const Surroundings& around) {
+void end_cloth(Body& body, const CollisionContext& around) {
     if (collides(body, around)) record_touches(body, around);
     publish(body);
-    if (collides(body, around)) keep_walls(body, around);
+    if (collides(body, around)) keep_planes(body, around);
 }
 
 }  // namespace gphys

@@ -1,13 +1,13 @@
 #include "solver/cloth/cloth_contacts.h"
 
-#include "solver/cloth/lookout.h"
+#include "solver/cloth/contact_search.h"
 #include "solver/quads.h"
 
 namespace gphys {
 namespace {
 
 /// What a particle has given to the model that it touched last.
-void hand_over(Neighbour& n, Body& body, const Surroundings& around) {
+void hand_over(Neighbour& n, Body& body, const CollisionContext& around) {
     if (n.getting == 0) return;
     const double mass = body.cloth.average_mass * body.cloth.acceleration[4 * size_t{n.particle} + 3];
     give(body, around, n.getting, body.cloth.origin, n.given * mass, n.turning * mass);
@@ -16,36 +16,38 @@ void hand_over(Neighbour& n, Body& body, const Surroundings& around) {
 }
 
 /// Walls of models that move, to where they are at the end of the substep.
-void carry_walls(ClothContacts& contacts) {
-    if (contacts.movers.empty()) return;
+void carry_planes(ClothContacts& contacts) {
+    if (contacts.moving_colliders.empty()) return;
     for (Neighbour& n : contacts.neighbours) {
-        for (uint32_t i = 0; i < n.wall_count; ++i) {
-            Wall& wall = n.walls[i];
-            if (wall.mover == Wall::unmoved) continue;
-            const Ride& ride = contacts.movers[wall.mover].carry;
-            wall.normal = ride.rotation * wall.normal;
-            wall.offset += dot(wall.normal, ride.shift);
+        for (uint32_t i = 0; i < n.plane_count; ++i) {
+            ContactPlane& plane = n.planes[i];
+            if (plane.moving_collider == ContactPlane::unmoved) continue;
+            const RigidMotion& rigid_motion = contacts.moving_colliders[plane.moving_collider].carry;
+            plane.normal = rigid_motion.rotation * plane.normal;
+            plane.offset += dot(plane.normal, rigid_motion.shift);
         }
     }
 }
 
-/// Where the particle would be if it stayed at its place on the wall that it touches.
-inline Vec3 place_on_wall(const Neighbour& n, const ClothContacts& contacts, Vec3 start) {
-    const uint32_t mover = n.walls[n.touching].mover;
-    if (mover == Wall::unmoved) return start;
+/// Where the particle would be if it stayed at its place on the contact plane that it touches.
+inline Vec3 place_on_plane(const Neighbour& n, const ClothContacts& contacts, Vec3 start) {
+    const uint32_t moving_collider = n.planes[n.touching].moving_collider;
+    if (moving_collider == ContactPlane::unmoved) return start;
     float rounded[3];
-    put(rounded, contacts.movers[mover].carry.apply(start));
+    put(rounded, contacts.moving_colliders[moving_collider].carry.apply(start));
     return get(rounded);
 }
 
-bool is_pushed(const Neighbour& n) { return n.touching >= 0 && n.walls[n.touching].mover != Wall::unmoved; }
+bool is_pushed(const Neighbour& n) {
+    return n.touching >= 0 && n.planes[n.touching].moving_collider != ContactPlane::unmoved;
+}
 
-/// The wall that the place is most deep in, or nearest to.
+/// The contact plane that the place is most deep in, or nearest to.
 uint32_t deepest(const Neighbour& n, Vec3 at, double& depth) {
     uint32_t best = 0;
     depth = -infinity;
-    for (uint32_t i = 0; i < n.wall_count; ++i) {
-        const double d = n.walls[i].offset - dot(n.walls[i].normal, at);
+    for (uint32_t i = 0; i < n.plane_count; ++i) {
+        const double d = n.planes[i].offset - dot(n.planes[i].normal, at);
         if (d > depth) depth = d, best = i;
     }
     return best;
@@ -68,24 +70,24 @@ uint32_t list_moving(Body& body, Is&& is) {
     return count;
 }
 
-/// Out of all walls; those that move it are noted. Returns the first of them, or -1.
+/// Out of all contact planes; those that move it are noted. Returns the first of them, or -1.
 int32_t push_out(Neighbour& n, float* at) {
-    // One wall may push it into another. For two whose normals are at most a right angle apart one pass
+    // One contact plane may push it into another. For two whose normals are at most a right angle apart one pass
     // is enough; the narrower the crease between them, the less each pass brings.
     constexpr int most_passes = 8;
     int32_t first = -1;
     for (int pass = 0; pass < most_passes; ++pass) {
         bool moved = false;
-        for (uint32_t i = 0; i < n.wall_count; ++i) {
-            const double depth = n.walls[i].offset - dot(n.walls[i].normal, get(at));
+        for (uint32_t i = 0; i < n.plane_count; ++i) {
+            const double depth = n.planes[i].offset - dot(n.planes[i].normal, get(at));
             if (depth <= 0) continue;
-            put(at, get(at) + n.walls[i].normal * depth);
+            put(at, get(at) + n.planes[i].normal * depth);
             n.pressed += depth;
             n.touched |= 1u << i;
             if (first < 0) first = static_cast<int32_t>(i);
             moved = true;
         }
-        if (!moved || n.wall_count == 1) break;
+        if (!moved || n.plane_count == 1) break;
     }
     return first;
 }
@@ -98,37 +100,37 @@ void reserve_cloth_contacts(Body& body) {
     contacts.touching.reserve(body.size());
     contacts.escaped.resize(body.size());
     contacts.place.resize(body.size());
-    body.cloth.looked.reserve(4 * size_t{body.size()});
+    body.cloth.search_balls.reserve(4 * size_t{body.size()});
     for (Vector<float>* values : {&contacts.balls, &contacts.normals, &contacts.pulls}) {
         values->resize(body.cloth.at.size());
     }
 }
 
-void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity) {
+void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
     ClothContacts& contacts = body.cloth_contacts;
     std::fill(contacts.normals.begin(), contacts.normals.end(), 0.0f);
     contacts.sunk = false;
-    find_movers(body, around);
-    Lookout lookout(around, body, gravity, around.step_time);
-    const Kept kept = kept_walls(body, around);
-    if (kept == Kept::walls) {
+    find_moving_colliders(body, around);
+    ContactSearch search(around, body, gravity, around.step_time);
+    const Reuse kept = reuse_contacts(body, around);
+    if (kept == Reuse::planes) {
         for (Neighbour& n : contacts.neighbours) n.rest();
     } else {
         contacts.neighbours.clear();
         std::fill(contacts.place.begin(), contacts.place.end(), ClothContacts::nowhere);
         std::fill(contacts.balls.begin(), contacts.balls.end(), 0.0f);
-        const auto has_looked = [&](uint32_t p) { return body.cloth.looked[4 * size_t{p} + 3] >= 0; };
-        if (kept == Kept::places) lookout.look_again(contacts.escaped.data(), list_moving(body, has_looked));
+        const auto has_ball = [&](uint32_t p) { return body.cloth.search_balls[4 * size_t{p} + 3] >= 0; };
+        if (kept == Reuse::balls) search.repeat(contacts.escaped.data(), list_moving(body, has_ball));
     }
     const double fall = around.step_time / 2 * length(gravity);
-    lookout.look(contacts.escaped.data(), list_moving(body, [&](uint32_t p) {
-                     const double way = around.step_time * (length(get(&body.cloth.velocity[4 * size_t{p}])) + fall);
-                     return std::sqrt(double{squared_from_ball(body, p)}) + way >=
-                            std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
-                 }));
+    search.look(contacts.escaped.data(), list_moving(body, [&](uint32_t p) {
+                    const double way = around.step_time * (length(get(&body.cloth.velocity[4 * size_t{p}])) + fall);
+                    return std::sqrt(double{squared_from_ball(body, p)}) + way >=
+                           std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
+                }));
 }
 
-void look_ahead(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void look_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const ClothContacts& contacts = body.cloth_contacts;
     const double fall = h * length(gravity);
     const uint32_t count = list_moving(body, [&](uint32_t p) {
@@ -136,36 +138,37 @@ void look_ahead(Body& body, const Surroundings& around, Vec3 gravity, double h) 
         return std::sqrt(double{squared_from_ball(body, p)}) + way >=
                std::sqrt(double{contacts.balls[4 * size_t{p} + 3]});
     });
-    Lookout(around, body, gravity, around.step_time * (1 - around.begin)).look(contacts.escaped.data(), count);
+    ContactSearch(around, body, gravity, around.step_time * (1 - around.begin)).look(contacts.escaped.data(), count);
 }
 
 namespace {
 
-/// With which it comes to its wall, where it began the substep at `place` beside it and would end it at `predicted`:
-/// what it has won until there by falling, and not by falling on behind the wall. 0 if it is too slow to bounce.
+/// With which it comes to its contact plane, where it began the substep at `place` beside it and would end it at
+/// `predicted`: what it has won until there by falling, and not by falling on behind the contact plane. 0 if it is too
+/// slow to bounce.
 double impact_speed(const Neighbour& n, const ClothState& cloth, Vec3 place, double predicted, double quiet) {
-    const Wall& wall = n.walls[n.touching];
+    const ContactPlane& plane = n.planes[n.touching];
     const size_t i = 4 * size_t{n.particle};
-    const double drop = std::max(0.0, dot(wall.normal, place) - wall.offset);
-    const double of_wall = dot(place - get(&cloth.start[i]), wall.normal);
+    const double drop = std::max(0.0, dot(plane.normal, place) - plane.offset);
+    const double of_plane = dot(place - get(&cloth.start[i]), plane.normal);
     if (predicted <= quiet) return 0;
-    if (of_wall != 0) return predicted;
-    const double speed = -dot(get(&cloth.velocity[i]), wall.normal);
-    const double pull = -dot(get(&cloth.acceleration[i]), wall.normal);
+    if (of_plane != 0) return predicted;
+    const double speed = -dot(get(&cloth.velocity[i]), plane.normal);
+    const double pull = -dot(get(&cloth.acceleration[i]), plane.normal);
     return speed > 0 ? std::sqrt(std::max(0.0, speed * speed + 2 * pull * drop)) : predicted;
 }
 
 }  // namespace
 
-void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
+void touch_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     ClothState& cloth = body.cloth;
     const BodySettings& settings = body.settings;
     const double h = scheme.h, rate = 1 / h, drag = scheme.drag(body.settings.damping);
     ClothContacts& contacts = body.cloth_contacts;
     contacts.touching.clear();
     contacts.pushed = false;
-    move_movers(body, around);
-    carry_walls(contacts);
+    advance_moving_colliders(body, around);
+    carry_planes(contacts);
     // What gravity moves a particle by in a substep is near enough to touch.
     const double near = length(gravity) * h * h;
     for (uint32_t number = 0; number < contacts.neighbours.size(); ++number) {
@@ -175,7 +178,7 @@ void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const Tim
         const bool touched_before = n.touching >= 0;
         n.touching = -1;
         double depth;
-        const uint32_t wall = deepest(n, get(at), depth);
+        const uint32_t plane = deepest(n, get(at), depth);
         if (depth < -near) continue;
         const double pressed_before = touched_before ? n.total : 0;
         const Vec3 start = get(&cloth.start[i]);
@@ -185,11 +188,11 @@ void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const Tim
         n.coming = (scheme.from_history(get(&cloth.velocity[i]), get(&cloth.velocity_before[i])) +
                     get(&cloth.acceleration[i]) * h) *
                    drag;
-        n.touching = static_cast<int32_t>(wall);
-        n.touched |= 1u << wall;
+        n.touching = static_cast<int32_t>(plane);
+        n.touched |= 1u << plane;
         contacts.pushed = contacts.pushed || is_pushed(n);
-        const Vec3 normal = n.walls[wall].normal;
-        const Vec3 place = place_on_wall(n, contacts, start), moved = get(at) - place;  // beside the wall
+        const Vec3 normal = n.planes[plane].normal;
+        const Vec3 place = place_on_plane(n, contacts, start), moved = get(at) - place;  // beside the contact plane
         const double away = dot(moved, normal);
         n.approach = impact_speed(n, cloth, place, -away * rate, quiet_speed(gravity, h));
         const Vec3 along = moved - normal * away;
@@ -216,16 +219,16 @@ void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const Tim
 
 namespace {
 
-/// Friction: as far back to the place on the wall as all that presses allows.
+/// Friction: as far back to the place on the contact plane as all that presses allows.
 void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& settings, Vec3 place, float* at) {
-    const Vec3 normal = n.walls[n.touching].normal, moved = get(at) - place;
+    const Vec3 normal = n.planes[n.touching].normal, moved = get(at) - place;
     n.total = std::max(0.0, n.pressed - dot(get(&contacts.pulls[4 * size_t{n.particle}]), normal) * at[3]);
     const Vec3 along = moved - normal * dot(moved, normal);
     const double squared = length_squared(along), hold = settings.friction * n.total - n.slowed;
     const auto within = [&](double most) { return most >= 0 && squared <= most * most; };
     n.held = within(hold) || (n.crept >= 0 && within(n.crept + settings.static_friction * n.total - n.slowed));
     if (n.held) {
-        // One that bounces is held along the wall.
+        // One that bounces is held along the contact plane.
         put(at, settings.restitution * n.approach > 0 ? get(at) - along : place);
     } else if (hold > 0) {
         put(at, get(at) - along * (hold / std::sqrt(squared)));
@@ -242,7 +245,7 @@ void note_places(Body& body) {
     }
 }
 
-void leave_walls(Body& body) {
+void leave_planes(Body& body) {
     ClothState& cloth = body.cloth;
     ClothContacts& contacts = body.cloth_contacts;
     contacts.touching.clear();
@@ -262,12 +265,12 @@ void leave_walls(Body& body) {
         contacts.touching.push_back(number);
         const int32_t pushing = push_out(n, at);
         if (!before) n.touching = pushing;
-        slow_down(n, contacts, body.settings, place_on_wall(n, contacts, get(&cloth.start[i])), at);
-        // The way back may lead into another wall.
-        if (n.wall_count > 1) push_out(n, at);
+        slow_down(n, contacts, body.settings, place_on_plane(n, contacts, get(&cloth.start[i])), at);
+        // The way back may lead into another contact plane.
+        if (n.plane_count > 1) push_out(n, at);
         put(&contacts.normals[i], {});
         contacts.pushed = contacts.pushed || is_pushed(n);
-        // As metres: what chains and limits have moved it by, or what walls have.
+        // As metres: what chains and limits have moved it by, or what contact planes have.
         n.moved = before ? get(&contacts.pulls[i]) * at[3] + (limited - n.chained) : limited - get(at);
         n.chained_touching = before;
     }
@@ -276,14 +279,14 @@ void leave_walls(Body& body) {
 namespace {
 
 /// What the particle has lost goes to the model that it touches.
-void lose(Neighbour& n, Body& body, const Surroundings& around, Vec3 velocity) {
-    const Wall& wall = n.walls[n.touching];
-    if (n.getting != wall.model) {
+void lose(Neighbour& n, Body& body, const CollisionContext& around, Vec3 velocity) {
+    const ContactPlane& plane = n.planes[n.touching];
+    if (n.getting != plane.model) {
         hand_over(n, body, around);
-        n.getting = wall.model;
+        n.getting = plane.model;
     }
     const size_t i = 4 * size_t{n.particle};
-    const Vec3 turning = cross(get(&body.cloth.at[i]) - wall.normal * body.radius[n.particle], velocity);
+    const Vec3 turning = cross(get(&body.cloth.at[i]) - plane.normal * body.radius[n.particle], velocity);
     n.given += velocity;
     n.turning += turning;
     body.cloth_contacts.given += velocity * body.cloth.acceleration[i + 3];
@@ -292,8 +295,8 @@ void lose(Neighbour& n, Body& body, const Surroundings& around, Vec3 velocity) {
 
 }  // namespace
 
-/// Links, limits and walls have changed a velocity from the predicted one; what walls did they get.
-void count_contacts(Body& body, const Surroundings& around, double rate) {
+/// Links, limits and contact planes have changed a velocity from the predicted one; what contact planes did they get.
+void count_contacts(Body& body, const CollisionContext& around, double rate) {
     for (const uint32_t number : body.cloth_contacts.touching) {
         Neighbour& n = body.cloth_contacts.neighbours[number];
         const Vec3 velocity = get(&body.cloth.velocity[4 * size_t{n.particle}]);
@@ -302,22 +305,22 @@ void count_contacts(Body& body, const Surroundings& around, double rate) {
     }
 }
 
-void turn_velocities(Body& body, const Surroundings& around, double h) {
+void turn_velocities(Body& body, const CollisionContext& around, double h) {
     ClothState& cloth = body.cloth;
     const double rate = 1 / h;
     for (const uint32_t number : body.cloth_contacts.touching) {
         Neighbour& n = body.cloth_contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         float* velocity = &cloth.velocity[i];
-        const Vec3 start = get(&cloth.start[i]), place = place_on_wall(n, body.cloth_contacts, start);
-        const Vec3 of_wall = (place - start) * rate;
+        const Vec3 start = get(&cloth.start[i]), place = place_on_plane(n, body.cloth_contacts, start);
+        const Vec3 of_plane = (place - start) * rate;
         if (get(&cloth.at[i]) == place && body.settings.restitution * n.approach == 0) {
-            lose(n, body, around, get(velocity) - of_wall);
-            put(velocity, of_wall);
+            lose(n, body, around, get(velocity) - of_plane);
+            put(velocity, of_plane);
             continue;
         }
-        const Vec3 normal = n.walls[n.touching].normal;
-        const double away = dot(get(velocity) - of_wall, normal);
+        const Vec3 normal = n.planes[n.touching].normal;
+        const double away = dot(get(velocity) - of_plane, normal);
         const double wanted = body.settings.restitution * n.approach;
         if (away >= wanted) continue;
         lose(n, body, around, normal * (away - wanted));
@@ -325,7 +328,7 @@ void turn_velocities(Body& body, const Surroundings& around, double h) {
     }
 }
 
-void stop_taken_back(Body& body, const Surroundings& around, double h) {
+void stop_taken_back(Body& body, const CollisionContext& around, double h) {
     ClothState& cloth = body.cloth;
     for (const uint32_t number : body.cloth_contacts.touching) {
         Neighbour& n = body.cloth_contacts.neighbours[number];
@@ -333,7 +336,7 @@ void stop_taken_back(Body& body, const Surroundings& around, double h) {
         const Vec3 back = get(&cloth.at[i]) - n.chained, start = get(&cloth.start[i]);
         const Vec3 velocity = get(&cloth.velocity[i]);
         const double square = length_squared(back);
-        const double against = dot((place_on_wall(n, body.cloth_contacts, start) - start) / h - velocity, back);
+        const double against = dot((place_on_plane(n, body.cloth_contacts, start) - start) / h - velocity, back);
         if (against <= 0 || square == 0) continue;
         const Vec3 slowed = velocity + back * std::min(1 / h, against / square);
         lose(n, body, around, velocity - slowed);
@@ -377,7 +380,7 @@ void ease_links(Body& body) {
     }
 }
 
-void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     ClothState& cloth = body.cloth;
     ClothContacts& contacts = body.cloth_contacts;
     contacts.sunk = false;
@@ -412,7 +415,7 @@ void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double 
             put(&cloth.velocity[i], body.velocity[p]);
         }
     }
-    Lookout(around, body, gravity, around.step_time * (1 - around.end) + h).look(contacts.escaped.data(), count);
+    ContactSearch(around, body, gravity, around.step_time * (1 - around.end) + h).look(contacts.escaped.data(), count);
 }
 
 void stay_outside(Body& body, uint32_t particle) {
@@ -422,19 +425,19 @@ void stay_outside(Body& body, uint32_t particle) {
     }
 }
 
-void finish_neighbour(Neighbour& n, Body& body, const Surroundings& around) {
+void finish_neighbour(Neighbour& n, Body& body, const CollisionContext& around) {
     hand_over(n, body, around);
     const Vec3 at = body.cloth.origin + get(&body.cloth.at[4 * size_t{n.particle}]);
-    for (uint32_t i = 0; i < n.wall_count; ++i) {
-        const Wall& wall = n.walls[i];
+    for (uint32_t i = 0; i < n.plane_count; ++i) {
+        const ContactPlane& plane = n.planes[i];
         if (n.touched >> i & 1) {
-            record_touch(body, n.particle, *around.scene, wall.model, at - wall.normal * body.radius[n.particle],
-                         wall.normal);
+            record_touch(body, n.particle, *around.scene, plane.model, at - plane.normal * body.radius[n.particle],
+                         plane.normal);
         }
     }
 }
 
-void record_touches(Body& body, const Surroundings& around) {
+void record_touches(Body& body, const CollisionContext& around) {
     for (const uint32_t place : body.cloth_contacts.place) {
         if (place != ClothContacts::nowhere) finish_neighbour(body.cloth_contacts.neighbours[place], body, around);
     }

@@ -1,7 +1,7 @@
 // Cloth and what it touches, during a step.
 //
-// At the beginning of a step each particle looks around, unless what it has seen before still holds
-// (kept_walls.cpp): it gets a ball in which it may move, and the half-spaces that it must stay in there.
+// At the beginning of a step each particle searches for contacts, unless what it has seen before still holds
+// (contact_cache.cpp): it gets a ball in which it may move, and the half-spaces that it must stay in there.
 // Models are looked at part by part, each of them convex: a primitive, or a triangle of a mesh. The
 // plane through the closest point of a part, across the way to it, has the part behind it; a part that
 // is wholly behind the plane of a nearer one adds none. Within the ball no other part can be reached,
@@ -9,64 +9,64 @@
 // touched nothing on its way. Only one that leaves the ball is swept against the scene, and looks
 // around again.
 //
-// The walls of a model that moves go with it, from substep to substep; a particle looks as far for them as the model
-// comes in the step. Friction and speed are relative to it.
+// The contact planes of a model that moves go with it, from substep to substep; a particle looks as far for them as the
+// model comes in the step. Friction and speed are relative to it.
 //
-// Contacts are part of the chains' equations: a particle that touches moves along the wall or off (Surfaces in
-// cloth_kernels.cpp). After the chains friction takes it back, at most by friction times all that the wall has pushed
-// it with in the substep and at most to its place on the wall. Taking it for immovable while friction holds it would
-// leave what strains the links between two such particles to stay.
+// Contacts are part of the chains' equations: a particle that touches moves along the contact plane or off (Surfaces in
+// cloth_kernels.cpp). After the chains friction takes it back, at most by friction times all that the contact plane has
+// pushed it with in the substep and at most to its place on the contact plane. Taking it for immovable while friction
+// holds it would leave what strains the links between two such particles to stay.
 #pragma once
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
-#include "solver/cloth/movers.h"
+#include "solver/cloth/moving_colliders.h"
 
 namespace gphys {
 
 struct Body;
-struct Surroundings;
+struct CollisionContext;
 
 /// A particle stays where dot(normal, its position) >= offset; relative to the cloth's origin, at the end of the
 /// substep.
-struct Wall {
+struct ContactPlane {
     static constexpr uint32_t unmoved = 0xffffffff;
 
     Vec3 normal;
     double offset;
     gphys_model_id model;
-    uint32_t mover;  // its number in ClothContacts::movers, or unmoved
+    uint32_t moving_collider;  // its number in ClothContacts::moving_colliders, or unmoved
 };
 
 /// A particle that may touch something in this step. What all substeps ask of it comes first, in a cache line or two.
 struct alignas(64) Neighbour {
-    static constexpr uint32_t most_walls = 4;
+    static constexpr uint32_t most_planes = 4;
 
     uint32_t particle;
-    uint32_t wall_count;
-    uint32_t touched;  // bit by wall: in this step
-    int32_t touching;  // the wall that pressed it most in this substep, or -1
-    Wall walls[most_walls];
+    uint32_t plane_count;
+    uint32_t touched;  // bit by contact plane: in this step
+    int32_t touching;  // the contact plane that pressed it most in this substep, or -1
+    ContactPlane planes[most_planes];
     // Of one that touches, in this substep:
     double crept;           // metres, which its speed alone takes it, where that counts as none; else -1
-    double pressed;         // metres, by how much walls have moved it
+    double pressed;         // metres, by how much contact planes have moved it
     double total;           // the same with what links pulled it against them by
     double slowed;          // metres, by how much friction has slowed it before the links pulled
-    double approach;        // speed towards the wall when it meets it, if that is more than none; else 0
+    double approach;        // speed towards the contact plane when it meets it, if that is more than none; else 0
     bool chained_touching;  // whether it touched before the chains were solved
-    bool held;              // whether friction keeps it at its place on the wall
+    bool held;              // whether friction keeps it at its place on the contact plane
     Vec3 coming;            // if so, the velocity predicted for the end of this substep
     Vec3 chained;           // and where the chains have left it, before limits
-    Vec3 moved;             // metres, by chains and limits; against what walls did, if it touched after them
+    Vec3 moved;             // metres, by chains and limits; against what contact planes did, if it touched after them
     // For what models get from it:
     gphys_model_id getting;  // the model that gets the next two:
     Vec3 given, turning;     // m/s, what it has lost to it, and the moment of that about the cloth's origin
     // Of one that is in a model deeper than it comes out at once (leave_solids.cpp):
-    uint32_t sunk_walls;  // bit by wall: those that are where the particle is
-    uint32_t sunk_most;   // the one that it is deepest behind,
-    double depth;         // and by how much: 0 if it is in nothing
-    Vec3 aim;             // while it leaves: where it was to go, or the links have left it,
-    bool aims;            // and whether it is there
+    uint32_t sunk_planes;  // bit by contact plane: those that are where the particle is
+    uint32_t sunk_most;    // the one that it is deepest behind,
+    double depth;          // and by how much: 0 if it is in nothing
+    Vec3 aim;              // while it leaves: where it was to go, or the links have left it,
+    bool aims;             // and whether it is there
 
     /// At the beginning of a step.
     void rest() {
@@ -78,7 +78,7 @@ struct alignas(64) Neighbour {
 
 struct ClothContacts {
     explicit ClothContacts(std::pmr::memory_resource* memory)
-        : movers(memory),
+        : moving_colliders(memory),
           neighbours(memory),
           touching(memory),
           place(memory),
@@ -89,13 +89,13 @@ struct ClothContacts {
 
     static constexpr uint32_t nowhere = 0xffffffff;
 
-    Vector<Mover> movers;
+    Vector<MovingCollider> moving_colliders;
     Vector<Neighbour> neighbours;
     Vector<uint32_t> touching;     // those of them that touch something in this substep
     Vector<uint32_t> place;        // by particle: in neighbours, or nowhere
     Vector<float> balls;           // four floats a particle: centre, square of the radius
     Vector<float> normals, pulls;  // four floats a particle, as ClothSurfaces takes them
-    Vector<uint32_t> escaped;      // of this substep; at its beginning those that look around
+    Vector<uint32_t> escaped;      // of this substep; at its beginning those that search for contacts
     Vec3 given, turning;           // as those of the neighbours, of all in this substep, times their relative masses
     uint64_t neighbourhood = 0;    // a hash of the models that were around when the last step ended
     bool pushed = false;           // whether any that touches is, by a model that moves

@@ -142,7 +142,8 @@ struct NoSurfacesPulling : NoSurfaces {
     }
 };
 
-/// What is left to the wall of a pull off it, where `before` is what chains before have pulled off, less what presses.
+/// What is left to the contact plane of a pull off it, where `before` is what chains before have pulled off, less what
+/// presses.
 inline Float8 held_part(Float8 pull, Float8 before) {
     return pull - (max(before + pull, splat(0)) - max(before, splat(0)));
 }
@@ -231,7 +232,7 @@ struct Tethered {
         out.inverse = splat(1) / max(inertia, splat(least_inertia));
         return out;
     }
-    static Float8 off_wall(const Quads8& pull, const Normals& at) {
+    static Float8 off_plane(const Quads8& pull, const Normals& at) {
         return pull.x * at.along.x + pull.y * at.along.y + pull.z * at.along.z;
     }
     /// a . (W - W N (W N)^T / (N . W N)) b
@@ -254,7 +255,7 @@ struct Tethered {
         const Normals here = normals(particles);
         const Float8 pressing = load_quads(arrays.surfaces.normals, particles).w;
         const Quads8 pulled = load_quads(arrays.surfaces.pulls, particles);
-        const Float8 held = held_part(off_wall(pull, here), off_wall(pulled, here) - pressing) * here.inverse;
+        const Float8 held = held_part(off_plane(pull, here), off_plane(pulled, here) - pressing) * here.inverse;
         const Vec<Float8> way = times(here.diagonal, here.off, pull.x - here.normal.x * held,
                                       pull.y - here.normal.y * held, pull.z - here.normal.z * held);
         a.x = a.x + way.x * a.w;

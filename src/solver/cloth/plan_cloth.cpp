@@ -18,7 +18,7 @@ void pack_kind(const Plan& plan, uint32_t place, uint32_t link, ClothBatches& ba
     }
 }
 
-/// Chains first .. last - 1, of one family, the longest first. Lanes without a link get the two particles
+/// Chains first .. last - 1, of one colour, the longest first. Lanes without a link get the two particles
 /// from `nowhere` on; whether there are any.
 bool pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhere, ClothBatches& batches) {
     const uint32_t link_count = plan.chains[first].link_count;
@@ -92,7 +92,7 @@ void pack_cloth_chains(Body& body) {
     const Plan& plan = body.plan;
     ClothBatches& batches = body.plan.batches;
     batches.chains.clear();
-    batches.families.clear();
+    batches.colours.clear();
     batches.particles.clear();
     batches.rest.clear();
     batches.compliance.clear();
@@ -101,18 +101,18 @@ void pack_cloth_chains(Body& body) {
     const uint32_t nowhere = body.size();
     batches.longest = 0;
     batches.spare = 2;
-    for (size_t family = 0; family + 1 < plan.families.size(); ++family) {
-        const uint32_t end = plan.families[family + 1];
-        batches.families.push_back(static_cast<uint32_t>(batches.chains.size()));
+    for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
+        const uint32_t end = plan.colours[colour + 1];
+        batches.colours.push_back(static_cast<uint32_t>(batches.chains.size()));
         // Each batch has its own ones that do not move, as several may be solved at the same time.
         uint32_t spare = 0;
-        for (uint32_t first = plan.families[family]; first < end; first += lanes) {
+        for (uint32_t first = plan.colours[colour]; first < end; first += lanes) {
             if (pack_chains(plan, first, std::min(first + lanes, end), nowhere + spare, batches)) spare += 2;
             batches.longest = std::max(batches.longest, batches.chains.back().link_count);
         }
         batches.spare = std::max(batches.spare, spare);
     }
-    batches.families.push_back(static_cast<uint32_t>(batches.chains.size()));
+    batches.colours.push_back(static_cast<uint32_t>(batches.chains.size()));
     double length = 0;
     for (const double rest : plan.rest) length += rest;
     batches.link_length = length / static_cast<double>(std::max<size_t>(1, plan.rest.size()));

@@ -1,9 +1,9 @@
 // Links of cloth that a substep has left strained beyond the error target.
 //
 // Chains are solved once, as if no link turned by it: one that turns by a third of a radian is then a twentieth too
-// long, and so are those whose ends meet walls after the chains. What is left in this way is local. Passes over the
-// few strained links, one after the other, bring it below the target for a small part of the work of shorter substeps.
-// Sweeps over whole chains once more would not: where these are folded, they do not converge.
+// long, and so are those whose ends meet contact planes after the chains. What is left in this way is local. Passes
+// over the few strained links, one after the other, bring it below the target for a small part of the work of shorter
+// substeps. Sweeps over whole chains once more would not: where these are folded, they do not converge.
 //
 // Positions alone are moved. Velocities that followed them would make the links whip. But ends that part faster than
 // they are brought together again do not go on doing so: between chains that push them apart and passes that bring

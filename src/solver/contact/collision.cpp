@@ -8,7 +8,7 @@ constexpr int most_contacts = 6;
 
 }  // namespace
 
-Collider::Collider(const Surroundings& around, const Body& body, const Box& paths, const Tally& tally)
+Collider::Collider(const CollisionContext& around, const Body& body, const Box& paths, const ImpulseAccumulator& tally)
     : around_(around),
       body_(body),
       tally_(tally),
@@ -44,9 +44,9 @@ void Collider::meet(gphys_model_id model, const Sphere& moving, Vec3 displacemen
 void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displacement, Impact& first) const {
     if (near.is_flat) {
         Hit hit;
-        const Verdict verdict = near.flat.sweep(moving, displacement, hit);
-        if (verdict == Verdict::no) return;
-        if (verdict == Verdict::yes) {
+        const TriState verdict = near.flat.sweep(moving, displacement, hit);
+        if (verdict == TriState::no) return;
+        if (verdict == TriState::yes) {
             keep_first(first, {hit.t, near.model, false, false, 0, moving.center + displacement * hit.t, hit.point,
                                hit.normal, Vec3{}});
             return;
@@ -234,7 +234,7 @@ bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 disp
     const Vec3 at = body.position[particle];
     const double radius = body.radius[particle];
     Hit hit;
-    if (near.flat.sweep({at, radius}, displacement, hit) != Verdict::yes) return false;
+    if (near.flat.sweep({at, radius}, displacement, hit) != TriState::yes) return false;
     const double into = -dot(displacement, hit.normal);
     if (into * hit.t > largest_gap(skin(radius, at))) return false;
     const BodySettings& settings = body.settings;
@@ -392,7 +392,7 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
 
 /// What links pull a particle with that stays where it is goes to the model that holds it; what they had
 /// pulled it with before they were solved again has gone into its velocity, and come from there.
-void give_through_held(Body& body, const Surroundings& around, const SolvedAgain& again) {
+void give_through_held(Body& body, const CollisionContext& around, const SolvedAgain& again) {
     const auto give_to_holder = [&](uint32_t p, Vec3 impulse) {
         if (!body.held[p] || body.pinned(p)) return;
         const Touch& touch = body.touches[size_t{p} * touches_per_particle + body.held[p] - 1];
@@ -416,7 +416,7 @@ void give_through_held(Body& body, const Surroundings& around, const SolvedAgain
 
 }  // namespace
 
-void collide(Body& body, const Surroundings& around, double quiet) {
+void collide(Body& body, const CollisionContext& around, double quiet) {
     body.touched = body.sunk = false;
     if (!around.scene || body.settings.layers == 0) return;
     const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
@@ -429,7 +429,7 @@ void collide(Body& body, const Surroundings& around, double quiet) {
     }
 }
 
-void ease_contacts(Body& body, const Surroundings& around) {
+void ease_contacts(Body& body, const CollisionContext& around) {
     // Each link that meets at a particle moves it by less than the longest is long.
     const double way = most_links_of_a_particle(body) * longest_link(body);
     const Collider collider(around, body, swept_box(body, body.position, body.position, way));
@@ -437,7 +437,7 @@ void ease_contacts(Body& body, const Surroundings& around) {
     body.start = body.position;
 }
 
-void collide_again(Body& body, const Surroundings& around, double quiet, const SolvedAgain& again) {
+void collide_again(Body& body, const CollisionContext& around, double quiet, const SolvedAgain& again) {
     give_through_held(body, around, again);
     const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
     for (uint32_t p = 0; p < body.size(); ++p) {

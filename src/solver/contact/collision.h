@@ -23,7 +23,7 @@ struct PlacedModel {
 
 /// What there is to collide with during one substep: the scene as it is, the models that have moved
 /// since the last step with their former places, and the part of the step that the substep covers.
-struct Surroundings {
+struct CollisionContext {
     const Scene* scene = nullptr;
     const Vector<PlacedModel>* moved = nullptr;  // by model
     double step_time = 0;                        // seconds that the models took to move
@@ -31,8 +31,10 @@ struct Surroundings {
 };
 
 /// Where the model was before the last step, if it has moved since; else null.
-const PlacedModel* find_moved(const Surroundings& around, gphys_model_id model);
-inline bool has_moved(const Surroundings& around, gphys_model_id model) { return find_moved(around, model) != nullptr; }
+const PlacedModel* find_moved(const CollisionContext& around, gphys_model_id model);
+inline bool has_moved(const CollisionContext& around, gphys_model_id model) {
+    return find_moved(around, model) != nullptr;
+}
 
 /// A placement between two others: positions and scales linearly, rotations along the shorter arc.
 Transform interpolate(const gphys_transform& from, const gphys_transform& to, double fraction);
@@ -75,10 +77,10 @@ inline Box path_box(const Sphere& moving, Vec3 displacement) {
 class Collider {
 public:
     /// The box holds every path that will be asked for, but for those of what models strike that move.
-    Collider(const Surroundings& around, Body& body, const Box& paths)
+    Collider(const CollisionContext& around, Body& body, const Box& paths)
         : Collider(around, body, paths, {body.impulses, body.touched}) {}
     /// The tally gets what would otherwise be the body's.
-    Collider(const Surroundings& around, const Body& body, const Box& paths, const Tally& tally);
+    Collider(const CollisionContext& around, const Body& body, const Box& paths, const ImpulseAccumulator& tally);
 
     /// Whether there is nothing at all.
     bool idle() const { return listed_ && count_ == 0 && moving_count_ == 0; }
@@ -150,9 +152,9 @@ private:
     /// As it is at the end of the substep if the particle stays with the model.
     Impact carried(const Impact& impact) const;
 
-    const Surroundings& around_;
+    const CollisionContext& around_;
     const Body& body_;
-    const Tally tally_;
+    const ImpulseAccumulator tally_;
     const double most_push_;
     bool listed_ = true;  // otherwise there are too many, and the scene is asked for each particle
     uint32_t count_ = 0;
@@ -197,7 +199,7 @@ Vec3 after_impact(Vec3 velocity, const Impact& impact, double restitution, doubl
 Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to, double margin);
 
 /// Of a body whose particles have just been moved from start to position.
-void collide(Body& body, const Surroundings& around, double quiet);
+void collide(Body& body, const CollisionContext& around, double quiet);
 
 /// Whether a particle is no faster than a fall through four times its skin makes it, 9 mm/s for a radius of
 /// 1 cm: it may have been put down so far above what it lies on.
@@ -211,14 +213,14 @@ inline void end_friction(Body& body) { end_friction(body, 0, body.size()); }
 
 /// After collide, if something was touched: before the links follow what the contacts have done, while the
 /// particles that touch something stay where they are, ...
-void ease_contacts(Body& body, const Surroundings& around);
+void ease_contacts(Body& body, const CollisionContext& around);
 
 struct SolvedAgain {
     double step;  // a force f has moved a particle by f / m * step^2
     double rate;  // by which a correction of the position changes the velocity, 1/s
 };
 /// ... and after it, to sweep what they have moved.
-void collide_again(Body& body, const Surroundings& around, double quiet, const SolvedAgain& again);
+void collide_again(Body& body, const CollisionContext& around, double quiet, const SolvedAgain& again);
 
 /// What gravity adds in two substeps is no speed to bounce with.
 inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravity); }
@@ -234,62 +236,66 @@ uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_m
 
 /// leave_solids.cpp: around what gives links their lengths back, for a body that is not cloth, if it is sunk. False,
 /// and nothing is to be done, if none of its particles is in anything.
-bool begin_leaving(Body& body, const Surroundings& around);
-void end_leaving(Body& body, const Surroundings& around, bool lengths_found);
+bool begin_leaving(Body& body, const CollisionContext& around);
+void end_leaving(Body& body, const CollisionContext& around, bool lengths_found);
 /// All of it for cloth, at the end of a substep of h seconds.
 void leave_solids(Body& body, double h);
 
-inline bool collides(const Body& body, const Surroundings& around) { return around.scene && body.settings.layers != 0; }
+inline bool collides(const Body& body, const CollisionContext& around) {
+    return around.scene && body.settings.layers != 0;
+}
 
 /// cloth_contacts.cpp: by turns before and after the chains of a substep.
 void reserve_cloth_contacts(Body& body);
-void look_around_cloth(Body& body, const Surroundings& around, Vec3 gravity);
-/// kept_walls.cpp: what holds of the step before. Nothing, and then nobody has looked; or from where particles have
+void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity);
+/// contact_cache.cpp: what holds of the step before. Nothing, and then nobody has looked; or from where particles have
 /// looked; or what they saw as well.
-enum class Kept { nothing, places, walls };
+enum class Reuse { nothing, balls, planes };
 /// Whether the origin, which all that is relative to, is still near the middle of the box.
 bool keeps_origin(const Body& body, const Aabb& box);
-Kept kept_walls(Body& body, const Surroundings& around);
+Reuse reuse_contacts(Body& body, const CollisionContext& around);
 /// At the end of a step.
-void keep_walls(Body& body, const Surroundings& around);
-/// Before a substep: those that it would take out of their balls look around now, so that chains know their walls.
-void look_ahead(Body& body, const Surroundings& around, Vec3 gravity, double h);
-void touch_walls(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme);
+void keep_planes(Body& body, const CollisionContext& around);
+/// Before a substep: those that it would take out of their balls search for contacts now, so that chains know their
+/// contact planes.
+void look_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+void touch_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
 void note_places(Body& body);
-void leave_walls(Body& body);
-void count_contacts(Body& body, const Surroundings& around, double rate);
-void turn_velocities(Body& body, const Surroundings& around, double h);
+void leave_planes(Body& body);
+void count_contacts(Body& body, const CollisionContext& around, double rate);
+void turn_velocities(Body& body, const CollisionContext& around, double h);
 /// A model that moves carries particles further in a substep than friction should: links between two that touch
 /// something get their lengths back.
 void ease_links(Body& body);
 /// What relaxing links has taken back since note_places of the way of a particle that touches something is no motion.
-void stop_taken_back(Body& body, const Surroundings& around, double h);
+void stop_taken_back(Body& body, const CollisionContext& around, double h);
 /// Whether friction has kept a particle at its place in this substep, on a model that stands still and while none of
 /// the body is in one.
 bool is_held(const Body& body, uint32_t particle);
-/// Moves a particle aside, but not into its walls.
+/// Moves a particle aside, but not into its contact planes.
 void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
-void catch_escaped(Body& body, const Surroundings& around, Vec3 gravity, double h);
-void record_touches(Body& body, const Surroundings& around);
+void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+void record_touches(Body& body, const CollisionContext& around);
 /// What the particle has touched and given to models, before its neighbour is replaced.
-void finish_neighbour(Neighbour& neighbour, Body& body, const Surroundings& around);
-/// A particle that something else has moved, out of the walls that were near it.
+void finish_neighbour(Neighbour& neighbour, Body& body, const CollisionContext& around);
+/// A particle that something else has moved, out of the contact planes that were near it.
 void stay_outside(Body& body, uint32_t particle);
 
 /// cloth.cpp: a body of many chains. A step begins and ends with its own functions.
 /// Makes room, but for what a snapshot holds: `moved` and `velocity_before`, so many floats each.
 size_t cloth_floats(const Body& body);
 void reserve_cloth(Body& body);
-void begin_cloth(Body& body, const Surroundings& around, Vec3 gravity);
-void move_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity);
+void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 /// The three parts of it, for cloth that is joined to other bodies.
-void predict_cloth(Body& body, const Surroundings& around, double h);
+void predict_cloth(Body& body, const CollisionContext& around, double h);
 void solve_cloth(Body& body);
-void finish_cloth(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 /// A sweep over the chains and limits, whatever the particles touch.
 void project_cloth(Body& body);
-void end_cloth_substep(Body& body, const Surroundings& around, Vec3 gravity, double h);  // what follows predict_cloth
-void end_cloth(Body& body, const Surroundings& around);
+void end_cloth_substep(Body& body, const CollisionContext& around, Vec3 gravity,
+                       double h);  // what follows predict_cloth
+void end_cloth(Body& body, const CollisionContext& around);
 
 /// Mass and momentum.
 struct Motion {
@@ -315,14 +321,14 @@ double relax_links(Body& body, bool collides, double h);
 
 /// rope_limits.cpp: after the prediction, and after the new velocities. Whether a link has become taut.
 void predict_flying(Body& body, Vec3 gravity, double h);
-bool capture(Body& body, const Surroundings& around, const TimeScheme& scheme);
+bool capture(Body& body, const CollisionContext& around, const TimeScheme& scheme);
 
 /// free_flight.cpp: a body without constraints, moved and collided, in one substep.
-void fly(Body& body, const Surroundings& around, Vec3 gravity, double h);
+void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 /// The same in all substeps of a step, of some of its particles: what they touch and give is the tally's. Several
 /// may be at work on one body, each on its own particles. Returns where they are.
-Extent fly_through(Body& body, uint32_t first, uint32_t end, const Tally& tally, const Surroundings& step, Vec3 gravity,
-                   uint32_t substeps);
+Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& tally,
+                   const CollisionContext& step, Vec3 gravity, uint32_t substeps);
 /// Of some particles.
 Extent extent_of(Body& body, uint32_t first, uint32_t end);
 

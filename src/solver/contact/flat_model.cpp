@@ -66,7 +66,7 @@ bool FlatModel::prepare(const Scene& scene, gphys_model_id model) {
 /// The grown box has flat faces where a face of the box is, and is round elsewhere. The path is in front
 /// of the faces that it begins beyond; the last one whose plane it gets through is where it enters the box
 /// grown without rounding. If that place is flat, it is where it enters the rounded one, which is inside.
-Verdict FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const {
+TriState FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const {
     Vec3 from = moving.center, way = displacement;
     if (turned_) {
         const Mat3 axes{get(axes_[0]), get(axes_[1]), get(axes_[2])};
@@ -82,14 +82,14 @@ Verdict FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) cons
         const bool side = over > under;
         const double gap = (side ? over : under) - moving.radius, approach = side ? -along[k] : along[k];
         if (gap <= 0) continue;
-        if (approach < gap) return Verdict::no;
+        if (approach < gap) return TriState::no;
         const double through = gap / approach;
         if (through > t) t = through, axis = k, above = side;
     }
-    if (axis < 0) return Verdict::open;
+    if (axis < 0) return TriState::open;
     for (int k = 0; k < 3; ++k) {
         const double there = at[k] + along[k] * t;
-        if (k != axis && (there < low_[k] || there > high_[k])) return Verdict::open;
+        if (k != axis && (there < low_[k] || there > high_[k])) return TriState::open;
     }
     const Vec3 out{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
     const Vec3 normal = turned_ ? get(axes_[axis]) : out;
@@ -97,7 +97,7 @@ Verdict FlatModel::sweep(const Sphere& moving, Vec3 displacement, Hit& hit) cons
     hit.normal = above ? normal : -normal;
     hit.point = moving.center + displacement * t - hit.normal * moving.radius;
     hit.flags = 0;
-    return Verdict::yes;
+    return TriState::yes;
 }
 
 PressedFace FlatModel::pressed_face(Vec3 displacement) const {

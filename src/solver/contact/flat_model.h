@@ -27,7 +27,7 @@ public:
     /// False if the model is something else.
     bool prepare(const Scene& scene, gphys_model_id model);
     /// As gphys::sweep of the shape.
-    Verdict sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const;
+    TriState sweep(const Sphere& moving, Vec3 displacement, Hit& hit) const;
     /// Of a model that is not turned, the one on which a displacement presses most.
     PressedFace pressed_face(Vec3 displacement) const;
     /// Where a sphere that is pressed by so much in a substep lies on a face that is not turned, no further off than

@@ -15,7 +15,7 @@ ModelImpulse* sum_for(Vector<ModelImpulse>& sums, gphys_model_id model, uint32_t
     return &*sums.insert(sum, {model, tag, {}, {}});
 }
 
-Vec3 place_of(const Surroundings& around, gphys_model_id model) {
+Vec3 place_of(const CollisionContext& around, gphys_model_id model) {
     const gphys_transform& now = around.scene->world(model);
     const auto moved = std::lower_bound(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
     if (moved == around.moved->end() || moved->model != model) return widen(now.position);
@@ -48,7 +48,7 @@ void add_parts(Body& body) {
     }
 }
 
-void give(Vector<ModelImpulse>& sums, const Surroundings& around, gphys_model_id model, Vec3 point, Vec3 impulse,
+void give(Vector<ModelImpulse>& sums, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse,
           Vec3 moment) {
     ModelImpulse* const sum = sum_for(sums, model, around.scene->tag(model));
     if (!sum) return;
@@ -56,18 +56,18 @@ void give(Vector<ModelImpulse>& sums, const Surroundings& around, gphys_model_id
     sum->angular += cross(point - place_of(around, model), impulse) + moment;
 }
 
-void give(Body& body, const Surroundings& around, gphys_model_id model, Vec3 point, Vec3 impulse, Vec3 moment) {
+void give(Body& body, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse, Vec3 moment) {
     give(body.impulses, around, model, point, impulse, moment);
 }
 
-void give_anchor(Body& body, const Surroundings& around, uint32_t particle, Vec3 impulse) {
+void give_anchor(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse) {
     if (!around.scene) return;
     if (const Attachment* attachment = find_attachment(body, particle)) {
         give(body, around, attachment->model, body.position[particle], impulse);
     }
 }
 
-void give_attached(Body& body, const Surroundings& around, double sign, Vec3 gravity, double seconds) {
+void give_attached(Body& body, const CollisionContext& around, double sign, Vec3 gravity, double seconds) {
     if (!around.scene) return;
     for (const Attachment& attachment : body.attachments) {
         const uint32_t p = attachment.particle;

@@ -90,7 +90,7 @@ double average_link(const Plan& plan) {
 
 }  // namespace
 
-bool begin_leaving(Body& body, const Surroundings& around) {
+bool begin_leaving(Body& body, const CollisionContext& around) {
     const Collider collider(around, body, swept_box(body, body.position, body.position, 0));
     WaysOut ways(within_links(collider.most_push(), average_link(body.plan)));
     body.start = body.position;
@@ -109,7 +109,7 @@ bool begin_leaving(Body& body, const Surroundings& around) {
     return ways.any();
 }
 
-void end_leaving(Body& body, const Surroundings& around, bool lengths_found) {
+void end_leaving(Body& body, const CollisionContext& around, bool lengths_found) {
     if (!lengths_found) {
         body.position = body.start;
         return;
@@ -137,7 +137,7 @@ void leave_solids(Body& body, double h) {
     WaysOut ways(within_links(leaving_speed * h, body.plan.batches.link_length));
     const auto each_sunk = [&](auto&& visit) {
         for (Neighbour& n : contacts.neighbours) {
-            if (n.depth > 0) visit(n, &cloth.at[4 * size_t{n.particle}], n.walls[n.sunk_most].normal);
+            if (n.depth > 0) visit(n, &cloth.at[4 * size_t{n.particle}], n.planes[n.sunk_most].normal);
         }
     };
     each_sunk([&](Neighbour&, float*, Vec3 normal) { ways.add(normal); });
@@ -151,13 +151,13 @@ void leave_solids(Body& body, double h) {
     for (Neighbour& n : contacts.neighbours) {
         if (n.depth == 0) stay_outside(body, n.particle);
     }
-    // Their walls follow them.
+    // Their contact planes follow them.
     each_sunk([&](Neighbour& n, float* at, Vec3 normal) {
-        Wall& deepest = n.walls[n.sunk_most];
+        ContactPlane& deepest = n.planes[n.sunk_most];
         deepest.offset = std::min(deepest.offset + n.depth, dot(normal, get(at)));
-        for (uint32_t i = 0; i < n.wall_count; ++i) {
-            Wall& wall = n.walls[i];
-            if (n.sunk_walls >> i & 1) wall.offset = std::min(wall.offset, dot(wall.normal, get(at)));
+        for (uint32_t i = 0; i < n.plane_count; ++i) {
+            ContactPlane& plane = n.planes[i];
+            if (n.sunk_planes >> i & 1) plane.offset = std::min(plane.offset, dot(plane.normal, get(at)));
         }
     });
 }

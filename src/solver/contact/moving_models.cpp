@@ -6,7 +6,7 @@
 
 namespace gphys {
 
-const PlacedModel* find_moved(const Surroundings& around, gphys_model_id model) {
+const PlacedModel* find_moved(const CollisionContext& around, gphys_model_id model) {
     const auto at = std::lower_bound(around.moved->begin(), around.moved->end(), PlacedModel{model, {}});
     return at != around.moved->end() && at->model == model ? &*at : nullptr;
 }

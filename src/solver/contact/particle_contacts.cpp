@@ -425,7 +425,8 @@ void push_predicted(const Particle* first, const Particle* end, Body& body) {
 
 /// Particles that have been moved already: no further than the scene lets them.
 template <class Particle>
-void push_arrived(const Particle* first, const Particle* end, Body& body, const Surroundings& around, double quiet) {
+void push_arrived(const Particle* first, const Particle* end, Body& body, const CollisionContext& around,
+                  double quiet) {
     if (is_graph(body)) {
         each_moved(first, end, [&](uint32_t p, Vec3 way) {
             float* const at = &body.cloth.at[4 * size_t{p}];
@@ -481,7 +482,7 @@ ParticleContacts::Found ParticleContacts::part_contacts(const Island& island, co
 }
 
 void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
-                            const Surroundings& around, Vec3 gravity, double h) {
+                            const CollisionContext& around, Vec3 gravity, double h) {
     const double quiet = quiet_speed(gravity, h);
     const Found contacts = part_contacts(island, bodies, quiet, h);
     const Range range = this->range(island);
@@ -532,7 +533,7 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
 }
 
 void ParticleContacts::settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots,
-                              const Surroundings& around, Vec3 gravity, double h) {
+                              const CollisionContext& around, Vec3 gravity, double h) {
     const double quiet = quiet_speed(gravity, h);
     if (!part_contacts(island, bodies, quiet, h).any) return;
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {

@@ -20,7 +20,7 @@
 
 namespace gphys {
 
-struct Surroundings;
+struct CollisionContext;
 
 class ParticleContacts {
 public:
@@ -40,12 +40,12 @@ public:
     // For one island; what another does is not touched.
     void begin(const Island& island, const Vector<Body>& bodies, const uint32_t* slots);
     /// Once all bodies are predicted: part those that meet. h: seconds of the substep.
-    void part(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const Surroundings& around,
+    void part(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
               Vec3 gravity, double h);
     /// Once they have moved: turn the velocities of those that met.
     void turn(const Island& island, Vector<Body>& bodies, const uint32_t* slots);
     /// After the last substep: part what constraints have pressed into each other.
-    void settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const Surroundings& around,
+    void settle(const Island& island, Vector<Body>& bodies, const uint32_t* slots, const CollisionContext& around,
                 Vec3 gravity, double h);
 
 private:

@@ -38,13 +38,13 @@ void hang_on(Body& body, const Tether& tether, JointSystem& system) {
     }
 }
 
-void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const Surroundings& around, Vec3 gravity,
+void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const CollisionContext& around, Vec3 gravity,
                         double h) {
     const auto begin = std::lower_bound(joined.all_tethers.begin(), joined.all_tethers.end(), Tether{slot, 0, 0, 0});
     const auto end = std::lower_bound(begin, joined.all_tethers.end(), Tether{slot + 1, 0, 0, 0});
     Vector<float>& pulls = body.cloth_contacts.pulls;
     const bool collides = gphys::collides(body, around);
-    if (collides) touch_walls(body, around, gravity, TimeScheme(h, body.earlier_step));
+    if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.earlier_step));
     const auto moves = [&](const Tether& tether) { return body.cloth.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
         hang_on(body, *tether, joined.all_systems[tether->system]);
@@ -68,7 +68,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const S
 }
 
 /// As a body alone does it, but with all held particles at once.
-void collide_joined(const Joined& joined, const Surroundings& around, double quiet, double h) {
+void collide_joined(const Joined& joined, const CollisionContext& around, double quiet, double h) {
     bool touched = false;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
@@ -120,7 +120,7 @@ void begin_joined_cloth(Body& body) {
     std::fill(body.cloth_contacts.normals.begin(), body.cloth_contacts.normals.end(), 0.0f);
 }
 
-void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
+void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) {
             predict_cloth(body, around, h);
@@ -134,7 +134,7 @@ void begin_joined(const Joined& joined, const Surroundings& around, Vec3 gravity
 namespace {
 
 /// Out of what the bodies are in, their joints with them.
-void leave_solids_joined(const Joined& joined, const Surroundings& around, double h) {
+void leave_solids_joined(const Joined& joined, const CollisionContext& around, double h) {
     bool leaving = false;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
@@ -155,7 +155,7 @@ void leave_solids_joined(const Joined& joined, const Surroundings& around, doubl
 }
 
 /// Once the systems are solved.
-void finish_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
+void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     bool interrupted = false;  // then tensions of before are not known
     each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.earlier_step == 0; });
     each_body(joined, [&](Body& body, uint32_t slot) {
@@ -188,7 +188,7 @@ struct JoinedMotion {
     const Joined& joined;
     const Vec3 gravity;
 
-    void begin(const Surroundings& around, double part) {
+    void begin(const CollisionContext& around, double part) {
         begin_joined(joined, around, gravity, part);
         gather_systems(joined, part);
     }
@@ -200,7 +200,7 @@ struct JoinedMotion {
         each_system(joined, [&](const JointSystem& system) { all = all && system.began_in_shape(); });
         return all;
     }
-    void finish(const Surroundings& around, double part) { finish_joined(joined, around, gravity, part); }
+    void finish(const CollisionContext& around, double part) { finish_joined(joined, around, gravity, part); }
     void take_back() {
         each_body(joined, [](Body& body, uint32_t) { take_back_chains(body); });
     }
@@ -208,14 +208,14 @@ struct JoinedMotion {
 
 }  // namespace
 
-void end_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
+void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     gather_systems(joined, h);
     solve_systems(joined);
     finish_joined(joined, around, gravity, h);
 }
 
-void move_joined(const Joined& joined, const Surroundings& around, Vec3 gravity, double h) {
-    const auto move_once = [&](const Surroundings& within, double part) {
+void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
+    const auto move_once = [&](const CollisionContext& within, double part) {
         JoinedMotion motion{joined, gravity};
         move_in_halves(motion, within, part);
     };

@@ -185,7 +185,7 @@ void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) 
     }
 }
 
-void JointSystem::give_anchors(Vector<Body>& bodies, const Surroundings& around, double h) const {
+void JointSystem::give_anchors(Vector<Body>& bodies, const CollisionContext& around, double h) const {
     for (const Link& link : links_) {
         if (link.source_body != of_joint) continue;  // chains give theirs themselves
         const Node &a = nodes_[link.a], &b = nodes_[link.b];

@@ -145,7 +145,7 @@ void Solver::plan_joints() {
     });
     std::sort(parts.begin(), parts.end());
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-    Sets sets(planner.parent, static_cast<uint32_t>(parts.size()));
+    DisjointSets sets(planner.parent, static_cast<uint32_t>(parts.size()));
     const auto part_a = [&](const Joint& joint) {
         return planner.index(planner.part_of(joint.body_a, joint.particle_a));
     };

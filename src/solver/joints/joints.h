@@ -18,7 +18,7 @@
 namespace gphys {
 
 struct Body;
-struct Surroundings;
+struct CollisionContext;
 
 /// |position of b - position of a| = rest + compliance * tension; both ends of different bodies.
 struct Joint {
@@ -76,7 +76,7 @@ public:
     void scatter(Vector<Body>& bodies) const;
     void scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) const;
     /// What joints pull attached particles with goes to their models.
-    void give_anchors(Vector<Body>& bodies, const Surroundings& around, double h) const;
+    void give_anchors(Vector<Body>& bodies, const CollisionContext& around, double h) const;
     /// A force in newtons on a node, for the substep under way.
     void push(uint32_t node, Vec3 force) {
         nodes_[node].predicted += force / nodes_[node].weight;

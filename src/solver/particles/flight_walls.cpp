@@ -2,7 +2,7 @@
 
 namespace gphys {
 
-void FlightWalls::begin(const Body& body, const Surroundings& step, uint32_t first, uint32_t count) {
+void FlightWalls::begin(const Body& body, const CollisionContext& step, uint32_t first, uint32_t count) {
     scene_ = step.scene;
     first_ = first;
     count_ = count;
@@ -26,20 +26,20 @@ void FlightWalls::begin(const Body& body, const Surroundings& step, uint32_t fir
 void FlightWalls::look(const Body& body, uint32_t particle) {
     Aabb places{ball(particle).center, ball(particle).center};
     uint32_t together = 1;
-    for (; together < NearParts::most_points && particle + together < first_ + count_; ++together) {
+    for (; together < ClosestFeatures::most_points && particle + together < first_ + count_; ++together) {
         const Ball& next = ball(particle + together);
         places = {min(places.min, next.center), max(places.max, next.center)};
         const double size = 16 * body.largest_radius;
         if (next.sight != has_not_looked || max_component(places.max - places.min) > size) break;
     }
-    if (look_together(body, particle, together)) return;
+    if (search_together(body, particle, together)) return;
     for (uint32_t p = particle; p < particle + together; ++p) {
-        if (!look_together(body, p, 1)) ball(p).sight = blocked;
+        if (!search_together(body, p, 1)) ball(p).sight = blocked;
     }
 }
 
 /// False, and nothing is found, if there is too much around.
-bool FlightWalls::look_together(const Body& body, uint32_t particle, uint32_t count) {
+bool FlightWalls::search_together(const Body& body, uint32_t particle, uint32_t count) {
     Aabb places{ball(particle).center, ball(particle).center};
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -63,17 +63,17 @@ void FlightWalls::settle(const Body& body, uint32_t p, uint32_t point) {
     const double radius = body.radius[p], gap = skin(radius, ball.center);
     ball.count = 0;
     ball.sight = clear;
-    parts_.look_from(point);
-    for (NearPart part; parts_.take_nearest(part); ++ball.count) {
+    parts_.select_point(point);
+    for (ClosestFeature part; parts_.take_nearest(part); ++ball.count) {
         // Too many; or in something, from which it has to come out.
-        if (ball.count == most_walls || part.distance <= radius) {
+        if (ball.count == most_planes || part.distance <= radius) {
             ball.sight = blocked;
             return;
         }
         const double height = dot(part.normal, part.closest) + radius;
         walls_[p - first_][ball.count] = {part.normal, height, part.model};
         // Coplanar triangles share a wall.
-        if (part.is_triangle) parts_.leave_out_behind(part.normal, height - radius + gap / 2, 0);
+        if (part.is_triangle) parts_.cull_behind(part.normal, height - radius + gap / 2, 0);
     }
 }
 

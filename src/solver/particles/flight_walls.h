@@ -7,7 +7,7 @@
 // looks from where it was when the step began, and has room of its own.
 #pragma once
 
-#include "scene/near_parts.h"
+#include "scene/closest_features.h"
 #include "solver/contact/collision.h"
 
 namespace gphys {
@@ -18,12 +18,12 @@ public:
     static constexpr uint32_t most_particles = 512;
 
     /// Nobody has looked yet, with so many seconds of the step left.
-    void begin(const Body& body, const Surroundings& step, uint32_t first, uint32_t count);
+    void begin(const Body& body, const CollisionContext& step, uint32_t first, uint32_t count);
     /// What the particle meets first on a path. False if that is not known.
     bool sweep(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double reach, Impact& impact);
 
 private:
-    static constexpr uint32_t most_walls = 2;  // of a particle
+    static constexpr uint32_t most_planes = 2;  // of a particle
 
     struct Wall {
         Vec3 normal;
@@ -37,7 +37,7 @@ private:
         uint32_t count;  // of walls
     };
     void look(const Body& body, uint32_t particle);
-    bool look_together(const Body& body, uint32_t particle, uint32_t count);
+    bool search_together(const Body& body, uint32_t particle, uint32_t count);
     void settle(const Body& body, uint32_t particle, uint32_t point);
     Ball& ball(uint32_t particle) { return balls_[particle - first_]; }
 
@@ -45,9 +45,9 @@ private:
     uint32_t first_ = 0, count_ = 0;
     bool usable_ = false;  // no model that moves is near
     Ball balls_[most_particles];
-    Wall walls_[most_particles][most_walls];
-    NearParts parts_;
-    Sphere probes_[NearParts::most_points];
+    Wall walls_[most_particles][most_planes];
+    ClosestFeatures parts_;
+    Sphere probes_[ClosestFeatures::most_points];
 };
 
 }  // namespace gphys

@@ -35,17 +35,17 @@ void repeat(const Aabb& box, FlightBox& out) {
 
 class FreeFlight {
 public:
-    FreeFlight(Body& body, const Tally& tally, Vec3 gravity, double h)
+    FreeFlight(Body& body, const ImpulseAccumulator& tally, Vec3 gravity, double h)
         : body_(body), tally_(tally), gravity_(gravity), h_(h), whole_(body.settings.damping, h) {
         for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
     }
 
     /// Before the substeps of a block.
-    void begin_block(const Surroundings& step, uint32_t first, uint32_t count) {
+    void begin_block(const CollisionContext& step, uint32_t first, uint32_t count) {
         walls_.begin(body_, step, first, count);
     }
     /// One substep.
-    void fly_block(const Surroundings& around, uint32_t first, uint32_t count);
+    void fly_block(const CollisionContext& around, uint32_t first, uint32_t count);
 
 private:
     Flight flight_of(uint32_t p) const {
@@ -67,8 +67,8 @@ private:
     FlightBounds bound(const FlightGroups& groups, uint32_t first, uint32_t count) const;
 
     Body& body_;
-    const Tally tally_;
-    Surroundings around_;  // in the substep under way
+    const ImpulseAccumulator tally_;
+    CollisionContext around_;  // in the substep under way
     Vec3 gravity_;
     double h_;
     FlightTime whole_;  // the substep
@@ -200,7 +200,7 @@ void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle
     keep_in_range(body_.position[p], body_.velocity[p]);
 }
 
-void FreeFlight::fly_block(const Surroundings& around, uint32_t first, uint32_t count) {
+void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint32_t count) {
     around_ = around;
     follow_models(body_, around.end, h_, first, first + count);
     begin_friction(body_, gravity_, first, first + count);
@@ -257,7 +257,7 @@ void FreeFlight::fly_block(const Surroundings& around, uint32_t first, uint32_t 
 
 }  // namespace
 
-void fly(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     FreeFlight flight(body, {body.impulses, body.touched}, gravity, h);
     for (uint32_t first = 0; first < body.size(); first += block_size) {
         const uint32_t count = std::min(block_size, body.size() - first);
@@ -280,8 +280,8 @@ Extent extent_of(Body& body, uint32_t first, uint32_t end) {
 }
 
 /// A block is taken through the whole step at once: it stays in the innermost cache.
-Extent fly_through(Body& body, uint32_t first, uint32_t end, const Tally& tally, const Surroundings& step, Vec3 gravity,
-                   uint32_t substeps) {
+Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& tally,
+                   const CollisionContext& step, Vec3 gravity, uint32_t substeps) {
     FreeFlight flight(body, tally, gravity, step.step_time / substeps);
     Extent extent;
     for (; first < end; first += block_size) {

@@ -1,5 +1,5 @@
 // Finding chains among constraints: the ones that a rope or a tree consists of, for direct solving, or the
-// families of straight lines that cover a cloth.
+// colours of straight lines that cover a cloth.
 #include "solver/body.h"
 #include "solver/rope/rope_kernels.h"
 
@@ -36,7 +36,7 @@ constexpr uint32_t most_branches = 64;
 
 void clear_chains(Plan& plan) {
     plan.chains.clear();
-    plan.families.clear();
+    plan.colours.clear();
     plan.particles.clear();
     plan.slots.clear();
     plan.rest.clear();
@@ -230,49 +230,49 @@ void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* mem
     describe_links(body, lines);
 }
 
-/// The lowest family whose chains leave all particles of the chain alone; masks has a bit per family.
+/// The lowest colour whose chains leave all particles of the chain alone; masks has a bit per colour.
 uint32_t free_family(const Plan& lines, const Chain& chain, const Vector<uint64_t>& masks) {
     uint64_t taken = 0;
     for (uint32_t i = 0; i <= chain.link_count; ++i) taken |= masks[lines.particles[chain.first_particle + i]];
-    uint32_t family = 0;
-    while (family < 64 && (taken >> family & 1)) ++family;
-    return family;
+    uint32_t colour = 0;
+    while (colour < 64 && (taken >> colour & 1)) ++colour;
+    return colour;
 }
 
-/// Give a family to each line for which of_kind(line), `turn` by turn, those from first_family on. Returns
-/// the end of the families.
+/// Give a colour to each line for which of_kind(line), `turn` by turn, those from first_colour on. Returns
+/// the end of the colours.
 template <class OfKind>
 uint32_t colour_lines(const Body& body, const Plan& lines, const Vector<uint32_t>& turn, OfKind&& of_kind,
-                      uint32_t first_family, Vector<uint32_t>& family) {
-    Vector<uint64_t> masks(body.size(), 0, family.get_allocator());
-    uint32_t family_count = first_family;
+                      uint32_t first_colour, Vector<uint32_t>& colour) {
+    Vector<uint64_t> masks(body.size(), 0, colour.get_allocator());
+    uint32_t colour_count = first_colour;
     for (bool waiting = true; waiting;) {
         waiting = false;
-        const uint32_t base = family_count;
+        const uint32_t base = colour_count;
         std::fill(masks.begin(), masks.end(), 0);
         for (const uint32_t line : turn) {
-            if (family[line] != none || !of_kind(line)) continue;
+            if (colour[line] != none || !of_kind(line)) continue;
             const Chain& chain = lines.chains[line];
             const uint32_t colour = free_family(lines, chain, masks);
             if (colour == 64) {
                 waiting = true;
                 continue;
             }
-            family[line] = base + colour;
-            family_count = std::max(family_count, base + colour + 1);
+            colour[line] = base + colour;
+            colour_count = std::max(colour_count, base + colour + 1);
             for (uint32_t i = 0; i <= chain.link_count; ++i) {
                 masks[lines.particles[chain.first_particle + i]] |= uint64_t{1} << colour;
             }
         }
     }
-    return family_count;
+    return colour_count;
 }
 
 }  // namespace
 
 /// Colour the lines greedily so that those of one colour share no particle: rows, columns and
-/// diagonals of a grid become a family each. Lines that find 64 families taken wait for the next 64.
-/// The family that is solved last has no error left, so the softest lines come first, and of those
+/// diagonals of a grid become a colour each. Lines that find 64 colours taken wait for the next 64.
+/// The colour that is solved last has no error left, so the softest lines come first, and of those
 /// alike the ones of constraints added last: the sides of a grid after its diagonals, which cannot all
 /// keep their lengths on a surface that is round both ways.
 void plan_chain_families(Body& body) {
@@ -287,31 +287,31 @@ void plan_chain_families(Body& body) {
     std::stable_sort(turn.begin(), turn.end(), [&](uint32_t a, uint32_t b) {
         return lines.compliance[lines.chains[a].first_link] > lines.compliance[lines.chains[b].first_link];
     });
-    Vector<uint32_t> family(line_count, none, memory);
-    uint32_t family_count = 0;
-    // Links that only pull, which are solved by another kernel, have families of their own, the last.
+    Vector<uint32_t> colour(line_count, none, memory);
+    uint32_t colour_count = 0;
+    // Links that only pull, which are solved by another kernel, have colours of their own, the last.
     for (const uint32_t limit : {0u, 1u}) {
         const auto of_kind = [&](uint32_t line) { return lines.limit[lines.chains[line].first_link] == limit; };
-        family_count = colour_lines(body, lines, turn, of_kind, family_count, family);
+        colour_count = colour_lines(body, lines, turn, of_kind, colour_count, colour);
     }
 
     Vector<uint32_t> order(line_count, memory);
     for (uint32_t line = 0; line < line_count; ++line) order[line] = line;
-    // Within a family the longest first, so that chains solved side by side are of one length.
+    // Within a colour the longest first, so that chains solved side by side are of one length.
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-        if (family[a] != family[b]) return family[a] < family[b];
+        if (colour[a] != colour[b]) return colour[a] < colour[b];
         return lines.chains[a].link_count > lines.chains[b].link_count;
     });
     clear_chains(plan);
     for (const uint32_t line : order) {
         const Chain& chain = lines.chains[line];
-        if (plan.families.size() == family[line]) plan.families.push_back(static_cast<uint32_t>(plan.chains.size()));
+        if (plan.colours.size() == colour[line]) plan.colours.push_back(static_cast<uint32_t>(plan.chains.size()));
         begin_chain(plan, lines.particles[chain.first_particle]);
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             add_link(plan, lines.slots[chain.first_link + i], lines.particles[chain.first_particle + i + 1]);
         }
     }
-    plan.families.push_back(line_count);
+    plan.colours.push_back(line_count);
     describe_links(body, plan);
 }
 

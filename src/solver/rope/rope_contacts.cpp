@@ -79,12 +79,12 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
     const Vec3 at = body.start[p];
     const double off = clearance(body, p, at);
     double& reach = balls_[p].reach;
-    for (int halvings = 0; parts_.look_from(point) > many_parts && halvings < 3; ++halvings) {
+    for (int halvings = 0; parts_.select_point(point) > many_parts && halvings < 3; ++halvings) {
         reach /= 2;
         probes_[point].radius = off + reach;
     }
     uint32_t count = 0;
-    for (NearPart part; count < most_parts && parts_.take_nearest(part); ++count) {
+    for (ClosestFeature part; count < most_parts && parts_.take_nearest(part); ++count) {
         RopeContact contact{};
         contact.model = part.model;
         contact.normal = part.normal;
@@ -93,7 +93,7 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
         contacts_.push_back(contact);
         // Coplanar triangles share a plane.
         if (part.is_triangle) {
-            parts_.leave_out_behind(part.normal, contact.outside - body.radius[p] - skin(body.radius[p], at) / 2, 0);
+            parts_.cull_behind(part.normal, contact.outside - body.radius[p] - skin(body.radius[p], at) / 2, 0);
         }
     }
     if (count < most_parts) return;
@@ -101,7 +101,7 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
 }
 
 /// As far as they come in the rest of the step, and half as far again.
-void RopeContacts::look(const Body& body, const Surroundings& around, Vec3 gravity, double h) {
+void RopeContacts::look(const Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     contacts_.clear();
     scene_ = around.scene;
     const double rest = std::max(h, around.step_time * (1 - around.begin)), fall = rest * length(gravity);
@@ -111,7 +111,7 @@ void RopeContacts::look(const Body& body, const Surroundings& around, Vec3 gravi
     for (uint32_t first = 0, count; first < body.size(); first += count) {
         Aabb places{body.start[first], body.start[first]};
         const double size = 8 * (clearance(body, first, body.start[first]) + balls_[first].reach);
-        for (count = 1; count < NearParts::most_points && first + count < body.size(); ++count) {
+        for (count = 1; count < ClosestFeatures::most_points && first + count < body.size(); ++count) {
             const Vec3 at = body.start[first + count];
             places = {min(places.min, at), max(places.max, at)};
             if (max_component(places.max - places.min) > size) break;
@@ -153,7 +153,7 @@ void RopeContacts::allow_within_skin(RopeContact& contact, const Body& body, uin
     contact.depth = missing - allowed;
 }
 
-bool RopeContacts::begin(Body& body, const Surroundings& around, Vec3 gravity, double h) {
+bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const auto stays = [&] {
         for (uint32_t p = 0; p < body.size(); ++p) {
             if (!body.pinned(p) && !in_ball(body, p)) return false;
@@ -288,7 +288,7 @@ void RopeContacts::keep_out(Body& body) const {
     }
 }
 
-void RopeContacts::sweep_escaped(Body& body, const Surroundings& around, double quiet) {
+void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, double quiet) {
     const auto escaped = [&](uint32_t p) { return !body.pinned(p) && !in_ball(body, p); };
     bool any = false;
     for (uint32_t p = 0; p < body.size(); ++p) any = any || escaped(p);
@@ -325,7 +325,7 @@ void find_pushes(Body& body, double step) {
 
 }  // namespace
 
-void RopeContacts::finish(Body& body, const Surroundings& around, double quiet, const TimeScheme& scheme) {
+void RopeContacts::finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme) {
     body.touched = body.sunk = false;
     std::fill(body.held.begin(), body.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;

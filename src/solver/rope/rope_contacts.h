@@ -13,7 +13,7 @@
 // solved would let no tension pass a post.
 #pragma once
 
-#include "scene/near_parts.h"
+#include "scene/closest_features.h"
 #include "solver/body.h"
 #include "solver/contact/collision.h"
 #include "solver/time_scheme.h"
@@ -55,7 +55,7 @@ public:
     /// Before the substeps of a step.
     void begin_step() { looked_ = false; }
     /// Once the particles are predicted. False if one of them is in a solid deeper than it comes out at once.
-    bool begin(Body& body, const Surroundings& around, Vec3 gravity, double h);
+    bool begin(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
     bool any(uint32_t particle) const { return first_[particle] < first_[particle + 1]; }
     /// `mass`: of the particle, and what its links resist sideways.
@@ -65,7 +65,7 @@ public:
     /// After the last: out of what the iterations have left a particle in.
     void keep_out(Body& body) const;
     /// Once velocities have followed from the positions: the touches, the bounces, and what models get.
-    void finish(Body& body, const Surroundings& around, double quiet, const TimeScheme& scheme);
+    void finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme);
 
 private:
     static constexpr uint32_t most_parts = 4;  // of a particle
@@ -81,21 +81,21 @@ private:
     bool in_ball(const Body& body, uint32_t p) const {
         return length_squared(body.position[p] - balls_[p].center) < balls_[p].reach * balls_[p].reach;
     }
-    void look(const Body& body, const Surroundings& around, Vec3 gravity, double h);
+    void look(const Body& body, const CollisionContext& around, Vec3 gravity, double h);
     bool collect(const Body& body, uint32_t first, uint32_t count);
     void settle(const Body& body, uint32_t particle, uint32_t point);
     void place_plane(RopeContact& contact, const Body& body, uint32_t particle, Vec3 at) const;
     void allow_within_skin(RopeContact& contact, const Body& body, uint32_t particle) const;
     bool update(RopeContact& contact, const Body& body, uint32_t particle, int iteration) const;
-    void sweep_escaped(Body& body, const Surroundings& around, double quiet);
+    void sweep_escaped(Body& body, const CollisionContext& around, double quiet);
 
     const Scene* scene_ = nullptr;
     bool looked_ = false, active_ = false;
     Vector<RopeContact> contacts_;  // by particle
     Vector<uint32_t> first_;        // in contacts_, of each particle and of none behind the last
     Vector<Ball> balls_;
-    NearParts parts_;
-    Sphere probes_[NearParts::most_points];
+    ClosestFeatures parts_;
+    Sphere probes_[ClosestFeatures::most_points];
 };
 
 }  // namespace gphys

@@ -19,7 +19,7 @@ bool is_slack(const Body& body, const Vector<Vec3>& position, uint32_t a, uint32
 /// Links of a chain that hold rigidly at the end of the substep.
 struct TautLinks {
     Body& body;
-    const Surroundings& around;
+    const CollisionContext& around;
     const TimeScheme& scheme;
     const Chain& chain;
 
@@ -106,7 +106,7 @@ void predict_flying(Body& body, Vec3 gravity, double h) {
     }
 }
 
-bool capture(Body& body, const Surroundings& around, const TimeScheme& scheme) {
+bool capture(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
     bool any = false;
     for (const Chain& chain : body.plan.chains) {
         const TautLinks links{body, around, scheme, chain};

@@ -79,7 +79,7 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
 
 }  // namespace
 
-void begin_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
+void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     body.plan.earlier_tension = body.plan.tension;
     if (!body.length_changes.empty()) change_lengths(body, around.end);
     predict_chains(body, scheme, gravity);
@@ -122,7 +122,7 @@ void let_go_touching(Body& body) {
     }
 }
 
-void give_tensions(Body& body, const Surroundings& around, const TimeScheme& scheme) {
+void give_tensions(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
@@ -138,7 +138,7 @@ void give_tensions(Body& body, const Surroundings& around, const TimeScheme& sch
 namespace {
 
 /// Out of what the rope is in. Its tensions are those that move it, and stay.
-void leave_solids(Body& body, const Surroundings& around, double step) {
+void leave_solids(Body& body, const CollisionContext& around, double step) {
     if (!body.sunk || !begin_leaving(body, around)) return;
     Plan& plan = body.plan;
     plan.earlier_tension = plan.tension;
@@ -150,7 +150,7 @@ void leave_solids(Body& body, const Surroundings& around, double step) {
 }
 
 /// Once they are solved.
-void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
+void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     const double step = scheme.step(body.settings.damping);
     finish_chains(body, scheme);
     const bool captured = body.plan.limited && capture(body, around, scheme);
@@ -171,7 +171,7 @@ void end_chains(Body& body, const Surroundings& around, Vec3 gravity, const Time
 }
 
 /// The same of a rope that has been solved with its contacts.
-void end_touching(Body& body, RopeContacts& contacts, const Surroundings& around, Vec3 gravity,
+void end_touching(Body& body, RopeContacts& contacts, const CollisionContext& around, Vec3 gravity,
                   const TimeScheme& scheme) {
     contacts.keep_out(body);
     finish_chains(body, scheme);
@@ -224,7 +224,7 @@ struct RopeMotion {
     TimeScheme scheme{1, 0};
     bool beside = false;  // whether contacts are solved for together with the links
 
-    void begin(const Surroundings& around, double h) {
+    void begin(const CollisionContext& around, double h) {
         scheme = leans ? TimeScheme::trapezoid(h) : TimeScheme(h, body.earlier_step);
         begin_chains(body, around, gravity, scheme);
         const auto look = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
@@ -235,7 +235,7 @@ struct RopeMotion {
     }
     bool solve() { return solve_touching(body, scheme.step(body.settings.damping), beside ? contacts : nullptr); }
     bool began_in_shape() const { return gphys::began_in_shape(body); }
-    void finish(const Surroundings& around, double) {
+    void finish(const CollisionContext& around, double) {
         if (beside) {
             end_touching(body, *contacts, around, gravity, scheme);
         } else {
@@ -252,19 +252,19 @@ struct RopeMotion {
 
 bool starts_again(const Body& body) { return body.earlier_step == 0 && !body.touched; }
 
-void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h, RopeContacts* contacts) {
-    const auto move_by = [&](const Surroundings& within, double part, bool leans) {
+void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts) {
+    const auto move_by = [&](const CollisionContext& within, double part, bool leans) {
         RopeMotion motion{body, gravity, leans, contacts};
         move_in_halves(motion, within, part);
     };
-    const auto move_part = [&](const Surroundings& within, double part) { move_by(within, part, false); };
+    const auto move_part = [&](const CollisionContext& within, double part) { move_by(within, part, false); };
     // How calm it is after an interruption shows in the next step.
     if (body.earlier_step == 0) body.in_stages = false;
     if (starts_again(body)) {
         start_slowly(around, h, move_part);
     } else if (body.in_stages) {
         bool leans = true;
-        move_in_parts(stages, around, h, [&](const Surroundings& within, double part) {
+        move_in_parts(stages, around, h, [&](const CollisionContext& within, double part) {
             move_by(within, part, leans);
             leans = false;
         });
@@ -273,7 +273,7 @@ void move_rope(Body& body, const Surroundings& around, Vec3 gravity, double h, R
     }
 }
 
-void end_rope(Body& body, const Surroundings& around, Vec3 gravity, const TimeScheme& scheme) {
+void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
     solve_directly(body, scheme.step(body.settings.damping));
     end_chains(body, around, gravity, scheme);
 }

@@ -24,7 +24,8 @@ constexpr uint32_t swapped_magic = 0x6e687067;
 constexpr uint32_t format = 8;
 
 // Copied as they lie in memory, so they must have no padding.
-static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 && sizeof(Attachment) == 80);
+static_assert(sizeof(Vec3) == 24 && sizeof(DistanceConstraint) == 40 && sizeof(LengthChange) == 16 &&
+              sizeof(Attachment) == 80);
 static_assert(sizeof(Touch) == 32 && sizeof(ModelImpulse) == 56 && sizeof(PlacedModel) == 36 && sizeof(Chain) == 12 &&
               sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
@@ -39,7 +40,7 @@ void visit_plan(Archive& archive, Plan& plan) {
     if (plan.method == GPHYS_SOLVE_DIRECT) archive.array(plan.tension);
     if (plan.method != GPHYS_SOLVE_GRAPH) return;
     archive.array(plan.chains);
-    archive.array(plan.families);
+    archive.array(plan.colours);
     archive.array(plan.particles);
     archive.array(plan.slots);
     archive.flag(plan.reach_current);
@@ -92,7 +93,7 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.cloth.moved);
     archive.array(body.cloth.velocity_before);
     archive.value(body.cloth.origin);
-    archive.array(body.cloth.looked);
+    archive.array(body.cloth.search_balls);
     visit_plan(archive, body.plan);
 }
 

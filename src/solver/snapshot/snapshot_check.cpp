@@ -29,9 +29,10 @@ bool sizes_agree(const Body& body) {
            body.mass.size() == n && body.inverse_mass.size() == n && body.radius.size() == n &&
            body.constraints.size() == body.constraint_ids.slots() && none_or(body.rest_position.size(), n) &&
            body.settings.self_collision <= 1 && body.placed.size() == (body.settings.self_collision ? n : 0) &&
-           none_or(body.air.velocity.size(), n) && none_or(body.start.size(), n) && none_or(body.start_velocity.size(), n) &&
-           none_or(body.touches.size(), n * touches_per_particle) && none_or(body.stuck.size(), n) &&
-           none_or(body.cloth.looked.size(), 4 * n) && body.triangles.size() % 3 == 0;
+           none_or(body.air.velocity.size(), n) && none_or(body.start.size(), n) &&
+           none_or(body.start_velocity.size(), n) && none_or(body.touches.size(), n * touches_per_particle) &&
+           none_or(body.stuck.size(), n) && none_or(body.cloth.search_balls.size(), 4 * n) &&
+           body.triangles.size() % 3 == 0;
 }
 
 bool settings_fine(const Body& body) {
@@ -52,11 +53,11 @@ bool is_touch(const Touch& touch) {
     return is_finite(widen(touch.point)) && is_within(unit, widen(touch.normal));
 }
 
-bool looked_fine(const Vector<float>& looked) {
-    for (size_t i = 0; i < looked.size(); i += 4) {
-        const float reach = looked[i + 3];
-        if (!is_within(far_range, {looked[i], looked[i + 1], looked[i + 2]})) return false;
-        if (reach != ClothState::not_looked && !(reach >= 0 && reach <= far_range)) return false;
+bool are_search_balls_valid(const Vector<float>& search_balls) {
+    for (size_t i = 0; i < search_balls.size(); i += 4) {
+        const float reach = search_balls[i + 3];
+        if (!is_within(far_range, {search_balls[i], search_balls[i + 1], search_balls[i + 2]})) return false;
+        if (reach != ClothState::no_ball && !(reach >= 0 && reach <= far_range)) return false;
     }
     return true;
 }
@@ -73,8 +74,8 @@ bool particles_fine(const Body& body) {
            all(body.start, is_earlier_place) && all(body.start_velocity, is_speed) && is_time(body.earlier_step) &&
            all(body.touches, is_touch) && all(body.stuck, [](uint32_t stuck) { return stuck <= 1; }) &&
            all(body.cloth.moved, is_number) && all(body.cloth.velocity_before, is_number) &&
-           looked_fine(body.cloth.looked) && is_place(body.cloth.origin) && is_finite_amount(body.cloth.balance.lost) &&
-           is_amount(body.sleep.calm) && fine_box(body.sleep.box);
+           are_search_balls_valid(body.cloth.search_balls) && is_place(body.cloth.origin) &&
+           is_finite_amount(body.cloth.balance.lost) && is_amount(body.sleep.calm) && fine_box(body.sleep.box);
 }
 
 bool air_fine(const Air& air) {
@@ -128,7 +129,7 @@ bool length_changes_fine(const Body& body) {
     return true;
 }
 
-/// One behind the other, from the beginning to the end of the arrays; those of a family from the longest on.
+/// One behind the other, from the beginning to the end of the arrays; those of a colour from the longest on.
 bool chains_fit(const Plan& plan) {
     uint64_t particles = 0, links = 0;
     for (const Chain& chain : plan.chains) {
@@ -141,14 +142,14 @@ bool chains_fit(const Plan& plan) {
 }
 
 bool families_fit(const Plan& plan) {
-    if (plan.families.empty() || plan.families.front() != 0 || plan.families.back() != plan.chains.size() ||
-        !std::is_sorted(plan.families.begin(), plan.families.end())) {
+    if (plan.colours.empty() || plan.colours.front() != 0 || plan.colours.back() != plan.chains.size() ||
+        !std::is_sorted(plan.colours.begin(), plan.colours.end())) {
         return false;
     }
     const auto longer = [](const Chain& a, const Chain& b) { return a.link_count > b.link_count; };
-    for (size_t family = 0; family + 1 < plan.families.size(); ++family) {
-        const auto first = plan.chains.begin() + plan.families[family];
-        if (!std::is_sorted(first, plan.chains.begin() + plan.families[family + 1], longer)) return false;
+    for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
+        const auto first = plan.chains.begin() + plan.colours[colour];
+        if (!std::is_sorted(first, plan.chains.begin() + plan.colours[colour + 1], longer)) return false;
     }
     return true;
 }
@@ -176,15 +177,15 @@ bool chains_lead_along_constraints(const Body& body) {
 bool families_are_independent(const Body& body) {
     const Plan& plan = body.plan;
     Vector<uint32_t> family_of(body.size(), 0, plan.slots.get_allocator());  // the last one, from 1 on
-    for (uint32_t family = 1; family < plan.families.size(); ++family) {
-        const uint32_t begin = plan.families[family - 1], end = plan.families[family];
+    for (uint32_t colour = 1; colour < plan.colours.size(); ++colour) {
+        const uint32_t begin = plan.colours[colour - 1], end = plan.colours[colour];
         for (uint32_t i = begin; i < end; ++i) {
             const Chain& chain = plan.chains[i];
             const uint64_t kind = body.constraints[plan.slots[plan.chains[begin].first_link]].limit;
             for (uint32_t j = 0; j <= chain.link_count; ++j) {
                 uint32_t& last = family_of[plan.particles[chain.first_particle + j]];
-                if (last == family) return false;
-                last = family;
+                if (last == colour) return false;
+                last = colour;
                 if (j < chain.link_count && body.constraints[plan.slots[chain.first_link + j]].limit != kind)
                     return false;
             }

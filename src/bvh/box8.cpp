@@ -1,0 +1,170 @@
+#include "bvh/box8.h"
+
+#include "bvh/ray_setup.h"
+#include "foundation/elementary.h"
+
+namespace gphys {
+
+namespace {
+
+constexpr double unit_roundoff = 0x1p-24;  // of float
+
+double largest_coordinate(const Box& box) {
+    float largest = 0;
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::max(std::fabs(box.min[k]), std::fabs(box.max[k])));
+    return largest;
+}
+
+}  // namespace
+
+// Slab test after Ize, "Robust BVH Ray Traversal" (2013), with the query in double.
+//
+// Let m be the largest component of the direction. The ray is origin + s d, with d = direction / m
+// and s = m t, so that |d| <= 1 and |d| = 1 on one axis, the main one. The origin is moved forward
+// to where the main axis enters the root box, which keeps all numbers as small as the tree.
+//
+// Let u = 2^-24, b the face of a box and E the largest coordinate of the root. For d > 0 the entry into
+// a box is (b - o) / d. Computed is (b - o') i, where i is a float that is 1 / d within a factor of 1 + u,
+// and o' is the origin as seen from the face. With the inverse there are three roundings of at most
+// (|b| + |o'|) / d: the result is off by less than 3.1 u (E + |o'|) / d, besides what is below the smallest
+// normal float and may be flushed to zero, three times. With o' that much ahead of the origin, another
+// u |o'| for its own rounding and the slack, the computed entry is no later than the true one; with o' as
+// far behind, the computed exit is no earlier. A ray that meets the box has entry <= exit in truth, and
+// so in what is computed. For d < 0 ahead is downward, and the rest is the same.
+//
+// An axis with |d| < 2^-68 has an inverse too large for float: sums of up to 2^57 are to be multiplied
+// by it. It is treated as d = 2^-68 with the same sign, as a float the inverse is 2^68. On it the ray moves by less
+// than 2^-68 span within the root, which is span long on the main axis: far less than the slack by which the origin is
+// widened, 2^-48 w, as span < 8 w. So if the ray meets the box, then to the float origins the box
+// is in front of the near one, entry < 0, and at least slack / 2 behind the far one: the exit is
+// beyond 2^-49 w * 2^68 > span, and this axis lets the box pass. Components of exactly zero need no
+// other case.
+RayProbe::RayProbe(Vec3 origin, Vec3 direction, double radius, const Box& root)
+    : RayProbe(origin, direction, RaysRoot(root, radius)) {}
+
+RayProbe::RayProbe(Vec3 origin, Vec3 direction, const RaysRoot& root) {
+    const double from[3] = {origin.x, origin.y, origin.z}, along[3] = {direction.x, direction.y, direction.z};
+    const RaySetup<double> setup(from, along, root);
+    for (uint32_t k = 0; k < 3; ++k) {
+        near_origin[k] = static_cast<float>(setup.near_origin[k]);
+        far_origin[k] = static_cast<float>(setup.far_origin[k]);
+        back[k] = static_cast<float>(setup.back[k]);
+        const uint32_t backward = std::signbit(setup.along[k]) ? 24 : 0;
+        near_face[k] = 8 * k + backward;
+        far_face[k] = 8 * k + 24 - backward;
+        begin[k] = setup.begin[k];
+    }
+    course = {setup.slack, setup.scale, setup.start, setup.span};
+}
+
+// As for a ball that is as large as the box is on its longest axis; on the others the faces are moved back by what they
+// are nearer. That leaves out 2^-20 of it, and another 2^-22 of the origins, which are rounded once more.
+RayProbe::RayProbe(Vec3 middle, Vec3 displacement, Vec3 half, const Box& root)
+    : RayProbe(middle, displacement, max_component(half), root) {
+    if (!excludes()) return;
+    for (int k = 0; k < 3; ++k) {
+        const double rounded = 0x1p-22 * std::max(std::fabs(near_origin[k]), std::fabs(far_origin[k]));
+        const double nearer = std::max((max_component(half) - half[k]) * (1 - 0x1p-20) - rounded, 0.0);
+        const double back_again = near_face[k] < far_face[k] ? -nearer : nearer;
+        near_origin[k] = static_cast<float>(near_origin[k] + back_again);
+        far_origin[k] = static_cast<float>(far_origin[k] - back_again);
+    }
+}
+
+float RayProbe::limit(double t_max) const {
+    return static_cast<float>(ray_limit(t_max, course.slack, course.scale, course.start, course.span));
+}
+
+RaysRoot::RaysRoot(const Box& box, double r) : extent(largest_coordinate(box)), radius(r) {
+    for (int k = 0; k < 3; ++k) {
+        low[k] = box.min[k];
+        high[k] = box.max[k];
+    }
+}
+
+RayPackets::RayPackets(const Box& root, uint32_t items) {
+    const Vec3 low{root.min[0], root.min[1], root.min[2]}, high{root.max[0], root.max[1], root.max[2]};
+    centre_ = (low + high) * 0.5;
+    radius_ = distance(high, centre_);
+    leaf_size_ = 2 * radius_ / cbrt(1.0 + items);
+}
+
+RayPackets::Corridor RayPackets::corridor_of(const Ray& ray) const {
+    const double reach = distance(ray.origin, centre_) + radius_, apart = leaf_size_ * leaf_size_;
+    // From the only point that the tree has, nothing comes near.
+    const double slope = reach > 0 ? apart / (reach * reach) : 0;
+    return {ray, apart, slope * length_squared(ray.direction)};
+}
+
+// The gap on each axis is computed between the box and the interval of floats around the point:
+// one rounding; its square another three, the sum two more. Hence the computed squared distance
+// exceeds the true lower bound by a factor of at most 1 + 6u.
+PointProbe::PointProbe(Vec3 point, const Box& root) {
+    slack_ = rounding_slack(std::max(largest_coordinate(root), max_component(abs(point))));
+    for (int k = 0; k < 3; ++k) {
+        // Nearer to the tree than the point is: still a lower bound, and its square fits a float.
+        const double clamped = std::clamp(point[k], -0x1p61, 0x1p61);
+        low[k] = round_down(clamped);
+        high[k] = round_up(clamped);
+    }
+}
+
+float PointProbe::limit(double max_distance) const {
+    if (max_distance < 0) return -1;
+    const double reach = std::min(max_distance + slack_, 0x1p62) * (1 + 16 * unit_roundoff);
+    return round_up(reach * reach);
+}
+
+// The far corner's distance is computed from the interval around the centre as well, with as many
+// roundings: it falls short of the true one's square by a factor of at least 1 - 6u. Squares below the
+// smallest normal float may be flushed to zero, three of them.
+BallProbe::BallProbe(Vec3 center, double radius, const Box& root) {
+    const PointProbe point(center, root);
+    std::copy_n(point.low, 3, low);
+    std::copy_n(point.high, 3, high);
+    outside_above = point.limit(radius);
+    const double reach = std::min(radius, 0x1p62);
+    inside_below = round_down(reach * reach * (1 - 16 * unit_roundoff) - 4.0 * std::numeric_limits<float>::min());
+}
+
+// With differences to the frustum's origin the sum of three products has five roundings in each
+// term, the plane's own components included: it is within 5u of the sum of magnitudes, for which
+// 8u leaves room for the rounding of that sum and of the comparison's right side. On each axis the
+// larger of both faces' magnitudes stands for that of the corner.
+FrustumProbe::FrustumProbe(const Frustum& frustum, const Box& box) : around(box) {
+    const bool too_far = max_component(abs(frustum.origin)) > 0x1p57;
+    for (int k = 0; k < 3; ++k) {
+        const double origin = too_far ? 0 : frustum.origin[k];
+        origin_low[k] = round_down(origin);
+        origin_high[k] = round_up(origin);
+    }
+    for (int p = 0; p < 6; ++p) {
+        FloatPlane& plane = planes[p];
+        const Plane& exact = frustum.planes[p];
+        const double scale = max_component(abs(exact.normal));
+        if (too_far) {
+            plane = {{}, {}, -1, 1};  // decides nothing
+        } else if (scale == 0) {
+            const float side = exact.distance <= 0 ? -1.0f : 1.0f;  // all of space or nothing
+            plane = {{}, {}, side, side};
+        } else {
+            // A component below 2^-100 cannot be a float of full precision; left out, it changes
+            // the sum by no more than 2^-100 times the largest difference, 2^58.
+            double slack = 0;
+            for (int k = 0; k < 3; ++k) {
+                const double component = exact.normal[k] / scale;
+                const bool negligible = std::fabs(component) < 0x1p-100;
+                if (negligible && component != 0) slack += 0x1p-42;
+                plane.normal[k] = negligible ? 0.0f : static_cast<float>(component);
+                plane.error[k] = std::fabs(plane.normal[k]) * static_cast<float>(8 * unit_roundoff);
+            }
+            // Sums stay below 2^60: beyond that the size of the distance does not matter.
+            const double distance = std::clamp(exact.distance / scale, -0x1p100, 0x1p100);
+            slack += std::fabs(distance) * 0x1p-50;
+            plane.outside_below = round_down(distance - slack);
+            plane.inside_above = round_up(distance + slack);
+        }
+    }
+}
+
+}  // namespace gphys

@@ -1,0 +1,219 @@
+// Eight boxes against a probe, for kernels. The bounds of rounding are derived in box8.cpp.
+#pragma once
+
+#include "bvh/box8.h"
+#include "foundation/compiler.h"
+#include "foundation/simd.h"
+
+namespace gphys::GPHYS_ISA {
+
+/// Where a ray is in eight boxes, or eight rays are in one: from the last entry into a slab to the first exit or to
+/// the end. enters(axis) and leaves(axis) are those of the slabs.
+struct SlabInterval {
+    Float8 entry, exit;
+
+    template <class Enters, class Leaves>
+    GPHYS_INLINE SlabInterval(const Enters& enters, const Leaves& leaves, Float8 end)
+        : entry(max(max(enters(0), enters(1)), max(enters(2), splat(0)))),
+          exit(min(min(min(leaves(0), leaves(1)), leaves(2)), end)) {}
+
+    uint32_t hits() const { return bits(entry <= exit); }
+};
+
+class RayTest {
+public:
+    RayTest() = default;
+    /// The probe must live as long.
+    explicit RayTest(const RayProbe& probe) : probe_(&probe) {}
+
+    /// Lanes that the ray meets no later than at `limit`; `entry` is where, in the same unit, and `exit` where it
+    /// leaves them or ends. Counted from the boxes back to the origin, as what comes from memory is best subtracted.
+    uint32_t hits(const Box8& boxes, float limit, Float8& entry, Float8& exit) const {
+        const RayProbe& ray = *probe_;
+        const Float8 back[3] = {splat(ray.back[0]), splat(ray.back[1]), splat(ray.back[2])};
+        const auto enters = [&](int k) {
+            return (splat(ray.near_origin[k]) - load_aligned(boxes.from(ray.near_face[k]))) * back[k];
+        };
+        const auto leaves = [&](int k) {
+            return (splat(ray.far_origin[k]) - load_aligned(boxes.from(ray.far_face[k]))) * back[k];
+        };
+        const SlabInterval within(enters, leaves, splat(limit));
+        entry = within.entry;
+        exit = within.exit;
+        return within.hits();
+    }
+    uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
+        Float8 exit;
+        return hits(boxes, limit, entry, exit);
+    }
+
+private:
+    const RayProbe* probe_;
+};
+
+/// The same of a ray that is alone, whose numbers stay in registers.
+class SingleRayTest {
+public:
+    explicit SingleRayTest(const RayProbe& probe) {
+        for (int k = 0; k < 3; ++k) {
+            near_origin_[k] = splat(probe.near_origin[k]);
+            far_origin_[k] = splat(probe.far_origin[k]);
+            back_[k] = splat(probe.back[k]);
+            near_face_[k] = probe.near_face[k];
+            far_face_[k] = probe.far_face[k];
+        }
+    }
+
+    uint32_t hits(const Box8& boxes, float limit, Float8& entry) const {
+        const auto enters = [&](int k) {
+            return (near_origin_[k] - load_aligned(boxes.from(near_face_[k]))) * back_[k];
+        };
+        const auto leaves = [&](int k) { return (far_origin_[k] - load_aligned(boxes.from(far_face_[k]))) * back_[k]; };
+        const SlabInterval within(enters, leaves, splat(limit));
+        entry = within.entry;
+        return within.hits();
+    }
+
+private:
+    Float8 near_origin_[3], far_origin_[3], back_[3];
+    uint32_t near_face_[3], far_face_[3];
+};
+
+class PointTest {
+public:
+    explicit PointTest(const PointProbe& probe) {
+        for (int k = 0; k < 3; ++k) {
+            low_[k] = splat(probe.low[k]);
+            high_[k] = splat(probe.high[k]);
+        }
+    }
+
+    /// Lanes whose squared distance is at most `limit`.
+    uint32_t hits(const Box8& boxes, float limit, Float8& distance_squared) const {
+        const auto gap = [&](int k) {
+            return max(max(load_aligned(boxes.row[k]) - high_[k], low_[k] - load_aligned(boxes.row[3 + k])), splat(0));
+        };
+        const Float8 x = gap(0), y = gap(1), z = gap(2);
+        distance_squared = x * x + y * y + z * z;
+        return bits(distance_squared <= splat(limit));
+    }
+
+private:
+    Float8 low_[3], high_[3];
+};
+
+/// Boxes that share a point with a given one: exact.
+class BoxTest {
+public:
+    explicit BoxTest(const Box& box)
+        : min_{splat(box.min[0]), splat(box.min[1]), splat(box.min[2])},
+          max_{splat(box.max[0]), splat(box.max[1]), splat(box.max[2])} {}
+    BoxTest(const Box8& boxes, uint32_t lane) : BoxTest(boxes.lane(static_cast<int>(lane))) {}
+
+    uint32_t hits(const Box8& boxes) const {
+        return bits(boxes_overlap(corner(boxes.row), corner(boxes.row + 3), min_, max_));
+    }
+    /// The same, and which lanes are wholly inside the box.
+    uint32_t hits(const Box8& boxes, uint32_t& inside) const {
+        const Vec<Float8> low = corner(boxes.row), high = corner(boxes.row + 3);
+        inside = bits((min_.x <= low.x) & (high.x <= max_.x) & (min_.y <= low.y) & (high.y <= max_.y) &
+                      (min_.z <= low.z) & (high.z <= max_.z));
+        return hits(boxes);
+    }
+
+private:
+    static Vec<Float8> corner(const float (*rows)[8]) {
+        return {load_aligned(rows[0]), load_aligned(rows[1]), load_aligned(rows[2])};
+    }
+
+    Vec<Float8> min_, max_;
+};
+
+class BallTest {
+public:
+    explicit BallTest(const BallProbe& probe)
+        : outside_above_(splat(probe.outside_above)), inside_below_(splat(probe.inside_below)) {
+        for (int k = 0; k < 3; ++k) {
+            low_[k] = splat(probe.low[k]);
+            high_[k] = splat(probe.high[k]);
+        }
+    }
+
+    /// Lanes that are not wholly outside the ball, and those wholly inside.
+    uint32_t hits(const Box8& boxes, uint32_t& inside) const {
+        Float8 nearest = splat(0), furthest = splat(0);  // squared distances
+        for (int k = 0; k < 3; ++k) {
+            // How far both faces are beyond the centre, outward: the larger one is the gap, if it is
+            // positive, and the smaller one, without its sign, leads to the far corner.
+            const Float8 a = load_aligned(boxes.row[k]) - high_[k], b = low_[k] - load_aligned(boxes.row[3 + k]);
+            const Float8 gap = max(max(a, b), splat(0)), reach = min(a, b);
+            nearest = nearest + gap * gap;
+            furthest = furthest + reach * reach;
+        }
+        inside = bits(furthest <= inside_below_);
+        return bits(nearest <= outside_above_);
+    }
+
+private:
+    Float8 low_[3], high_[3], outside_above_, inside_below_;
+};
+
+class FrustumTest {
+public:
+    static constexpr uint32_t all_planes = 0x3f;
+
+    explicit FrustumTest(const FrustumProbe& probe) : probe_(probe) {
+        for (int p = 0; p < 6; ++p) {
+            for (uint32_t k = 0; k < 3; ++k) {
+                const bool positive = probe.planes[p].normal[k] >= 0;
+                inner_face_[p][k] = positive ? 3 + k : k;
+                outer_face_[p][k] = positive ? k : 3 + k;
+            }
+        }
+    }
+
+    /// Lanes that are not wholly outside one of `planes`. crossed: for each lane those of them that it is not
+    /// wholly inside, a set of bits as a whole number.
+    uint32_t hits(const Box8& boxes, uint32_t planes, Float8& crossed) const {
+        return test<true>(boxes, planes, crossed);
+    }
+    uint32_t hits(const Box8& boxes, uint32_t planes) const {
+        Float8 crossed;
+        return test<false>(boxes, planes, crossed);
+    }
+
+private:
+    template <bool also_crossed>
+    uint32_t test(const Box8& boxes, uint32_t planes, Float8& crossed) const {
+        Float8 face[6], magnitude[3];  // as seen from the origin
+        for (int k = 0; k < 3; ++k) {
+            face[k] = load_aligned(boxes.row[k]) - splat(probe_.origin_high[k]);
+            face[3 + k] = load_aligned(boxes.row[3 + k]) - splat(probe_.origin_low[k]);
+            magnitude[k] = max(face[3 + k], splat(0) - face[k]);  // of whichever has the larger one
+        }
+        crossed = splat(0);
+        uint32_t hit = 0xff;
+        for (uint32_t rest = planes; rest != 0; rest &= rest - 1) {
+            const int p = lowest_bit(rest);
+            const FrustumProbe::FloatPlane& plane = probe_.planes[p];
+            // Of the corners furthest in and furthest out.
+            Float8 upper = splat(0), lower = splat(0), error = splat(0);
+            for (int k = 0; k < 3; ++k) {
+                const Float8 normal = splat(plane.normal[k]);
+                upper = upper + face[inner_face_[p][k]] * normal;
+                if (also_crossed) lower = lower + face[outer_face_[p][k]] * normal;
+                error = error + magnitude[k] * splat(plane.error[k]);
+            }
+            hit &= bits(splat(plane.outside_below) <= upper + error);
+            if (!also_crossed) continue;
+            const Mask8 inside = splat(plane.inside_above) <= lower - error;
+            crossed = crossed + choose(inside, splat(0), splat(static_cast<float>(1 << p)));
+        }
+        return hit;
+    }
+
+    const FrustumProbe& probe_;
+    uint32_t inner_face_[6][3], outer_face_[6][3];
+};
+
+}  // namespace gphys::GPHYS_ISA

@@ -1,0 +1,148 @@
+#include "bvh/bvh_kernels.h"
+
+#include <limits>
+
+#include "bvh/interleaved_traversal.h"
+#include "bvh/ordered_traversal.h"
+#include "bvh/overlap_traversal.h"
+#include "bvh/packet_traversal.h"
+#include "bvh/pair_traversal.h"
+#include "bvh/ray_lanes.h"
+#include "foundation/compiler.h"
+
+namespace gphys::GPHYS_ISA {
+
+namespace {
+
+void make_probes(const Ray* rays, uint32_t count, const RaysRoot& root, RayProbe* probes, float* limits) {
+    for (uint32_t first = 0; first < count; first += 8) {
+        const Rays8 eight(rays + first, count - first);
+        const RaySetup<Double8> setup(eight.origin, eight.direction, root);
+        RayProbe* const to = probes + first;
+        store(limits + first, put_probes(eight.t_max, setup, [&](int i) -> RayProbe& { return to[i]; }));
+    }
+}
+
+template <class Test, class Probe>
+void closest_hit(const BvhNode* nodes, uint32_t root, const Probe& probe, float limit, const BvhVisitor& to) {
+    traverse_ordered(
+        nodes, root, Test(probe), limit, [&](uint32_t item) { return to.visit(to.context, item); },
+        [&](const BvhNode& leaf) GPHYS_INLINE_LAMBDA {
+            // Which of them will be visited is not known yet; of those that are in use most are. A prefetch of no
+            // memory does no harm.
+            const char* const first = static_cast<const char*>(to.items.first);
+            for (const uint32_t item : leaf.child) prefetch(first + size_t{item} * to.items.size);
+        });
+}
+
+template <class Order>
+void many_rays(const BvhNode* nodes, uint32_t root, const RayProbe* probes, const float* limits, uint32_t count,
+               bool is_packet, const BvhRayVisitor& to) {
+    const auto probe_of = [&](uint32_t ray) -> const RayProbe& { return probes[ray]; };
+    const auto visit = [&](const uint32_t* rays, const uint32_t* items, uint32_t some, float* new_limits) {
+        return to.visit(to.context, rays, items, some, new_limits);
+    };
+    const auto prefetch_of = [&](uint32_t item) GPHYS_INLINE_LAMBDA { prefetch_item(to.items, item); };
+    const auto interleaved = [&](const float* present_limits) {
+        traverse_interleaved<Order>(nodes, root, probe_of, present_limits, count, visit, prefetch_of);
+    };
+    if (!is_packet) return interleaved(limits);
+    PacketLimits of_all(count, [&](uint32_t ray) { return limits[ray]; });
+    const auto visit_and_set = [&](const uint32_t* rays, const uint32_t* items, uint32_t some) {
+        float new_limits[8];
+        for (uint32_t moved = visit(rays, items, some, new_limits); moved != 0; moved &= moved - 1) {
+            const int i = lowest_bit(moved);
+            of_all.limits[rays[i]] = new_limits[i];
+        }
+    };
+    VisitQueue visits(visit_and_set);
+    PacketTest packet(probe_of, of_all.limits, count);
+    const bool done = traverse_packet(
+        nodes, root, packet, count,
+        [&](uint32_t group, uint32_t mask, uint32_t item) { visits.add(group, mask, item); }, [&] { visits.finish(); },
+        prefetch_of);
+    if (!done) interleaved(of_all.limits);
+}
+
+void any_hit(const BvhNode* nodes, uint32_t root, const RayProbe& probe, float limit, const BvhVisitor& to) {
+    if (!(limit >= 0)) return;
+    const SingleRayTest test(probe);
+    traverse_unordered(
+        nodes, root,
+        [&](const Box8& boxes) {
+            Float8 entry;
+            return test.hits(boxes, limit, entry);
+        },
+        [&](const BvhNode& leaf, uint32_t lanes) {
+            for (uint32_t rest = lanes; rest != 0 && to.items.size != 0; rest &= rest - 1) {
+                prefetch_item(to.items, leaf.child[lowest_bit(rest)]);
+            }
+            for (; lanes != 0; lanes &= lanes - 1) {
+                if (to.visit(to.context, leaf.child[lowest_bit(lanes)]) < 0) return false;
+            }
+            return true;
+        });
+}
+
+template <class Test, class Probe>
+bool overlap(const BvhNode* nodes, uint32_t root, const Probe& probe, const BvhListVisitor& to) {
+    return traverse_overlap(nodes, root, Test(probe), to);
+}
+
+template <class Test, class Probe>
+void overlaps(const BvhNode* nodes, uint32_t root, const Probe* probes, uint32_t count, ItemMemory items,
+              ItemMemory items_inside, OverlapItems* found) {
+    traverse_overlaps(
+        nodes, root, count,
+        [&](uint32_t query, const Box8& boxes, uint32_t& inside) { return Test(probes[query]).hits(boxes, inside); },
+        items, items_inside, found);
+}
+
+/// Of three rows the least of each, of both halves of the lanes: out[k] or out[4 + k].
+void least_of_rows(const Float8 (&rows)[3], float (&out)[8]) {
+    Float8 least;
+    for (int i = 0; i < register_count; ++i) {
+        FloatRegister lanes[4] = {rows[0].part[i], rows[1].part[i], rows[2].part[i], rows[2].part[i]};
+        transpose(lanes);
+        least.part[i] = minimum(minimum(lanes[0], lanes[1]), minimum(lanes[2], lanes[3]));
+    }
+    store(out, least);
+}
+
+void around_node(const BvhNode& node, Box& out) {
+    static constexpr float numbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const Mask8 used = load(numbers) <= splat(static_cast<float>(node.count) - 1);
+    const Float8 beyond_all = splat(std::numeric_limits<float>::max()), zero = splat(0);
+    Float8 low[3], high[3];  // the latter with the other sign
+    for (int k = 0; k < 3; ++k) {
+        low[k] = choose(used, load(node.boxes.row[k]), beyond_all);
+        high[k] = choose(used, zero - load(node.boxes.row[3 + k]), beyond_all);
+    }
+    float min[8], less_max[8];
+    least_of_rows(low, min);
+    least_of_rows(high, less_max);
+    for (int k = 0; k < 3; ++k) {
+        out.min[k] = min[k] < min[4 + k] ? min[k] : min[4 + k];
+        out.max[k] = 0 - (less_max[k] < less_max[4 + k] ? less_max[k] : less_max[4 + k]);
+    }
+}
+
+}  // namespace
+
+extern const BvhKernels bvh_kernels{
+    make_probes,
+    closest_hit<SingleRayTest, RayProbe>,
+    many_rays<ClosestHit>,
+    many_rays<AnyHit>,
+    closest_hit<PointTest, PointProbe>,
+    any_hit,
+    overlap<BoxTest, Box>,
+    overlap<BallTest, BallProbe>,
+    overlaps<BoxTest, Box>,
+    overlaps<BallTest, BallProbe>,
+    traverse_frustum,
+    traverse_pairs,
+    around_node,
+};
+
+}  // namespace gphys::GPHYS_ISA

@@ -1,0 +1,231 @@
+// The queries of bvh8.h: a probe made of the question, a traversal by the kernels of this processor
+// (bvh_kernels.h), and the visitor called for what it finds.
+#pragma once
+
+#include <type_traits>
+
+#include "bvh/bvh8.h"
+#include "foundation/compiler.h"
+
+namespace gphys {
+
+/// Runs a kernel whose visits move a bound, which the probe knows as a limit in its own unit.
+template <class Probe, class Visit>
+void Bvh8::traverse_to_bound(void (*kernel)(const BvhNode*, uint32_t, const Probe&, float, const BvhVisitor&),
+                             const Probe& probe, double bound, Visit& visit, ItemMemory items) const {
+    struct Context {
+        const Probe& probe;
+        Visit& visit;
+        double bound;
+        float limit;
+    };
+    Context state{probe, visit, bound, probe.limit(bound)};
+    const auto step = [](void* context, uint32_t item) {
+        Context& c = *static_cast<Context*>(context);
+        const double before = c.bound;
+        c.visit(item, c.bound);
+        if (c.bound != before) c.limit = c.probe.limit(c.bound);
+        return c.limit;
+    };
+    kernel(nodes_.data(), root_, probe, state.limit, {step, &state, items});
+}
+
+template <class Visit>
+void Bvh8::raycast(const Ray& ray, Visit&& visit, ItemMemory items) const {
+    if (root_ == none) return;
+    traverse_to_bound(kernels_.ray, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, visit, items);
+}
+
+template <class Visit>
+void Bvh8::traverse_many(decltype(BvhKernels::rays) kernel, const Ray* rays, uint32_t count, Visit& visit,
+                         ItemMemory items) const {
+    if (root_ == none || count == 0) return;
+    struct Context {
+        Context(const Ray* r, Visit& v) : rays(r), visit(v) {}
+
+        RayProbe probes[rays_at_once];
+        float limits[rays_at_once];
+        uint32_t first;  // of the rays that the kernel has been given
+        const Ray* rays;
+        Visit& visit;
+
+        uint32_t take(const uint32_t* from_first, const uint32_t* some, uint32_t size, float* new_limits) {
+            uint32_t numbers[8];
+            for (uint32_t k = 0; k < size; ++k) numbers[k] = first + from_first[k];
+            const uint32_t shorter = visit(numbers, some, size);
+            for (uint32_t rest = shorter; rest != 0; rest &= rest - 1) {
+                const int k = lowest_bit(rest);
+                new_limits[k] = probes[numbers[k]].limit(rays[numbers[k]].t_max);
+            }
+            return shorter;
+        }
+    };
+    Context state(rays, visit);
+    kernels_.probes(rays, count, RaysRoot(bounds_), state.probes, state.limits);
+    const auto take = [](void* context, const uint32_t* from_first, const uint32_t* some, uint32_t size,
+                         float* new_limits) {
+        return static_cast<Context*>(context)->take(from_first, some, size, new_limits);
+    };
+    const auto probe_of = [&](uint32_t i) -> const RayProbe& { return state.probes[i]; };
+    const auto ray_of = [&](uint32_t i) -> const Ray& { return rays[i]; };
+    RayPackets(bounds_, size_).split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool is_packet) {
+        state.first = first;
+        kernel(nodes_.data(), root_, state.probes + first, state.limits + first, last - first, is_packet,
+               {take, &state, items});
+    });
+}
+
+template <class Visit>
+void Bvh8::raycast_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
+    traverse_many(kernels_.rays, rays, count, visit, items);
+}
+
+template <class Visit>
+void Bvh8::raycast_any_many(const Ray* rays, uint32_t count, Visit&& visit, ItemMemory items) const {
+    traverse_many(kernels_.rays_any, rays, count, visit, items);
+}
+
+template <class Visit>
+bool Bvh8::raycast_any(const Ray& ray, Visit&& visit, ItemMemory items) const {
+    if (root_ == none) return false;
+    bool found = false;
+    const auto until_found = [&](uint32_t item, double& t_max) {
+        found = visit(item);
+        if (found) t_max = -1;
+    };
+    traverse_to_bound(kernels_.ray_any, RayProbe(ray.origin, ray.direction, 0, bounds_), ray.t_max, until_found, items);
+    return found;
+}
+
+template <class Visit>
+void Bvh8::sweep(Vec3 center, Vec3 displacement, double radius, Visit&& visit, ItemMemory items) const {
+    if (root_ == none) return;
+    traverse_to_bound(kernels_.ray, RayProbe(center, displacement, radius, bounds_), 1, visit, items);
+}
+
+template <class Visit>
+void Bvh8::sweep(Vec3 middle, Vec3 displacement, Vec3 half, Visit&& visit, ItemMemory items) const {
+    if (root_ == none) return;
+    traverse_to_bound(kernels_.ray, RayProbe(middle, displacement, half, bounds_), 1, visit, items);
+}
+
+template <class Visit>
+void Bvh8::nearest(Vec3 point, double max_distance, Visit&& visit, ItemMemory items) const {
+    if (root_ == none) return;
+    traverse_to_bound(kernels_.point, PointProbe(point, bounds_), max_distance, visit, items);
+}
+
+/// A visitor of lists, or of single items as one of lists.
+template <class Visit>
+BvhListVisitor Bvh8::list_visitor(Visit& visit, ItemMemory items, ItemMemory items_inside) {
+    constexpr bool of_any = std::is_invocable_v<Visit&, const uint32_t*, uint32_t>;
+    const auto all = [](void* context, const uint32_t* list, uint32_t count, [[maybe_unused]] bool inside) -> bool {
+        Visit& to = *static_cast<Visit*>(context);
+        if constexpr (of_any) {
+            return to(list, count);
+        } else if constexpr (std::is_invocable_v<Visit&, const uint32_t*, uint32_t, bool>) {
+            return to(list, count, inside);
+        } else {
+            return std::all_of(list, list + count, [&](uint32_t item) { return to(item, inside); });
+        }
+    };
+    return {all, const_cast<void*>(static_cast<const void*>(&visit)), items, items_inside, !of_any};
+}
+
+template <class Visit>
+bool Bvh8::overlap_box(const Box& box, Visit&& visit, ItemMemory items, ItemMemory items_inside) const {
+    return root_ == none || kernels_.box(nodes_.data(), root_, box, list_visitor(visit, items, items_inside));
+}
+
+template <class Visit>
+bool Bvh8::overlap_ball(Vec3 center, double radius, Visit&& visit, ItemMemory items, ItemMemory items_inside) const {
+    return root_ == none || kernels_.ball(nodes_.data(), root_, BallProbe(center, radius, bounds_),
+                                          list_visitor(visit, items, items_inside));
+}
+
+inline void Bvh8::overlap_boxes(const Box* boxes, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                                OverlapItems* found) const {
+    for (uint32_t i = 0; i < count; ++i) found[i].clear();
+    if (root_ != none) kernels_.boxes(nodes_.data(), root_, boxes, count, items, items_inside, found);
+}
+
+inline void Bvh8::overlap_balls(const Sphere* balls, uint32_t count, ItemMemory items, ItemMemory items_inside,
+                                OverlapItems* found) const {
+    BallProbe probes[OverlapItems::most_queries];
+    for (uint32_t i = 0; i < count; ++i) {
+        found[i].clear();
+        probes[i] = BallProbe(balls[i].center, balls[i].radius, bounds_);
+    }
+    if (root_ != none) kernels_.balls(nodes_.data(), root_, probes, count, items, items_inside, found);
+}
+
+template <class Visit>
+bool Bvh8::frustum(const Frustum& frustum, const Box& around, Visit&& visit, ItemMemory items,
+                   ItemMemory items_inside) const {
+    return root_ == none || kernels_.frustum(nodes_.data(), root_, FrustumProbe(frustum, around),
+                                             list_visitor(visit, items, items_inside));
+}
+
+template <class Visit>
+bool Bvh8::overlap_pairs(const Bvh8& other, Visit&& visit) const {
+    if (root_ == none || other.root_ == none) return true;
+    using Function = std::remove_reference_t<Visit>;
+    const auto pair = [](void* context, uint32_t item, uint32_t other_item) {
+        return (*static_cast<Function*>(context))(item, other_item);
+    };
+    return kernels_.pairs(nodes_.data(), root_, other.nodes_.data(), other.root_,
+                          {pair, const_cast<void*>(static_cast<const void*>(&visit))});
+}
+
+template <class Touches, class Visit>
+bool Bvh8::overlap(Touches&& touches, Visit&& visit) const {
+    if (root_ == none) return true;
+    NodeRef stack[bvh_max_open];
+    int size = 0;
+    stack[size++] = root_;
+    while (size > 0) {
+        const NodeRef ref = stack[--size];
+        const Node& node = nodes_[index_of(ref)];
+        for (uint32_t lane = 0; lane < node.count; ++lane) {
+            if (!touches(node.boxes.lane(static_cast<int>(lane)))) continue;
+            if (!is_leaf(ref)) {
+                stack[size++] = node.child[lane];
+            } else if (!visit(node.child[lane])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+template <class Visit, class VisitItem>
+void Bvh8::for_each_box(Visit&& visit, VisitItem&& visit_item) const {
+    const auto boxed = [](const Box& box, uint32_t depth, uint32_t items) {
+        return gphys_octree_box{
+            {{box.min[0], box.min[1], box.min[2]}, {box.max[0], box.max[1], box.max[2]}}, depth, items};
+    };
+    if (root_ == none) return;
+    struct Entry {
+        NodeRef ref;
+        uint32_t depth;
+        Box box;
+    };
+    Entry stack[bvh_max_open];
+    int size = 0;
+    stack[size++] = {root_, 0, bounds_};
+    while (size > 0) {
+        const Entry entry = stack[--size];
+        const Node& node = nodes_[index_of(entry.ref)];
+        visit(boxed(entry.box, entry.depth, is_leaf(entry.ref) ? node.count : 0));
+        for (uint32_t lane = node.count; lane-- > 0;) {
+            const Box box = node.boxes.lane(static_cast<int>(lane));
+            if (is_leaf(entry.ref)) {
+                visit_item(node.child[lane], boxed(box, entry.depth + 1, 1));
+            } else {
+                stack[size++] = {node.child[lane], entry.depth + 1, box};
+            }
+        }
+    }
+}
+
+}  // namespace gphys

@@ -1,0 +1,93 @@
+// Looking at the BVH as a whole: statistics, and a check of all that must hold.
+#include "bvh/bvh8.h"
+
+namespace gphys {
+
+/// The number of nodes that a random ray through the root visits, times the root's area.
+double Bvh8::area_below(NodeRef ref) const {
+    if (is_leaf(ref)) return 0;
+    const Node& node = nodes_[ref];
+    double area = 0;
+    for (uint32_t i = 0; i < node.count; ++i) {
+        area += half_area(node.boxes.lane(static_cast<int>(i))) + area_below(node.child[i]);
+    }
+    return area;
+}
+
+gphys_octree_stats Bvh8::stats() const {
+    gphys_octree_stats stats{};
+    stats.item_count = size_;
+    stats.rebuilds = rebuilds_;
+    for_each_box([&](const gphys_octree_box& box) {
+        ++stats.node_count;
+        if (box.item_count > 0) ++stats.leaf_count;
+        stats.depth = std::max(stats.depth, box.depth + 1);
+    });
+    const double root_area = half_area(bounds_);
+    double item_area = 0;
+    for (uint32_t item = 0; item < place_of_.size(); ++item) {
+        if (place_of_[item] != none) item_area += half_area(box(item));
+    }
+    // A tree without extent is visited as a whole.
+    stats.cost = static_cast<float>(root_area > 0 ? 1 + (area_below(root_) + item_area) / root_area
+                                                  : static_cast<double>(stats.node_count) + size_);
+    const uint64_t bytes = nodes_.capacity() * sizeof(Node) + place_of_.capacity() * sizeof(uint32_t);
+    stats.memory_bytes = static_cast<uint32_t>(std::min<uint64_t>(bytes, std::numeric_limits<uint32_t>::max()));
+    return stats;
+}
+
+const char* Bvh8::defect() const {
+    uint32_t item_count = 0, node_count = 0;
+    if (root_ != none) {
+        if (nodes_[index_of(root_)].parent != none) return "the root has a parent";
+        NodeRef stack[bvh_max_open];
+        int size = 0;
+        stack[size++] = root_;
+        while (size > 0) {
+            const NodeRef ref = stack[--size];
+            const uint32_t index = index_of(ref);
+            if (index >= nodes_.size()) return "a reference leads out of the tree";
+            const Node& node = nodes_[index];
+            ++node_count;
+            if (node_count > nodes_.size()) return "the nodes do not form a tree";
+            if (node.count == 0 || node.count > 8) return "a node has none or too many children";
+            if (level_of(index) > levels_ || levels_ > max_levels) return "the tree is too deep";
+            const Box box = union_of(node);
+            for (int k = 0; k < 3; ++k) {
+                if (!(box.min[k] >= -max_box_coordinate && box.max[k] <= max_box_coordinate)) {
+                    return "a box is out of range";
+                }
+            }
+            const Box above =
+                node.parent == none ? bounds_ : nodes_[node.parent].boxes.lane(static_cast<int>(node.lane));
+            if (!(box == above)) return "a node's box is not tight";
+            for (uint32_t i = 0; i < node.count; ++i) {
+                const uint32_t child = node.child[i];
+                if (!is_leaf(ref)) {
+                    if (index_of(child) >= nodes_.size()) return "a reference leads out of the tree";
+                    const Node& below = nodes_[index_of(child)];
+                    if (below.parent != index || below.lane != i) return "a child does not know its parent";
+                    stack[size++] = child;
+                } else {
+                    if (child >= place_of_.size() || place_of_[child] != 8 * index + i) {
+                        return "an item does not know its leaf";
+                    }
+                    ++item_count;
+                }
+            }
+        }
+    }
+    if (item_count != size_) return "items are missing";
+    uint32_t placed = 0;
+    for (const uint32_t place : place_of_) placed += place != none;
+    if (placed != size_) return "an item outside the tree has a place";
+    uint32_t free_count = 0;
+    for (uint32_t index = first_free_; index != none && free_count <= free_count_; index = nodes_[index].parent) {
+        ++free_count;
+    }
+    if (free_count != free_count_) return "the free nodes are miscounted";
+    if (node_count + free_count != nodes_.size()) return "nodes are lost";
+    return nullptr;
+}
+
+}  // namespace gphys

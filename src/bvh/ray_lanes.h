@@ -1,0 +1,55 @@
+// Eight rays side by side, for kernels, and the probes that are made of them.
+#pragma once
+
+#include "bvh/ray_setup.h"
+#include "foundation/compiler.h"
+#include "foundation/simd_double.h"
+
+namespace gphys::GPHYS_ISA {
+
+struct Rays8 {
+    Double8 origin[3], direction[3], t_max;
+
+    /// `count` is at least 1; the last is repeated.
+    Rays8(const Ray* rays, uint32_t count)
+        : Rays8([&](int i) -> const Ray& {
+              return rays[static_cast<uint32_t>(i) < count ? static_cast<uint32_t>(i) : count - 1];
+          }) {}
+    /// ray_at(i) is each of them.
+    template <class RayAt>
+    GPHYS_INLINE explicit Rays8(const RayAt& ray_at) {
+        static_assert(offsetof(Ray, t_max) == 6 * sizeof(double));
+        const auto at = [&](int i, int number) { return &ray_at(i).origin.x + number; };
+        Double8 four[4];
+        load_components([&](int i) { return at(i, 0); }, four);
+        for (int k = 0; k < 3; ++k) origin[k] = four[k];
+        load_components([&](int i) { return at(i, 3); }, four);
+        for (int k = 0; k < 3; ++k) direction[k] = four[k];
+        t_max = four[3];
+    }
+};
+
+/// The probes of eight rays, which end at t_max: at(i) is where. Returns the limits.
+template <class At>
+Float8 put_probes(Double8 t_max, const RaySetup<Double8>& setup, const At& at) {
+    const auto quad = [](const Double8(&v)[3]) {
+        return Quads8{narrowed(v[0]), narrowed(v[1]), narrowed(v[2]), splat(0)};
+    };
+    store_quads([&](int i) { return at(i).near_origin; }, quad(setup.near_origin));
+    store_quads([&](int i) { return at(i).far_origin; }, quad(setup.far_origin));
+    store_quads([&](int i) { return at(i).back; }, quad(setup.back));
+    const Quads8 along = quad(setup.along);
+    const auto faces = [&](int32_t first, int32_t last) {
+        return Quads8{choose_bits(signs(along.x), last, first), choose_bits(signs(along.y), last + 8, first + 8),
+                      choose_bits(signs(along.z), last + 16, first + 16), splat(0)};
+    };
+    store_quads([&](int i) { return reinterpret_cast<float*>(at(i).near_face); }, faces(0, 24));
+    store_quads([&](int i) { return reinterpret_cast<float*>(at(i).far_face); }, faces(24, 0));
+    const Double8 begin[] = {setup.begin[0], setup.begin[1], setup.begin[2], 0};
+    const Double8 course[] = {setup.slack, setup.scale, setup.start, setup.span};
+    store_components([&](int i) { return at(i).begin; }, begin);
+    store_components([&](int i) { return reinterpret_cast<double*>(&at(i).course); }, course);
+    return narrowed(ray_limit(t_max, setup.slack, setup.scale, setup.start, setup.span));
+}
+
+}  // namespace gphys::GPHYS_ISA

@@ -1,0 +1,23 @@
+// The nearest of what a query has met.
+#pragma once
+
+#include <limits>
+
+#include "bvh/bvh8.h"
+#include "foundation/ids.h"
+
+namespace gphys {
+
+/// The best answer so far: the smallest value as it is reported, then the lowest id, in whatever order the BVH
+/// delivers.
+struct BestCandidate {
+    float value = std::numeric_limits<float>::infinity();
+    uint32_t slot = Bvh8::none;
+
+    bool exists() const { return slot != Bvh8::none; }
+    bool is_beaten_by(float other, uint32_t other_slot, const IdTable& ids) const {
+        return !exists() || other < value || (other == value && ids.id(other_slot) < ids.id(slot));
+    }
+};
+
+}  // namespace gphys

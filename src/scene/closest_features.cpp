@@ -1,0 +1,167 @@
+#include "scene/closest_features.h"
+
+namespace gphys {
+
+void ClosestFeatures::clear(uint32_t points) {
+    point_count_ = points;
+    mesh_count_ = primitive_count_ = packet_count_ = 0;
+}
+
+bool ClosestFeatures::add(const Scene& scene, gphys_model_id model, uint32_t tag, const Sphere* balls) {
+    scene_ = &scene;
+    if (const Mesh* mesh = scene.mesh(model)) {
+        return add_mesh(*mesh, widen(scene.world(model)), model, tag, balls);
+    }
+    if (primitive_count_ == most_exact) return false;
+    primitives_[primitive_count_++] = {model, tag, balls};
+    return true;
+}
+
+bool ClosestFeatures::add_mesh(const Mesh& mesh, const Transform& world, gphys_model_id model, uint32_t tag,
+                               const Sphere* balls) {
+    if (mesh.triangle_count() == 0) return true;
+    if (mesh_count_ == most_meshes) return false;
+    PlacedMesh& placed = meshes_[mesh_count_];
+    placed.model = model;
+    placed.tag = tag;
+    placed.world = world;
+    placed.balls = balls;
+    Aabb centers{world.inverse_apply(balls[0].center), world.inverse_apply(balls[0].center)};
+    double reach = 0;
+    for (uint32_t i = 0; i < point_count_; ++i) {
+        const Vec3 center = world.inverse_apply(balls[i].center);
+        placed.probes[i] = NearProbe(center, balls[i].radius / world.scale);
+        centers = {min(centers.min, center), max(centers.max, center)};
+        reach = std::max<double>(reach, placed.probes[i].radius);
+    }
+    const Vec3 room{reach, reach, reach};
+    const Box all = bounds(Aabb{centers.min - room, centers.max + room});
+    // Each mesh begins with boxes of its own.
+    const uint32_t first = placed.first_packet = (packet_count_ + 7) / 8 * 8;
+    uint32_t count = 0;
+    const bool complete = mesh.bvh().overlap_box(all, [&](uint32_t number, bool) {
+        if (first + count == most_packets) return false;
+        packets_[first + count] = &mesh.packets()[number];
+        boxes_[(first + count) / 8].set_lane(static_cast<int>(count % 8), mesh.bvh().box(number));
+        ++count;
+        return true;
+    });
+    if (count == 0) return complete;
+    for (uint32_t i = count; i % 8 != 0; ++i) {  // which nothing reads but arithmetic side by side
+        boxes_[(first + i) / 8].set_lane(static_cast<int>(i % 8), boxes_[first / 8].lane(0));
+    }
+    placed.packet_count = count;
+    packet_count_ = first + count;
+    ++mesh_count_;
+    return complete;
+}
+
+uint32_t ClosestFeatures::select_point(uint32_t point) {
+    point_ = point;
+    known_count_ = 0;
+    uint32_t near_count = 0;
+    for (uint32_t i = 0; i < mesh_count_; ++i) {
+        PlacedMesh& mesh = meshes_[i];
+        mesh.probes[point].shrink(mesh.balls[point].radius / mesh.world.scale);
+        mesh.first_near = near_count;
+        mesh.near_count = kernels_.find(boxes_ + mesh.first_packet / 8, packets_ + mesh.first_packet, mesh.packet_count,
+                                        mesh.probes[point], near_ + near_count);
+        near_count += mesh.near_count;
+    }
+    for (uint32_t i = 0; i < primitive_count_; ++i) {
+        const Primitive& primitive = primitives_[i];
+        const Sphere& ball = primitive.balls[point];
+        ClosestFeature part{primitive.model, primitive.tag, {}, {}, 0, false, {}};
+        scene_->closest_point_model(primitive.model, ball.center, part.closest, part.normal, part.distance);
+        if (part.distance <= ball.radius) known_[known_count_++] = part;
+    }
+    return known_count_ + 8 * near_count;
+}
+
+uint32_t ClosestFeatures::nearest_known() const {
+    uint32_t best = 0;
+    for (uint32_t i = 1; i < known_count_; ++i) {
+        if (known_[i].distance < known_[best].distance) best = i;
+    }
+    return best;
+}
+
+/// The others keep their order, which decides between those that are equally near.
+void ClosestFeatures::take_out(uint32_t known) {
+    std::copy(known_ + known + 1, known_ + known_count_, known_ + known);
+    --known_count_;
+}
+
+void ClosestFeatures::compute(const PlacedMesh& mesh, uint32_t place) {
+    NearPacket& near = near_[mesh.first_near + place / 8];
+    const int lane = static_cast<int>(place % 8);
+    near.distance[lane] = std::numeric_limits<float>::infinity();
+    const Sphere& ball = mesh.balls[point_];
+    ClosestFeature part{mesh.model, mesh.tag, {}, {}, 0, true, transformed(near.packet->triangle(lane), mesh.world)};
+    closest_point_triangle(part.triangle, ball.center, part.closest, part.normal, part.distance);
+    if (part.distance <= ball.radius) known_[known_count_++] = part;
+}
+
+/// Packets are measured when no other triangle is certainly nearer.
+float ClosestFeatures::nearest_in(const PlacedMesh& mesh, uint32_t& place) {
+    NearPacket* const near = near_ + mesh.first_near;
+    for (;;) {
+        const float distance = kernels_.nearest(near, mesh.near_count, place);
+        if (distance == std::numeric_limits<float>::infinity() || near[place / 8].measured) return distance;
+        kernels_.measure(near[place / 8], mesh.probes[point_]);
+    }
+}
+
+bool ClosestFeatures::take_nearest(ClosestFeature& out) {
+    for (;;) {
+        double bound = infinity;
+        const PlacedMesh* nearest = nullptr;
+        uint32_t place = 0;
+        for (uint32_t i = 0; i < mesh_count_; ++i) {
+            uint32_t at;
+            const double distance = nearest_in(meshes_[i], at) * meshes_[i].world.scale;
+            if (distance < bound) bound = distance, nearest = &meshes_[i], place = at;
+        }
+        const uint32_t known = nearest_known();
+        // Where so many are equally near that there is no room for them, any of them is.
+        const bool found = known_count_ > 0 && (known_[known].distance < bound || known_count_ == most_exact);
+        if (!found && !nearest) return false;
+        if (!found) {
+            compute(*nearest, place);
+            continue;
+        }
+        out = known_[known];
+        take_out(known);
+        return true;
+    }
+}
+
+void ClosestFeatures::cull_behind(Vec3 normal, double height, uint32_t tag) {
+    const auto is_behind = [&](const Triangle& t) {
+        return dot(normal, t.a) <= height && dot(normal, t.b) <= height && dot(normal, t.c) <= height;
+    };
+    for (uint32_t i = known_count_; i-- > 0;) {
+        if (known_[i].is_triangle && known_[i].tag == tag && is_behind(known_[i].triangle)) take_out(i);
+    }
+    for (uint32_t i = 0; i < mesh_count_; ++i) {
+        PlacedMesh& mesh = meshes_[i];
+        if (mesh.tag != tag || mesh.near_count == 0) continue;
+        // As the mesh sees it, from the point.
+        const Vec3 local = transpose_times(mesh.world.rotation, normal);
+        const double above = (height - dot(normal, mesh.balls[point_].center)) / mesh.world.scale;
+        uint32_t open[most_packets];
+        NearPacket* const near = near_ + mesh.first_near;
+        mesh.near_count =
+            kernels_.leave_out(near, mesh.near_count, mesh.probes[point_], HalfSpaceProbe(local, above), open);
+        for (uint32_t k = 0; k < mesh.near_count; ++k) {
+            for_each_lane(open[k], [&](int lane) {
+                if (is_behind(transformed(near[k].packet->triangle(lane), mesh.world))) {
+                    near[k].distance[lane] = std::numeric_limits<float>::infinity();
+                }
+                return true;
+            });
+        }
+    }
+}
+
+}  // namespace gphys

@@ -1,0 +1,276 @@
+// Shapes for quick tests: made from what a model stores without a division or a normalised rotation.
+//
+// A quick test is asked before an exact one. Its "no" and "yes" are certain, and what it leaves open
+// is for intersect.h to decide: the one shape that a ray meets first, and those within rounding of a
+// touch.
+//
+// Errors. A quick test and the exact one reach each of their numbers by some dozens of roundings of
+// 2^-53 of the coordinates that went into it. `slack`, 2^-43 of the sum of these, is a thousand
+// roundings and several times what the two can be apart; within it neither yes nor no is said.
+#pragma once
+
+#include "foundation/compiler.h"
+#include "foundation/scaled_rotation.h"
+#include "geometry/box_bounds.h"
+#include "mesh/mesh.h"
+#include "scene/placed.h"
+
+namespace gphys {
+
+enum class TriState { no, yes, open };
+/// For a question of which only a "no" is of use.
+constexpr TriState unless_no(TriState verdict) { return verdict == TriState::no ? TriState::no : TriState::open; }
+
+/// Without a branch, for a "yes" is the toss of a coin.
+constexpr TriState verdict_of(bool is_no, bool is_yes) {
+    return static_cast<TriState>(is_yes | !(is_no | is_yes) << 1);
+}
+
+constexpr double slack = 0x1p-43;
+
+/// The same in float32. A rotation of a vector takes 23 roundings of 2^-24 at most; no test has more
+/// than two of them and a dozen others, and this stands for 128.
+constexpr float float_slack = 0x1p-17f;
+/// And of a number that is rounded once or twice.
+constexpr float few_roundings = 0x1p-21f;
+
+/// What numbers below the smallest normal float may lose: some hundred times 2^-149, and still more
+/// where it is multiplied by the margin of a speed.
+constexpr double smallest_slack = 0x1p-120;
+
+// For the squared distance of a point from a box in float32. Margins are for distances on an axis, and what is
+// squared has another eighteen roundings of 2^-24; this stands for 64.
+constexpr float square_slack = 0x1p-18f;
+/// Squares may be flushed to zero below 2^-126.
+constexpr float smallest_square = 0x1p-120f;
+/// Beyond all boxes, and its square fits a float.
+constexpr double most_reach = 0x1p60;
+/// Of the largest component of a direction, that its inverse is finite; and of the way along it, in floats.
+constexpr double least_speed = 0x1p-200, most_end = 0x1p100;
+
+inline ScaledRotation<Float4> scaled_rotation(Float4 q) {
+    return {as_floats(as_mask(q) & mask4(-1, -1, -1, 0)), simd4::shuffle<3, 3, 3, 3>(q, q)};
+}
+
+struct ConservativeSphere {
+    Vec3 center;
+    double radius;
+    double magnitude;  // sum of the coordinates that went into it, without signs
+};
+
+struct ConservativeBox {
+    Mat3 axes;
+    double unit;  // the length of each axis
+    Vec3 center, half;
+    double magnitude;
+
+    /// Along the axes from the centre, times `unit`.
+    Vec3 local(Vec3 point) const { return transpose_times(axes, point - center); }
+};
+
+/// Rare: not to be copied to wherever a shape is placed.
+GPHYS_NOINLINE inline Vec3 turned_point(Vec3 point, const gphys_quat& rotation) {
+    const Quat q = widen(rotation);
+    return scaled_rotation_matrix(q) * point * (1 / norm_squared(q));
+}
+inline Vec3 conservative_point(Vec3 point, const gphys_transform& world) {
+    const Vec3 position = widen(world.position), scaled = point * world.scale;
+    if (!is_turned(world.rotation) || point == Vec3{}) return position + scaled;
+    return position + turned_point(scaled, world.rotation);
+}
+
+inline ConservativeSphere conservative_sphere(Vec3 center, double radius, const gphys_transform& world) {
+    const double scale = world.scale, scaled_radius = radius * scale;
+    return {conservative_point(center, world), scaled_radius,
+            sum(abs(widen(world.position))) + sum(abs(center)) * scale + scaled_radius};
+}
+inline ConservativeSphere conservative_shape(const gphys_sphere& sphere, const gphys_transform& world) {
+    return conservative_sphere(widen(sphere.center), sphere.radius, world);
+}
+
+struct CenterAndHalf {
+    Vec3 center, half;
+
+    /// Sum of the coordinates of the box placed in the world.
+    double magnitude(const gphys_transform& world) const {
+        return sum(abs(widen(world.position))) + (sum(abs(center)) + sum(half)) * world.scale;
+    }
+};
+inline CenterAndHalf center_and_half(const Vec3& low, const Vec3& high) {
+    return {(low + high) * 0.5, (high - low) * 0.5};
+}
+inline CenterAndHalf center_and_half(const gphys_aabb& box) { return center_and_half(widen(box.min), widen(box.max)); }
+inline CenterAndHalf center_and_half(const gphys_obb& box) { return {widen(box.center), widen(box.half_extents)}; }
+
+inline ConservativeBox conservative_box(const CenterAndHalf& box, const gphys_transform& world) {
+    const Quat q = widen(world.rotation);
+    return {scaled_rotation_matrix(q), norm_squared(q), conservative_point(box.center, world), box.half * world.scale,
+            box.magnitude(world)};
+}
+inline ConservativeBox conservative_shape(const gphys_aabb& box, const gphys_transform& world) {
+    return conservative_box(center_and_half(box), world);
+}
+inline ConservativeBox conservative_shape(const gphys_obb& box, const gphys_transform& world) {
+    ConservativeBox result = conservative_box(center_and_half(box), world);
+    if (!is_turned(box.rotation)) return result;
+    const Quat q = widen(box.rotation);
+    result.axes = result.axes * scaled_rotation_matrix(q);
+    result.unit *= norm_squared(q);
+    return result;
+}
+/// The box that holds the mesh: a "no" to it is one to the mesh.
+inline ConservativeBox conservative_shape(const Mesh* mesh, const gphys_transform& world) {
+    const Box box = mesh->bvh().bounds();
+    const Vec3 low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
+    return conservative_box(center_and_half(low, high), world);
+}
+
+/// Half the sum and half the difference of the faces of a stored box.
+struct FloatBox {
+    Float4 center, half;
+};
+inline FloatBox float_box(const gphys_aabb& box) {
+    const Float4 low = load4(box.min), high = load4(box.max);
+    return {(low + high) * 0.5f, (high - low) * 0.5f};
+}
+inline FloatBox float_box(const gphys_obb& box) { return {load4(box.center), load4(box.half_extents)}; }
+
+/// About the origin of its model, for which the position alone places it: told by its bits, as hosts may
+/// take subnormal numbers for zero.
+inline bool is_centered(const gphys_aabb& box) {
+    const Mask4 signs = mask4(INT32_MIN, INT32_MIN, INT32_MIN, 0);
+    return !any(as_mask(load4(box.min)) ^ as_mask(load4(box.max)) ^ signs);
+}
+inline bool is_centered(const gphys_obb& box) { return !any(as_mask(load4(box.center))); }
+
+/// A float box that holds a stored one where it is.
+template <class Stored>
+Box conservative_bounds(const Stored& stored, const gphys_transform& world) {
+    Float4 rotation = load4(world.rotation);
+    if constexpr (std::is_same_v<Stored, gphys_obb>) {
+        if (is_turned(stored.rotation)) rotation = narrow4(widen(world.rotation) * widen(stored.rotation));
+    }
+    const ScaledRotation<Float4> turn = scaled_rotation(rotation);
+    const Float4 half = float_box(stored).half * world.scale;
+    const Float4 extents = outer_extents(turn, half);
+    Float4 low, high;
+    if (is_centered(stored)) {
+        const Float4 position = load4(world.position);
+        low = position - extents;
+        high = position + extents;
+    } else {
+        const CenterAndHalf box = center_and_half(stored);
+        const double error = slack * box.magnitude(world);
+        const Vec3 center = conservative_point(box.center, world);
+        const Vec3 reach{extents[0] + error, extents[1] + error, extents[2] + error};
+        low = narrow4(center - reach);
+        high = narrow4(center + reach);
+    }
+    low -= corner_margin(low);
+    high += corner_margin(high);
+    Box result;
+    for (int k = 0; k < 3; ++k) {
+        result.min[k] = low[k];
+        result.max[k] = high[k];
+    }
+    return result;
+}
+
+/// A stored box and where it is: rays and points have tests of their own for it.
+template <class Stored>
+struct ConservativePlacedBox {
+    const Stored& box;
+    const gphys_transform& world;
+
+    operator ConservativeBox() const { return conservative_shape(box, world); }
+};
+
+/// A point as two floats: their sum is within 2^-48 of it.
+struct SplitPoint {
+    explicit SplitPoint(Vec3 point)
+        : exact(point), head(narrow4(point)), rest(narrow4(point - Vec3{head[0], head[1], head[2]})) {}
+
+    Vec3 exact;
+    Float4 head, rest;
+};
+
+/// A stored box as a point sees it, in float32: on the axes of the world and then, times `unit`, on its
+/// own. Where the point and what places the box are floats, as they mostly are, their difference is
+/// rounded once, and nothing of a place far away is lost.
+template <class Stored>
+class BoxInSight {
+public:
+    /// `magnitude` is that of the point.
+    BoxInSight(const ConservativePlacedBox<Stored>& placed, const SplitPoint& point, double magnitude)
+        : placed_(placed) {
+        const FloatBox box = float_box(placed.box);
+        const gphys_transform& world = placed.world;
+        const Float4 position = load4(world.position);
+        half = box.half * world.scale;
+        Float4 sums = abs(position) + half;
+        if (any(box.center != Float4{})) {
+            const CenterAndHalf exact = center_and_half(placed.box);
+            from = narrow4(point.exact - conservative_point(exact.center, world));
+            sums += abs(box.center) * world.scale;
+        } else {
+            from = point.head - position + point.rest;
+        }
+        // What hosts flush to zero of the box is scaled, too.
+        const float rounding = static_cast<float>(slack * magnitude + smallest_slack * (1 + double{world.scale}));
+        margin = sum(float_slack * (abs(from) + half) + static_cast<float>(slack) * sums) + rounding;
+        from = turned_back(from);
+        unit = scaled_rotation(load4(world.rotation)).norm_squared();
+        if constexpr (std::is_same_v<Stored, gphys_obb>) {
+            unit *= scaled_rotation(load4(placed.box.rotation)).norm_squared();
+        }
+        half *= unit;
+        margin *= unit;
+    }
+
+    /// A vector of the world on the box's axes, times `unit`.
+    Float4 turned_back(Float4 v) const {
+        v = scaled_rotation(load4(placed_.world.rotation)).inverse(v);
+        if constexpr (std::is_same_v<Stored, gphys_obb>) {
+            v = scaled_rotation(load4(placed_.box.rotation)).inverse(v);
+        }
+        return v;
+    }
+
+    Float4 from, half, unit;  // the point from the centre
+    Float4 margin;            // of each coordinate
+
+private:
+    const ConservativePlacedBox<Stored>& placed_;
+};
+
+/// The box of a mesh when asked for: rays are quicker with the sphere that holds the mesh.
+struct ConservativeMesh {
+    const Mesh* mesh;
+    const gphys_transform& world;
+
+    operator ConservativeBox() const { return conservative_shape(mesh, world); }
+    ConservativeSphere sphere() const { return conservative_sphere(mesh->center(), mesh->radius(), world); }
+};
+
+template <class Stored>
+constexpr bool has_quick_shape = !std::is_same_v<Stored, gphys_capsule> && !std::is_same_v<Stored, gphys_plane> &&
+                                 !std::is_same_v<Stored, gphys_triangle>;
+
+template <class Stored>
+constexpr bool is_box = std::is_same_v<Stored, gphys_aabb> || std::is_same_v<Stored, gphys_obb>;
+
+/// Ask a quick test about a stored shape: test(quick shape) gives the TriState.
+template <class Stored, class Test>
+TriState conservative_verdict(const Stored& shape, const gphys_transform& world, Test&& test) {
+    if constexpr (!has_quick_shape<Stored>) {
+        return TriState::open;
+    } else if constexpr (std::is_pointer_v<Stored>) {
+        return unless_no(test(ConservativeMesh{shape, world}));
+    } else if constexpr (is_box<Stored>) {
+        return test(ConservativePlacedBox<Stored>{shape, world});
+    } else {
+        return test(conservative_shape(shape, world));
+    }
+}
+
+}  // namespace gphys

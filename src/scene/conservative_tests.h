@@ -1,0 +1,158 @@
+// The quick tests of a ray, of a point with a reach (a sphere, or the nearest so far) and of a box.
+#pragma once
+
+#include "geometry/overlap_boxes.h"
+#include "geometry/raycast_box.h"
+#include "geometry/raycast_sphere.h"
+#include "scene/conservative_shape.h"
+
+namespace gphys {
+
+/// By how much two amounts differ for certain; `error` covers both.
+inline TriState at_most(double a, double b, double error) { return verdict_of(a > b + error, a + error < b); }
+
+/// Whether a ray meets a shape by the time t_max.
+class ConservativeRay {
+public:
+    explicit ConservativeRay(const Ray& ray)
+        : origin_(ray.origin),
+          direction_(ray.direction),
+          direction_squared_(ray.direction == Vec3{} ? 1 : length_squared(ray.direction)),
+          origin_magnitude_(sum(abs(ray.origin))),
+          direction_size_(std::max(max_component(abs(ray.direction)), least_speed)),
+          unit_direction_(narrow4(ray.direction * (1 / direction_size_))),
+          unit_direction_slack_(float_slack * sum(abs(unit_direction_))) {}
+
+    template <class ConservativeShape>
+    TriState operator()(const ConservativeShape& shape, double t_max) const {
+        return verdict<true>(shape, t_max);
+    }
+    /// The same where only a "no" is of use.
+    template <class ConservativeShape>
+    TriState rejects(const ConservativeShape& shape, double t_max) const {
+        return verdict<false>(shape, t_max);
+    }
+
+private:
+    template <bool also_yes>
+    TriState verdict(const ConservativeSphere& sphere, double t_max) const {
+        const Vec3 closest =
+            closest_on_ray(origin_.exact - sphere.center, direction_, direction_squared_, clipped(t_max));
+        const double magnitude = origin_magnitude_ + sphere.magnitude;
+        const TriState verdict =
+            at_most(length_squared(closest), sphere.radius * sphere.radius, slack * magnitude * magnitude);
+        return also_yes ? verdict : unless_no(verdict);
+    }
+
+    /// In float32, all axes at once.
+    template <bool also_yes, class Stored>
+    TriState verdict(const ConservativePlacedBox<Stored>& placed, double t_max) const {
+        const BoxInSight<Stored> box(placed, origin_, origin_magnitude_);
+        const Float4 end = splat4(static_cast<float>(std::min(t_max * direction_size_, most_end)));
+        const RayAndBox<Float4> both(box.from, box.half, box.margin, box.turned_back(unit_direction_),
+                                     unit_direction_slack_ * box.unit, end);
+        if (!both.may_meet()) return TriState::no;
+        return also_yes && both.must_meet() ? TriState::yes : TriState::open;
+    }
+
+    /// The box of the mesh is for mesh_instance.cpp, which has the ray in the mesh's space.
+    template <bool also_yes>
+    TriState verdict(const ConservativeMesh& mesh, double t_max) const {
+        return verdict<also_yes>(mesh.sphere(), t_max);
+    }
+
+    /// An infinite t_max would make NaN of 0. With coordinates and directions of floats nothing is
+    /// met later than this.
+    static double clipped(double t_max) { return std::min(t_max, 0x1p600); }
+
+    SplitPoint origin_;
+    Vec3 direction_;
+    double direction_squared_;  // above 0
+    double origin_magnitude_;
+    double direction_size_;  // its largest component
+    Float4 unit_direction_;  // in parts of that
+    Float4 unit_direction_slack_;
+};
+
+/// Whether a shape comes within `reach` of a point.
+class ConservativePoint {
+public:
+    explicit ConservativePoint(Vec3 point) : point_(point), magnitude_(sum(abs(point))) {}
+
+    TriState operator()(const ConservativeSphere& sphere, double reach) const {
+        const double both = sphere.radius + reach, magnitude = magnitude_ + sphere.magnitude + reach;
+        return at_most(length_squared(point_.exact - sphere.center), both * both, slack * magnitude * magnitude);
+    }
+    TriState operator()(const ConservativeBox& box, double reach) const {
+        const Vec3 outside = max(abs(box.local(point_.exact)) - box.half * box.unit, {});
+        const double scaled_reach = reach * box.unit, magnitude = box.unit * (magnitude_ + box.magnitude + reach);
+        return at_most(length_squared(outside), scaled_reach * scaled_reach, slack * magnitude * magnitude);
+    }
+    /// In float32.
+    template <class Stored>
+    TriState operator()(const ConservativePlacedBox<Stored>& placed, double reach) const {
+        const BoxInSight<Stored> box(placed, point_, magnitude_);
+        const Float4 outside = abs(box.from) - box.half;
+        const auto squared = [&](Float4 margin) {
+            const Float4 gap = positive(outside + margin);
+            return sum(gap * gap)[0];
+        };
+        const float far = static_cast<float>(std::min(reach, most_reach)) * box.unit[0], limit = far * far;
+        return verdict_of(squared(-box.margin) > limit * (1 + square_slack) + smallest_square,
+                          squared(box.margin) + smallest_square < limit * (1 - square_slack));
+    }
+
+private:
+    SplitPoint point_;
+    double magnitude_;
+};
+
+/// Whether a box overlaps a shape.
+class ConservativeBlock {
+public:
+    explicit ConservativeBlock(const Obb& box)
+        : box_(box),
+          turned_(!(box.axes.x == Vec3{1, 0, 0} && box.axes.y == Vec3{0, 1, 0})),
+          magnitude_(sum(abs(box.center)) + sum(box.half)) {}
+
+    TriState operator()(const ConservativeSphere& sphere) const {
+        const Vec3 outside = max(abs(seen(sphere.center - box_.center)) - box_.half, {});
+        const double magnitude = magnitude_ + sphere.magnitude;
+        return at_most(length_squared(outside), sphere.radius * sphere.radius, slack * magnitude * magnitude);
+    }
+
+    /// The separating axis test in this box's own frame.
+    TriState operator()(const ConservativeBox& other) const {
+        const Matrix<double> axes{seen(other.axes.x), seen(other.axes.y), seen(other.axes.z)};
+        const BoxAndRotatedBox<double> both{box_.half, seen(other.center - box_.center), other.half, axes, abs(axes),
+                                            other.unit};
+        const double margin = slack * other.unit * (magnitude_ + other.magnitude);
+        if (max_component(abs(both.other_center) * both.unit - both.half * both.unit) < -margin) return TriState::yes;
+        const double gap = both.face_gap();
+        if (gap > margin) return TriState::no;
+        return at_most(std::max(gap, both.edge_gap()), 0, margin);
+    }
+
+private:
+    Vec3 seen(Vec3 v) const { return turned_ ? transpose_times(box_.axes, v) : v; }
+
+    Obb box_;
+    bool turned_;
+    double magnitude_;
+};
+
+// The quick test of an overlap with a query shape: a function of a quick shape.
+
+inline auto conservative_overlap(const Sphere& query) {
+    return [point = ConservativePoint(query.center), reach = query.radius](const auto& shape) {
+        return point(shape, reach);
+    };
+}
+inline auto conservative_overlap(const Aabb& query) { return ConservativeBlock(as_obb(query)); }
+inline auto conservative_overlap(const Obb& query) { return ConservativeBlock(query); }
+template <class Query>
+auto conservative_overlap(const Query&) {
+    return [](const auto&) { return TriState::open; };
+}
+
+}  // namespace gphys

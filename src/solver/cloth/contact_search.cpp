@@ -1,0 +1,246 @@
+#include "solver/cloth/contact_search.h"
+
+namespace gphys {
+namespace {
+
+/// How far cloth stays off: as `skin`, and 2^-21 of its coordinates, which is 4 times the rounding of
+/// float32.
+double clearance(const Body& body, uint32_t p, Vec3 at) {
+    return skin(body.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
+}
+
+Box around(const Aabb& places, double room, Vec3 origin) {
+    const Vec3 r{room, room, room};
+    return bounds(Aabb{origin + places.min - r, origin + places.max + r});
+}
+
+}  // namespace
+
+void ContactSearch::look(const uint32_t* particles, uint32_t count) {
+    again_ = false;
+    for (uint32_t i = 0; i < count; ++i) {
+        const size_t at = 4 * size_t{particles[i]};
+        put(&body_.cloth.search_balls[at], get(&body_.cloth.at[at]));
+    }
+    search_from_balls(particles, count);
+}
+
+void ContactSearch::repeat(const uint32_t* particles, uint32_t count) {
+    again_ = true;
+    search_from_balls(particles, count);
+}
+
+void ContactSearch::search_from_balls(const uint32_t* particles, uint32_t count) {
+    for (uint32_t first = 0, together; first < count; first += together) {
+        together = count_together(particles + first, count - first);
+        if (search_together(particles + first, together)) continue;
+        for (uint32_t i = 0; i < together; ++i) search_alone(particles[first + i]);
+    }
+}
+
+/// A particle looks no further than to its neighbours, which a step seldom takes it, so that few parts are near.
+double ContactSearch::farthest(uint32_t p) const { return std::max(body_.plan.batches.link_length, body_.radius[p]); }
+
+/// Those that follow the first one within a box of eight times the size of what it may see.
+uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count) const {
+    const double size = 16 * (body_.radius[particles[0]] + farthest(particles[0]));
+    Aabb places{place_of(particles[0]), place_of(particles[0])};
+    uint32_t together = 1;
+    for (; together < std::min(count, most_points); ++together) {
+        const Vec3 at = place_of(particles[together]);
+        places = {min(places.min, at), max(places.max, at)};
+        if (max_component(places.max - places.min) > size) break;
+    }
+    return together;
+}
+
+/// False, and nothing is done, if there is too much around.
+bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
+    Aabb places{place_of(particles[0]), place_of(particles[0])};
+    double range = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t p = particles[i];
+        places = {min(places.min, place_of(p)), max(places.max, place_of(p))};
+        range = std::max(range, body_.radius[p] + farthest(p));
+    }
+    if (!find_colliders_near(places, range)) return false;
+    for (uint32_t i = 0; i < count; ++i) reach_[i] = reach(particles[i]);
+    if (!collect(particles, count)) return false;
+    for (uint32_t i = 0; i < count; ++i) settle(particles[i], i);
+    return true;
+}
+
+/// Among too much it sees less far, and at last as far as is swept in each substep anyway.
+void ContactSearch::search_alone(uint32_t p) {
+    const Vec3 at = place_of(p);
+    const bool follows_all = find_colliders_near({at, at}, body_.radius[p] + farthest(p));
+    reach_[0] = reach(p);
+    bool complete = collect(&p, 1);
+    for (int halvings = 0; !complete && halvings < 3; ++halvings) {
+        reach_[0] /= 2;
+        complete = collect(&p, 1);
+    }
+    if (!complete || !follows_all) reach_[0] = 0;
+    settle(p, 0);
+}
+
+/// False if there are too many, or some turn too fast to follow.
+bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
+    collider_count_ = 0;
+    bool all = true;
+    const Vector<MovingCollider>& moving_colliders = body_.cloth_contacts.moving_colliders;
+    if (moving_colliders.empty()) return true;
+    const Box box = around(places, range, body_.cloth.origin);
+    for (uint32_t i = 0; i < moving_colliders.size(); ++i) {
+        if (moving_colliders[i].bounded && !overlaps(moving_colliders[i].way, box)) continue;
+        if (collider_count_ == most_colliders || !moving_colliders[i].is_rigid) {
+            all = false;
+        } else {
+            near_colliders_[collider_count_++] = i;
+        }
+    }
+    return all;
+}
+
+/// As far as it comes by itself and with what may push it, and half as far again.
+double ContactSearch::wanted_reach(uint32_t p) const {
+    const Vec3 at = place_of(p), velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
+    double pushed = 0;
+    for (uint32_t i = 0; i < collider_count_; ++i) {
+        pushed = std::max(pushed, body_.cloth_contacts.moving_colliders[near_colliders_[i]].travel(at));
+    }
+    return std::min(1.5 * (time_ * (length(velocity) + time_ * length(gravity_)) + pushed), farthest(p));
+}
+
+double ContactSearch::reach(uint32_t p) {
+    float& far = body_.cloth.search_balls[4 * size_t{p} + 3];
+    if (!again_) far = static_cast<float>(wanted_reach(p));
+    return far;
+}
+
+/// What it reaches; of models that move, if they may come as near in the rest of the step.
+void ContactSearch::place_balls(uint32_t p, uint32_t point) {
+    const Vec3 origin = body_.cloth.origin, at = place_of(p);
+    const double range = body_.radius[p] + reach_[point];
+    balls_[point] = {origin + at, range};
+    for (uint32_t m = 0; m < collider_count_; ++m) {
+        const MovingCollider& moving_collider = body_.cloth_contacts.moving_colliders[near_colliders_[m]];
+        moving_balls_[m][point] = {origin + moving_collider.from_end.inverse_apply(at),
+                                   moving_collider.range(range, at)};
+    }
+}
+
+/// Models that the balls touch. False if there is too much.
+bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
+    const Vec3 origin = body_.cloth.origin;
+    const Vector<MovingCollider>& moving_colliders = body_.cloth_contacts.moving_colliders;
+    parts_.clear(count);
+    Aabb places{place_of(particles[0]), place_of(particles[0])};
+    double farthest = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const Vec3 at = place_of(particles[i]);
+        place_balls(particles[i], i);
+        places = {min(places.min, at), max(places.max, at)};
+        farthest = std::max(farthest, balls_[i].radius);
+    }
+    bool complete = true;
+    around_.scene->for_each_in_box(around(places, farthest, origin), body_.settings.layers, [&](gphys_model_id model) {
+        if (!has_moved(around_, model)) complete &= parts_.add(*around_.scene, model, ContactPlane::unmoved, balls_);
+    });
+    for (uint32_t m = 0; m < collider_count_; ++m) {
+        const uint32_t number = near_colliders_[m];
+        complete &= parts_.add(*around_.scene, moving_colliders[number].model, number, moving_balls_[m]);
+    }
+    return complete;
+}
+
+/// The ball and the contact planes of a particle from what was collected around it.
+void ContactSearch::settle(uint32_t p, uint32_t point) {
+    ClothContacts& contacts = body_.cloth_contacts;
+    Neighbour found{};
+    found.particle = p;
+    found.touching = -1;
+    for (int halvings = 0; parts_.select_point(point) > most_parts && halvings < 3; ++halvings) {
+        reach_[point] /= 2;
+        place_balls(p, point);
+    }
+    double reach = reach_[point];
+    choose_planes(p, place_of(p), reach, found);
+    float* const ball = &contacts.balls[4 * size_t{p}];
+    put(ball, place_of(p));
+    if (push_out(ball, found) > 0) {
+        // It searches for contacts again after each substep.
+        reach = 0;
+        contacts.sunk = true;
+        body_.cloth.search_balls[4 * size_t{p} + 3] = ClothState::no_ball;
+    }
+    if (!again_) put(&body_.cloth.at[4 * size_t{p}], get(ball));
+    ball[3] = static_cast<float>(reach * reach);
+    uint32_t& place = contacts.place[p];
+    if (found.plane_count == 0 && place == ClothContacts::nowhere) return;
+    if (place == ClothContacts::nowhere) {
+        place = static_cast<uint32_t>(contacts.neighbours.size());
+        contacts.neighbours.push_back(found);
+    } else {
+        finish_neighbour(contacts.neighbours[place], body_, around_);
+        contacts.neighbours[place] = found;
+    }
+}
+
+/// Of its contact planes, as far as that is done at once. Others are moved to where the particle is. Returns by how
+/// much it is behind the true ones.
+double ContactSearch::push_out(float* ball, Neighbour& found) const {
+    for (uint32_t i = 0; i < found.plane_count; ++i) {
+        ContactPlane& plane = found.planes[i];
+        const double depth = plane.offset - dot(plane.normal, get(ball));
+        if (depth > most_push_) {
+            found.sunk_planes |= 1u << i;
+            if (depth > found.depth) found.depth = depth, found.sunk_most = i;
+        } else if (depth > 0) {
+            put(ball, get(ball) + plane.normal * depth);
+        }
+    }
+    if (found.sunk_planes == 0) return 0;
+    for (uint32_t i = 0; i < found.plane_count; ++i) {
+        ContactPlane& plane = found.planes[i];
+        if (found.sunk_planes >> i & 1) plane.offset = std::min(plane.offset, dot(plane.normal, get(ball)));
+    }
+    return found.depth;
+}
+
+/// Nearest first. Leaves parts out that are behind the contact plane of a nearer one; those for which there
+/// is no room limit the reach.
+void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour& found) {
+    const Vec3 origin = body_.cloth.origin;
+    const double off = body_.radius[p] + clearance(body_, p, at);
+    for (ClosestFeature part; found.plane_count < Neighbour::most_planes && parts_.take_nearest(part);) {
+        // Coplanar triangles share a contact plane: half of the clearance, or of the radius and it, is room for their
+        // rounding. What moves in another way will not stay behind.
+        const double height = dot(part.normal, part.closest) + (off - body_.radius[p]) / 2;
+        parts_.cull_behind(part.normal, height, part.tag);
+        if (part.tag != ContactPlane::unmoved) {
+            // From the end of the step back to the time of the rigid_motion.
+            const RigidMotion& rigid_motion = body_.cloth_contacts.moving_colliders[part.tag].from_end;
+            part.closest = origin + rigid_motion.apply(part.closest - origin);
+            part.normal = rigid_motion.rotation * part.normal;
+        }
+        ContactPlane& plane = found.planes[found.plane_count++];
+        plane.normal = part.normal;
+        plane.offset = dot(part.normal, part.closest - origin) + off;
+        plane.model = part.model;
+        plane.moving_collider = part.tag;
+    }
+    if (found.plane_count < Neighbour::most_planes) return;
+    parts_.for_each_left([&](uint32_t moving_collider, double distance) {
+        reach = std::max(0.0, std::min(reach, nearest_in_step(moving_collider, distance, at) - off));
+    });
+}
+
+/// How near a part so far away now comes to the place until the end of the step, at least.
+double ContactSearch::nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const {
+    if (moving_collider == ContactPlane::unmoved) return distance;
+    const MovingCollider& moving = body_.cloth_contacts.moving_colliders[moving_collider];
+    return distance - moving.travel(at) - (moving.turn + moving.bulge) * std::fabs(distance);
+}
+
+}  // namespace gphys

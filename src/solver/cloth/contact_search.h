@@ -1,0 +1,69 @@
+// What is near a particle of cloth: the ball in which it may move, and the contact planes that it must stay in front
+// of.
+#pragma once
+
+#include "scene/closest_features.h"
+#include "solver/contact/collision.h"
+#include "solver/quads.h"
+
+namespace gphys {
+
+/// Searches for contacts for the particles of a body, at the end of a substep or the beginning of the step. Particles
+/// that follow each other and lie together do it together.
+class ContactSearch {
+public:
+    /// `time`: seconds until the particles search for contacts again.
+    ContactSearch(const CollisionContext& around, Body& body, Vec3 gravity, double time)
+        : around_(around), body_(body), gravity_(gravity), time_(time), most_push_(leaving_speed * seconds(around)) {}
+
+    /// Find the balls and the contact planes of particles, which are pushed out of what they are in. What they have
+    /// touched before is recorded.
+    void look(const uint32_t* particles, uint32_t count);
+    /// The same from where they have looked before, with nothing moving around, for contact planes and balls alone.
+    void repeat(const uint32_t* particles, uint32_t count);
+
+private:
+    static constexpr uint32_t most_points = ClosestFeatures::most_points;
+    // Models that move near particles; one with more around it has no ball.
+    static constexpr uint32_t most_colliders = 8;
+    // Among more parts a particle sees less far: contact planes are planes, and that of a part far off keeps it from
+    // much that is free.
+    static constexpr uint32_t most_parts = 64;
+
+    /// Of the substep; at the beginning of a step, of one that is short.
+    static double seconds(const CollisionContext& around) {
+        constexpr double short_substep = 0.002;
+        return around.end > around.begin ? around.step_time * (around.end - around.begin)
+                                         : std::min(around.step_time, short_substep);
+    }
+    void search_from_balls(const uint32_t* particles, uint32_t count);
+    Vec3 place_of(uint32_t p) const { return get(&body_.cloth.search_balls[4 * size_t{p}]); }
+    double farthest(uint32_t p) const;
+    uint32_t count_together(const uint32_t* particles, uint32_t count) const;
+    bool search_together(const uint32_t* particles, uint32_t count);
+    void search_alone(uint32_t p);
+    bool find_colliders_near(const Aabb& places, double range);
+    double wanted_reach(uint32_t p) const;
+    double reach(uint32_t p);
+    bool collect(const uint32_t* particles, uint32_t count);
+    void place_balls(uint32_t p, uint32_t point);
+    void settle(uint32_t p, uint32_t point);
+    double push_out(float* ball, Neighbour& found) const;
+    void choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour& found);
+    double nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const;
+
+    const CollisionContext& around_;
+    Body& body_;
+    const Vec3 gravity_;
+    const double time_;
+    const double most_push_;  // out of what a particle is in
+    bool again_ = false;
+    uint32_t near_colliders_[most_colliders];  // numbers in the body's list
+    uint32_t collider_count_ = 0;
+    double reach_[most_points];  // metres beyond the particle's radius
+    // By point, and for models that move as the scene has them, at the end of the step:
+    Sphere balls_[most_points], moving_balls_[most_colliders][most_points];
+    ClosestFeatures parts_;
+};
+
+}  // namespace gphys

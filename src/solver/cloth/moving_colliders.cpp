@@ -1,0 +1,55 @@
+#include "solver/cloth/moving_colliders.h"
+
+#include "solver/contact/collision.h"
+
+namespace gphys {
+namespace {
+
+Mat3 transposed(const Mat3& m) { return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}}; }
+
+RigidMotion rigid_motion(const Transform& from, const Transform& to, Vec3 origin) {
+    return {to.rotation * transposed(from.rotation), to.apply(from.inverse_apply(origin)) - origin};
+}
+
+}  // namespace
+
+void find_moving_colliders(Body& body, const CollisionContext& around) {
+    // Half a radian: ranges are then less than three times what they are for a model that does not turn.
+    constexpr double most_turn = 0.5;
+    Vector<MovingCollider>& moving_colliders = body.cloth_contacts.moving_colliders;
+    moving_colliders.clear();
+    for (const PlacedModel& before : *around.moved) {
+        if (!(around.scene->layers(before.model) & body.settings.layers)) continue;
+        const gphys_transform& after = around.scene->world(before.model);
+        MovingCollider moving_collider{};
+        moving_collider.model = before.model;
+        moving_collider.before = before.world;
+        moving_collider.bounded = way_of(*around.scene, before, moving_collider.way);
+        // Of unit quaternions, up to their rounding: |q - p| = 2 sin(angle / 4), and their product is the cosine of
+        // half the angle.
+        const Quat p = normalized(widen(before.world.rotation)), q = normalized(widen(after.rotation));
+        const double cosine = std::min(1.0, std::fabs(p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w));
+        moving_collider.turn = 2 * std::sqrt(1 - cosine * cosine) + 1e-6;  // and the rounding of an angle near 0
+        // Towards the middle of the circle 1 - cos(angle / 2), and less than that along the way, where the arc is
+        // not passed evenly.
+        moving_collider.bulge = 2 * (1 - cosine);
+        moving_collider.is_rigid = before.world.scale == after.scale && moving_collider.turn < most_turn;
+        moving_colliders.push_back(moving_collider);
+    }
+    advance_moving_colliders(body, around);
+}
+
+void advance_moving_colliders(Body& body, const CollisionContext& around) {
+    const Vec3 origin = body.cloth.origin;
+    for (MovingCollider& moving_collider : body.cloth_contacts.moving_colliders) {
+        if (!moving_collider.is_rigid) continue;
+        const gphys_transform& after = around.scene->world(moving_collider.model);
+        const Transform begin = interpolate(moving_collider.before, after, around.begin);
+        const Transform end = interpolate(moving_collider.before, after, around.end);
+        moving_collider.carry = rigid_motion(begin, end, origin);
+        moving_collider.from_end = rigid_motion(widen(after), end, origin);
+        moving_collider.middle = end.position - origin;
+    }
+}
+
+}  // namespace gphys
