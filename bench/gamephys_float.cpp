@@ -211,7 +211,7 @@ private:
         }
         const auto probe_of = [&](uint32_t i) -> const RayProbe& { return along[i]; };
         const auto ray_of = [&](uint32_t i) -> const gphys::Ray& { return exact[i]; };
-        const Bvh8& tree = mesh_->octree();
+        const Bvh8& tree = mesh_->bvh();
         gphys::RayPackets(root, tree.size())
             .split(ray_of, probe_of, count, [&](uint32_t first, uint32_t last, bool together) {
                 kernels_.rays(tree.nodes(), tree.root(), mesh_->packets().data(), along + first,

@@ -22,7 +22,7 @@ struct Packet {
 
     explicit Packet(const test::Arrays& arrays) : mesh(arrays.make(), Mesh::release) {
         REQUIRE(mesh->packets().size() == 1);
-        for (int i = 0; i < 8; ++i) box.set_lane(i, mesh->octree().box(0));
+        for (int i = 0; i < 8; ++i) box.set_lane(i, mesh->bvh().box(0));
     }
     const TrianglePacket& packet() const { return mesh->packets()[0]; }
 };

@@ -130,7 +130,7 @@ TEST_CASE("a mesh ray gives, bit for bit, the nearest of all triangles") {
     for (const NamedArrays& named : hard_meshes()) {
         INFO(named.name);
         const MeshHolder mesh = hold(named.arrays);
-        REQUIRE(mesh->octree().defect() == nullptr);
+        REQUIRE(mesh->bvh().defect() == nullptr);
         const Vec3 centre = centre_of(named);
         uint32_t hit_count = 0;
         for (int i = 0; i < 1500; ++i) {

@@ -113,7 +113,7 @@ TEST_CASE("a mesh that was deformed answers as one made of the same vertices") {
     for (int frame = 0; frame < 60; ++frame) {
         const test::Arrays now = bent(straight, 3 * std::sin(0.4 * frame));
         REQUIRE(mesh->set_vertices(now.view()) == nullptr);
-        REQUIRE(mesh->octree().defect() == nullptr);
+        REQUIRE(mesh->bvh().defect() == nullptr);
         const MeshPtr fresh = made(now, false);
         require_same(*mesh, *fresh, random, 40);
     }
@@ -136,7 +136,7 @@ TEST_CASE("whatever becomes of the vertices, a deformed mesh answers as a new on
                 if (kind == 2) v.y = 0.5f;
             }
             REQUIRE(mesh->set_vertices(now.view()) == nullptr);
-            REQUIRE(mesh->octree().defect() == nullptr);
+            REQUIRE(mesh->bvh().defect() == nullptr);
             const MeshPtr fresh = made(now, false);
             if (kind != 1) require_same(*mesh, *fresh, random, 25);
             REQUIRE(std::memcmp(mesh->vertices().data(), now.vertices.data(),

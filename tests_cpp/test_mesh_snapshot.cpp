@@ -193,7 +193,7 @@ TEST_CASE("a mesh from a snapshot is the same mesh, answers with the same bits a
         CHECK(same_bits(report[0], report[1]));
         CHECK(same_bits(stats[0], stats[1]));
         CHECK(unwrap(mesh.get())->hash() == unwrap(copy.get())->hash());
-        CHECK(unwrap(copy.get())->octree().defect() == nullptr);
+        CHECK(unwrap(copy.get())->bvh().defect() == nullptr);
         require_same_answers(mesh.get(), copy.get(), 3, 200);
     }
 }
@@ -308,7 +308,7 @@ bool attack(const Words& words, uint64_t seed) {
     const gphys_status status = load(words, mesh);
     REQUIRE((status == GPHYS_OK || status == GPHYS_ERROR_INVALID_ARGUMENT));
     if (status != GPHYS_OK) return false;
-    REQUIRE(unwrap(mesh.get())->octree().defect() == nullptr);
+    REQUIRE(unwrap(mesh.get())->bvh().defect() == nullptr);
     const Handle expected = built(read_arrays(mesh.get()));
     require_same_answers(mesh.get(), expected.get(), seed, 12);
     loaded(snapshot(mesh.get()));

@@ -82,7 +82,8 @@ void fill(SceneFixture& s, uint32_t count, uint64_t seed) {
         const gphys_transform place{random.point(10), random.rotation(), random.uniform_float(0.5f, 1.5f)};
         const uint32_t kind = random.index(7);
         gphys_model_id id = 0;
-        REQUIRE(gphys_scene_add(s.scene, static_cast<gphys_shape_type>(kind < 6 ? kind + 1 : GPHYS_SHAPE_MESH),
+        REQUIRE(gphys_scene_add(s.scene,
+                                static_cast<gphys_shape_type>(kind < 6 ? kind + 1 : uint32_t{GPHYS_SHAPE_MESH}),
                                 kind < 6 ? shapes[kind] : meshes[random.index(3)], &place, &desc, &id) == GPHYS_OK);
         ids.push_back(id);
     }

@@ -160,7 +160,7 @@ void complete_plan(Body& body);
 
 /// Parts of it: plan_chains.cpp, reach_limits.cpp, plan_cloth.cpp and kept_links.cpp.
 void plan_direct_chains(Body& body);
-void plan_chain_families(Body& body);
+void plan_chain_colours(Body& body);
 void plan_reach_limits(Body& body);
 void pack_cloth_chains(Body& body);
 void pack_pins(Body& body);

@@ -291,7 +291,7 @@ void publish(Body& body) {
 
 /// solve(batch, chains, rows) for each batch: colours one after the other.
 template <class Solve>
-void solve_families(Body& body, Solve&& solve) {
+void solve_colours(Body& body, Solve&& solve) {
     ClothBatches& batches = body.plan.batches;
     const ClothChains chains = damped_chains_of(batches);
     for (size_t colour = 0; colour + 1 < batches.colours.size(); ++colour) {
@@ -429,7 +429,7 @@ void solve_cloth(Body& body) {
     // Before the chains, which need it for their shape, and after them, which leave an error in it.
     body.volume.given = 0;
     if (body.volume.held) solve_volume(body, batches.scale);
-    solve_families(body, [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
+    solve_colours(body, [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
         float* const at = body.cloth.at.data();
         const ClothSurfaces surfaces{contacts.normals.data(), contacts.pulls.data()};
         if (body.joined) {
@@ -456,7 +456,7 @@ void solve_cloth(Body& body) {
 
 void project_cloth(Body& body) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
-    solve_families(body, [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
+    solve_colours(body, [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
         kernels.solve(body.cloth.at.data(), chains, batch, rows);
     });
     reach_limits(body);

@@ -231,7 +231,7 @@ void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* mem
 }
 
 /// The lowest colour whose chains leave all particles of the chain alone; masks has a bit per colour.
-uint32_t free_family(const Plan& lines, const Chain& chain, const Vector<uint64_t>& masks) {
+uint32_t free_colour(const Plan& lines, const Chain& chain, const Vector<uint64_t>& masks) {
     uint64_t taken = 0;
     for (uint32_t i = 0; i <= chain.link_count; ++i) taken |= masks[lines.particles[chain.first_particle + i]];
     uint32_t colour = 0;
@@ -243,22 +243,22 @@ uint32_t free_family(const Plan& lines, const Chain& chain, const Vector<uint64_
 /// the end of the colours.
 template <class OfKind>
 uint32_t colour_lines(const Body& body, const Plan& lines, const Vector<uint32_t>& turn, OfKind&& of_kind,
-                      uint32_t first_colour, Vector<uint32_t>& colour) {
-    Vector<uint64_t> masks(body.size(), 0, colour.get_allocator());
+                      uint32_t first_colour, Vector<uint32_t>& colours) {
+    Vector<uint64_t> masks(body.size(), 0, colours.get_allocator());
     uint32_t colour_count = first_colour;
     for (bool waiting = true; waiting;) {
         waiting = false;
         const uint32_t base = colour_count;
         std::fill(masks.begin(), masks.end(), 0);
         for (const uint32_t line : turn) {
-            if (colour[line] != none || !of_kind(line)) continue;
+            if (colours[line] != none || !of_kind(line)) continue;
             const Chain& chain = lines.chains[line];
-            const uint32_t colour = free_family(lines, chain, masks);
+            const uint32_t colour = free_colour(lines, chain, masks);
             if (colour == 64) {
                 waiting = true;
                 continue;
             }
-            colour[line] = base + colour;
+            colours[line] = base + colour;
             colour_count = std::max(colour_count, base + colour + 1);
             for (uint32_t i = 0; i <= chain.link_count; ++i) {
                 masks[lines.particles[chain.first_particle + i]] |= uint64_t{1} << colour;
@@ -275,7 +275,7 @@ uint32_t colour_lines(const Body& body, const Plan& lines, const Vector<uint32_t
 /// The colour that is solved last has no error left, so the softest lines come first, and of those
 /// alike the ones of constraints added last: the sides of a grid after its diagonals, which cannot all
 /// keep their lengths on a surface that is round both ways.
-void plan_chain_families(Body& body) {
+void plan_chain_colours(Body& body) {
     Plan& plan = body.plan;
     std::pmr::memory_resource* memory = plan.chains.get_allocator().resource();
     Plan lines(memory);
@@ -348,7 +348,7 @@ void update_plan(Body& body) {
         plan.method = method_of(body);
         if (plan.method == GPHYS_SOLVE_FREE) clear_chains(plan);
         if (plan.method == GPHYS_SOLVE_DIRECT) plan_direct_chains(body);
-        if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_families(body);
+        if (plan.method == GPHYS_SOLVE_GRAPH) plan_chain_colours(body);
         note_kinds(body);
         plan.chains_current = plan.described = true;
         plan.reach_current = false;

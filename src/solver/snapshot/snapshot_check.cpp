@@ -141,7 +141,7 @@ bool chains_fit(const Plan& plan) {
     return particles == plan.particles.size() && links == plan.slots.size();
 }
 
-bool families_fit(const Plan& plan) {
+bool colours_fit(const Plan& plan) {
     if (plan.colours.empty() || plan.colours.front() != 0 || plan.colours.back() != plan.chains.size() ||
         !std::is_sorted(plan.colours.begin(), plan.colours.end())) {
         return false;
@@ -174,16 +174,16 @@ bool chains_lead_along_constraints(const Body& body) {
 }
 
 /// What is solved side by side has no particle in common, and is of one kind.
-bool families_are_independent(const Body& body) {
+bool colours_are_independent(const Body& body) {
     const Plan& plan = body.plan;
-    Vector<uint32_t> family_of(body.size(), 0, plan.slots.get_allocator());  // the last one, from 1 on
+    Vector<uint32_t> colour_of(body.size(), 0, plan.slots.get_allocator());  // the last one, from 1 on
     for (uint32_t colour = 1; colour < plan.colours.size(); ++colour) {
         const uint32_t begin = plan.colours[colour - 1], end = plan.colours[colour];
         for (uint32_t i = begin; i < end; ++i) {
             const Chain& chain = plan.chains[i];
             const uint64_t kind = body.constraints[plan.slots[plan.chains[begin].first_link]].limit;
             for (uint32_t j = 0; j <= chain.link_count; ++j) {
-                uint32_t& last = family_of[plan.particles[chain.first_particle + j]];
+                uint32_t& last = colour_of[plan.particles[chain.first_particle + j]];
                 if (last == colour) return false;
                 last = colour;
                 if (j < chain.link_count && body.constraints[plan.slots[chain.first_link + j]].limit != kind)
@@ -272,7 +272,7 @@ const char* defect_of_plan(const Body& body) {
     }
     if (plan.method == GPHYS_SOLVE_FREE) return nullptr;
     const bool fine = all(plan.particles, [&](uint32_t p) { return p < body.size(); }) && chains_fit(plan) &&
-                      families_fit(plan) && chains_lead_along_constraints(body) && families_are_independent(body) &&
+                      colours_fit(plan) && chains_lead_along_constraints(body) && colours_are_independent(body) &&
                       all(plan.reach_limits, [&](const ReachLimit& limit) { return is_reach_limit(body, limit); });
     return fine ? nullptr : wrong;
 }
