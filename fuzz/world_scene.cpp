@@ -371,6 +371,7 @@ void World::restore_scene() {
 
 /// Words that somebody made up are refused, or are a scene like any other; then the true one is put back.
 void World::restore_forged_scene() {
+    const MayRaise made_up_words;
     const std::vector<uint32_t> good = scene_snapshot(1);
     std::vector<uint32_t> words = good;
     const uint64_t before = scene_hash();

@@ -222,6 +222,7 @@ static gphys_status reload_mesh(session* s) {
     assert_int_equal(gphys_mesh_get_snapshot(s->mesh, words, 8192, &total), GPHYS_OK);
     gphys_mesh_desc_init(&desc, sizeof desc);
     desc.allocator = &s->hooks;
+    desc.deformable = 1;
     status = gphys_mesh_create_from_snapshot(&desc, words, total, &loaded);
     if (status != GPHYS_OK) return status;
     gphys_mesh_destroy(s->mesh);

@@ -239,7 +239,8 @@ TEST_CASE("a cast ray runs along the points of its image and ends on the far pla
             check(p, p.far_distance, 1e-13);
             Ray ray;
             REQUIRE(p.cast(depth_range, 0.3, 0.4, ray));
-            REQUIRE(ray.origin == Vec3{});
+            REQUIRE(ray.origin.z == p.near_distance);
+            REQUIRE(p.cast_from_centre(0.3, 0.4).origin == Vec3{});
         }
         for (const Orthographic& p : orthographics()) {
             check(p, p.far_distance, 1e-9);

@@ -64,10 +64,11 @@ gphys_body_id lattice(World& world, int n) {
         }
     }
     const gphys_body_id body = world.particles(at);
+    gphys_constraint_id link = 0;
     for (uint32_t a = 0; a < at.size(); ++a) {
         for (uint32_t b = a + 1; b < at.size(); ++b) {
             if (distance(widen(at[a]), widen(at[b])) > 0.25 * 1.8) continue;
-            REQUIRE(gphys_solver_add_distance(world.solver, body, a, b, -1, 0, nullptr) == GPHYS_OK);
+            REQUIRE(gphys_solver_add_distance(world.solver, body, a, b, -1, 0, &link) == GPHYS_OK);
         }
     }
     return body;

@@ -138,6 +138,7 @@ TEST_CASE("A wind that begins takes bodies along and never beyond, whatever its 
             // first.
             for (size_t k = 0; k < 2; ++k) {
                 const double now = energy_in_air(world, k == 0 ? sheet : rope, wind);
+                INFO("body " << k << " density " << density);
                 CHECK(now <= energy[k] * 1.001 + 1e-3);
                 energy[k] = now;
             }

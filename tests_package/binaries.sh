@@ -55,9 +55,6 @@ well_behaved() {
     expect_no_match "code that has to be changed when it is loaded" TEXTREL dynamic.txt
     readelf -W -l "$1" >segments.txt
     expect_no_match "executable stack" 'GNU_STACK.*RWE' segments.txt
-    # -ffast-math at link time adds a constructor that flushes the host's denormals to zero.
-    objdump -d "$1" >code.txt
-    expect_no_match "instruction that changes the floating-point mode" -E '\b(ldmxcsr|fldcw|fldenv|msr +fpcr)\b' code.txt
     # "value NAME" of each status, which load.c compares.
     sed -nE 's/^ *(GPHYS_[A-Z_]+) = (-?[0-9]+),?( .*)?$/\2 \1/p; /GPHYS_ERROR_INTERNAL/q' "$SOURCE/include/gamephys_c.h" >statuses.txt
     [ "$(wc -l <statuses.txt)" -ge 13 ] || fail "the statuses were not found in the header"
@@ -65,6 +62,8 @@ well_behaved() {
     ./load "$(realpath "$1")" $(cat statuses.txt) >output.txt 2>&1 || status=$?
     [ ! -s output.txt ] || fail "the library prints: $(cat output.txt)"
     [ $status -ne 3 ] || fail "a status has another name than in the header"
+    # -ffast-math at link time adds a constructor that flushes the host's denormals to zero.
+    [ $status -ne 6 ] || fail "loading and using the library changes the floating-point mode"
     [ $status -eq 0 ] || fail "loading, using and unloading the library ends with $status"
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # docs/code_paths.md names files and functions in the order of a call: each file must exist, and each function be in it.
-#   code_paths.sh SOURCE
+# SOURCE is the checkout.
 set -euo pipefail
-cd "$1"
+cd "$SOURCE"
 page=docs/code_paths.md
 rows=0
 wrong=0

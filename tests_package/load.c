@@ -1,10 +1,18 @@
 /* Load the library named by the first argument, use it, let calls fail, unload it. What is printed is
  * the library's: this program prints nothing. The other arguments are statuses and their names in
- * turn: exit status 3 if the library has another name for one. */
+ * turn: exit status 3 if the library has another name for one, 6 if denormal numbers are flushed to zero once it has
+ * been used. */
 #include <dlfcn.h>
+#include <float.h>
 #include <gamephys_c.h>
 #include <stdlib.h>
 #include <string.h>
+
+static int flushes(void) {
+    volatile float least = FLT_MIN;
+    least /= 2;
+    return least == 0;
+}
 
 int main(int argc, char** argv) {
     void* library = argc > 1 ? dlopen(argv[1], RTLD_NOW | RTLD_LOCAL) : NULL;
@@ -31,5 +39,6 @@ int main(int argc, char** argv) {
     create(NULL, NULL);
     validate(-1, NULL);
     if (!last_error()) return 4;
+    if (flushes()) return 6;
     return dlclose(library) == 0 ? 0 : 5;
 }

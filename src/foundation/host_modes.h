@@ -39,12 +39,12 @@ GPHYS_INLINE bool modes_are_standard() {
     alignas(16) static constexpr float first[] = {1, 1, 0x1.8p-126f, 0x1p-126f};
     alignas(16) static constexpr float second[] = {0x1p-30f, -0x1p-30f, -0x1p-126f, 0x1p-127f};
     alignas(16) static constexpr float sums[] = {1, 1, 0x1p-127f, 0x1.8p-126f};
-    __m128 sum = _mm_load_ps(first);
+    __m128 sum = _mm_loadu_ps(first);
 #if defined(__GNUC__) || defined(__clang__)
     __asm__ volatile("" : "+x"(sum));  // or it would be the compiler that adds
 #endif
-    sum = _mm_add_ps(sum, _mm_load_ps(second));
-    const __m128i same = _mm_cmpeq_epi32(_mm_castps_si128(sum), _mm_castps_si128(_mm_load_ps(sums)));
+    sum = _mm_add_ps(sum, _mm_loadu_ps(second));
+    const __m128i same = _mm_cmpeq_epi32(_mm_castps_si128(sum), _mm_castps_si128(_mm_loadu_ps(sums)));
     return _mm_movemask_epi8(same) == 0xffff && (x87_control() & x87_rounding) == 0;
 }
 

@@ -104,6 +104,7 @@ void Solver::prepare(const Scene* scene, double dt) {
         bound_work(dt);
         std::sort(moving_.begin(), moving_.end());
         divide_work();
+        if (scene) make_room_for_flight();
         state_.seen.reserve(next_seen_.capacity());  // they change places
         size_t given = 0;
         for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) given += state_.bodies[slot].impulses.capacity();
@@ -294,6 +295,15 @@ bool Solver::is_worth_sharing(const ActiveBody& moving, size_t particles) const 
     const Plan& plan = state_.bodies[moving.slot].plan;
     return plan.method == GPHYS_SOLVE_GRAPH && plan.rest.size() >= least_links &&
            size_t{moving.size} * workers_.count() > particles;
+}
+
+void Solver::make_room_for_flight() {
+    const auto flies = [&](const ActiveBody& moving) {
+        return state_.bodies[moving.slot].plan.method == GPHYS_SOLVE_FREE;
+    };
+    if (flight_planes_.size() >= workers_.count() || std::none_of(moving_.begin(), moving_.end(), flies)) return;
+    Vector<FlightPlanes> made(workers_.count(), flight_planes_.get_allocator());
+    flight_planes_.swap(made);
 }
 
 /// Undisturbed ropes by eight, everything else body by body, but for what islands move.

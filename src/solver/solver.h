@@ -46,6 +46,7 @@
 #include "solver/islands.h"
 #include "solver/joints/joints.h"
 #include "solver/motion.h"
+#include "solver/particles/flight_planes.h"
 #include "solver/rope/rope_lanes.h"
 
 namespace gphys {
@@ -276,14 +277,18 @@ private:
     void prepare_body(uint32_t slot, const Scene* scene, double dt);
     void begin_step(const Scene* scene) noexcept;
     void divide_work();
+    void make_room_for_flight();
     bool is_worth_sharing(const ActiveBody& moving, size_t particles) const;
     void move_shared(const ActiveBody& moving, const Scene* scene, double dt);
     void begin_moving(const ActiveBody& moving, const Scene* scene, double dt);
     void end_moving(const ActiveBody& moving, const Scene* scene, double dt, uint32_t substeps);
     uint32_t move_in_substeps(Body& body, uint32_t count, const CollisionContext& step, RopeContacts* contacts);
-    void move_through(const ActiveBody& moving, RopeRoom& room, const Scene* scene, double dt);
-    void move_part(const Task& task, const Scene* scene, double dt);
-    void move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt);
+    void move_through(const ActiveBody& moving, uint32_t worker, const Scene* scene, double dt);
+    void move_part(const Task& task, uint32_t worker, const Scene* scene, double dt);
+    void move_undisturbed(const Task& task, uint32_t worker, const Scene* scene, double dt);
+    FlightPlanes* flight_planes(uint32_t worker, const Scene* scene) {
+        return scene ? &flight_planes_[worker] : nullptr;
+    }
     void remove_joint(uint32_t slot);
     void remove_joints_of(uint32_t body);
     void plan_joints();
@@ -308,7 +313,8 @@ private:
     Vector<Task> tasks_{&memory};
     Vector<Stretch> stretches_{&memory};
     ThreadArena room_memory_{&memory};
-    Vector<RopeRoom> rooms_{&memory};  // by worker
+    Vector<RopeRoom> rooms_{&memory};              // by worker
+    Vector<FlightPlanes> flight_planes_{&memory};  // by worker, from the first step beside a scene on
     /// Of the last step: by model and body, and by model.
     Vector<Giver> givers_{&memory};
     Vector<ModelImpulse> impulses_{&memory};

@@ -108,7 +108,8 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionCon
 }
 
 /// All substeps of one body. Touches nothing of other bodies, allocates nothing.
-void Solver::move_through(const ActiveBody& moving, RopeRoom& room, const Scene* scene, double dt) {
+void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene* scene, double dt) {
+    RopeRoom& room = rooms_[worker];
     Body& body = state_.bodies[moving.slot];
     const Vec3 gravity = state_.settings.gravity;
     const CollisionContext whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
@@ -116,7 +117,8 @@ void Solver::move_through(const ActiveBody& moving, RopeRoom& room, const Scene*
     begin_moving(moving, scene, dt);
     body.in_stages = false;
     if (body.plan.method == GPHYS_SOLVE_FREE) {
-        body.extent = fly_through(body, 0, body.size(), {body.impulses, body.touched}, whole, gravity, substeps);
+        body.extent = fly_through(body, 0, body.size(), {body.impulses, body.touched}, whole, gravity, substeps,
+                                  flight_planes(worker, scene));
     } else {
         begin_touches(body);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
@@ -134,16 +136,17 @@ void Solver::move_through(const ActiveBody& moving, RopeRoom& room, const Scene*
 }
 
 /// The same of a part of a body, between its beginning and its end.
-void Solver::move_part(const Task& task, const Scene* scene, double dt) {
+void Solver::move_part(const Task& task, uint32_t worker, const Scene* scene, double dt) {
     const ActiveBody& moving = moving_[task.first];
     Body& body = state_.bodies[moving.slot];
     FlightPart& part = body.parts[task.part];
     const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.size());
     part.extent = fly_through(body, first, end, {part.impulses, part.touched}, {scene, &moved_, dt, 0, 1},
-                              state_.settings.gravity, moving.substeps);
+                              state_.settings.gravity, moving.substeps, flight_planes(worker, scene));
 }
 
-void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* scene, double dt) {
+void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* scene, double dt) {
+    RopeRoom& room = rooms_[worker];
     UndisturbedRope ropes[ropes_together];
     const ActiveBody* const first = &moving_[task.first];
     for (uint32_t i = 0; i < task.count; ++i) {
@@ -156,7 +159,7 @@ void Solver::move_undisturbed(const Task& task, RopeRoom& room, const Scene* sce
         Body& body = *ropes[i].body;
         end_air(body);
         if (!ropes[i].stayed) {
-            move_through(first[i], room, scene, dt);
+            move_through(first[i], worker, scene, dt);
             continue;
         }
         clear_touches(body);
@@ -172,7 +175,7 @@ void Solver::move_shared(const ActiveBody& moving, const Scene* scene, double dt
     Team team;
     ClothState& cloth = state_.bodies[moving.slot].cloth;
     cloth.team = &team;
-    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_through(moving, rooms_[0], scene, dt); }); });
+    workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_through(moving, 0, scene, dt); }); });
     cloth.team = nullptr;
 }
 
@@ -199,11 +202,11 @@ void Solver::step(const Scene* scene, double dt) {
             const Task& task = tasks_[i - islands_.size()];
             if (task.shared) continue;
             if (!state_.bodies[moving_[task.first].slot].parts.empty()) {
-                move_part(task, scene, dt);
+                move_part(task, worker, scene, dt);
             } else if (moving_[task.first].undisturbed) {
-                move_undisturbed(task, rooms_[worker], scene, dt);
+                move_undisturbed(task, worker, scene, dt);
             } else {
-                move_through(moving_[task.first], rooms_[worker], scene, dt);
+                move_through(moving_[task.first], worker, scene, dt);
             }
         }
     });

@@ -240,6 +240,7 @@ void take_back(Body& body, double gain) {
 bool is_accounted_for(const Body& body, bool collides) {
     const ClothContacts& contacts = body.cloth_contacts;
     if (body.cloth.held || body.joined || body.near) return false;
+    if (body.air.blows()) return false;  // its force depends on the velocity that would be given back
     if (!collides || !(contacts.touches() || contacts.sunk)) return true;
     return body.volume.held && !contacts.sunk && !contacts.pushed;
 }

@@ -10,7 +10,7 @@
 #include "solver/motion.h"
 #include "solver/particles/flight.h"
 #include "solver/particles/flight_kernels.h"
-#include "solver/particles/flight_walls.h"
+#include "solver/particles/flight_planes.h"
 
 namespace gphys {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 constexpr int most_bounces = 8;
 // Particles that ask the scene together: enough that its answer costs each of them little, and few enough
 // to stay in the innermost cache.
-constexpr uint32_t block_size = FlightWalls::most_particles, block_groups = block_size / flight_group;
+constexpr uint32_t block_size = FlightPlanes::most_particles, block_groups = block_size / flight_group;
 // Boxes around what is near; more are not looked through by each group.
 constexpr uint32_t most_obstacles = 48;
 
@@ -35,14 +35,15 @@ void repeat(const Aabb& box, FlightBox& out) {
 
 class FreeFlight {
 public:
-    FreeFlight(Body& body, const ImpulseAccumulator& tally, Vec3 gravity, double h)
-        : body_(body), tally_(tally), gravity_(gravity), h_(h), whole_(body.settings.damping, h) {
+    /// `planes` are those of the worker; null: every path is swept.
+    FreeFlight(Body& body, const ImpulseAccumulator& tally, Vec3 gravity, double h, FlightPlanes* planes)
+        : body_(body), tally_(tally), gravity_(gravity), h_(h), whole_(body.settings.damping, h), planes_(planes) {
         for (uint32_t i = 0; i < flight_group; ++i) put(acceleration_ + size_t{3} * i, gravity);
     }
 
     /// Before the substeps of a block.
     void begin_block(const CollisionContext& step, uint32_t first, uint32_t count) {
-        walls_.begin(body_, step, first, count);
+        if (planes_) planes_->begin(body_, step, first, count);
     }
     /// One substep.
     void fly_block(const CollisionContext& around, uint32_t first, uint32_t count);
@@ -72,7 +73,7 @@ private:
     Vec3 gravity_;
     double h_;
     FlightTime whole_;  // the substep
-    FlightWalls walls_;
+    FlightPlanes* const planes_;
     const FlightKernels& kernels_ = flight_kernels(chosen_isa());
     // Of a block:
     double acceleration_[flight_numbers * block_groups];  // or of one group that stands for all
@@ -93,7 +94,7 @@ bool FreeFlight::meets(const Collider& collider, uint32_t p, Vec3 displacement, 
     // As far as it comes in the rest of the step, and half as far again.
     const double rest = around_.step_time * (1 - around_.begin);
     const double reach = 1.5 * rest * (length(body_.velocity[p]) + rest * length(flight_of(p).acceleration));
-    if (walls_.sweep(body_, p, body_.position[p], displacement, reach, impact)) return impact.model != 0;
+    if (planes_ && planes_->sweep(body_, p, body_.position[p], displacement, reach, impact)) return impact.model != 0;
     return collider.sweep(p, body_.position[p], displacement, around_.begin, impact);
 }
 
@@ -258,7 +259,7 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
 }  // namespace
 
 void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
-    FreeFlight flight(body, {body.impulses, body.touched}, gravity, h);
+    FreeFlight flight(body, {body.impulses, body.touched}, gravity, h, nullptr);
     for (uint32_t first = 0; first < body.size(); first += block_size) {
         const uint32_t count = std::min(block_size, body.size() - first);
         flight.begin_block(around, first, count);
@@ -281,8 +282,8 @@ Extent extent_of(Body& body, uint32_t first, uint32_t end) {
 
 /// A block is taken through the whole step at once: it stays in the innermost cache.
 Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& tally,
-                   const CollisionContext& step, Vec3 gravity, uint32_t substeps) {
-    FreeFlight flight(body, tally, gravity, step.step_time / substeps);
+                   const CollisionContext& step, Vec3 gravity, uint32_t substeps, FlightPlanes* planes) {
+    FreeFlight flight(body, tally, gravity, step.step_time / substeps, planes);
     Extent extent;
     for (; first < end; first += block_size) {
         const uint32_t count = std::min(block_size, end - first);

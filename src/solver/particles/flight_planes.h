@@ -12,8 +12,8 @@
 
 namespace gphys {
 
-/// Of a block of particles, in a step.
-class FlightWalls {
+/// Of a block of particles, in a step. Some 100 KB: each worker has one, which `prepare` makes room for.
+class FlightPlanes {
 public:
     static constexpr uint32_t most_particles = 512;
 
@@ -25,7 +25,7 @@ public:
 private:
     static constexpr uint32_t most_planes = 2;  // of a particle
 
-    struct Wall {
+    struct Plane {
         Vec3 normal;
         double height;  // the particle touches where dot(normal, its position) is this
         gphys_model_id model;
@@ -34,7 +34,7 @@ private:
     struct Ball {
         Vec3 center;
         Sight sight;
-        uint32_t count;  // of walls
+        uint32_t count;  // of planes
     };
     void look(const Body& body, uint32_t particle);
     bool search_together(const Body& body, uint32_t particle, uint32_t count);
@@ -45,7 +45,7 @@ private:
     uint32_t first_ = 0, count_ = 0;
     bool usable_ = false;  // no model that moves is near
     Ball balls_[most_particles];
-    Wall walls_[most_particles][most_planes];
+    Plane planes_[most_particles][most_planes];
     ClosestFeatures parts_;
     Sphere probes_[ClosestFeatures::most_points];
 };

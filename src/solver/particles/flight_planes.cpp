@@ -1,8 +1,8 @@
-#include "solver/particles/flight_walls.h"
+#include "solver/particles/flight_planes.h"
 
 namespace gphys {
 
-void FlightWalls::begin(const Body& body, const CollisionContext& step, uint32_t first, uint32_t count) {
+void FlightPlanes::begin(const Body& body, const CollisionContext& step, uint32_t first, uint32_t count) {
     scene_ = step.scene;
     first_ = first;
     count_ = count;
@@ -23,7 +23,7 @@ void FlightWalls::begin(const Body& body, const CollisionContext& step, uint32_t
 }
 
 /// Together with those that follow it and lie beside it.
-void FlightWalls::look(const Body& body, uint32_t particle) {
+void FlightPlanes::look(const Body& body, uint32_t particle) {
     Aabb places{ball(particle).center, ball(particle).center};
     uint32_t together = 1;
     for (; together < ClosestFeatures::most_points && particle + together < first_ + count_; ++together) {
@@ -39,7 +39,7 @@ void FlightWalls::look(const Body& body, uint32_t particle) {
 }
 
 /// False, and nothing is found, if there is too much around.
-bool FlightWalls::search_together(const Body& body, uint32_t particle, uint32_t count) {
+bool FlightPlanes::search_together(const Body& body, uint32_t particle, uint32_t count) {
     Aabb places{ball(particle).center, ball(particle).center};
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
@@ -58,7 +58,7 @@ bool FlightWalls::search_together(const Body& body, uint32_t particle, uint32_t 
     return complete;
 }
 
-void FlightWalls::settle(const Body& body, uint32_t p, uint32_t point) {
+void FlightPlanes::settle(const Body& body, uint32_t p, uint32_t point) {
     Ball& ball = this->ball(p);
     const double radius = body.radius[p], gap = skin(radius, ball.center);
     ball.count = 0;
@@ -71,13 +71,13 @@ void FlightWalls::settle(const Body& body, uint32_t p, uint32_t point) {
             return;
         }
         const double height = dot(part.normal, part.closest) + radius;
-        walls_[p - first_][ball.count] = {part.normal, height, part.model};
-        // Coplanar triangles share a wall.
+        planes_[p - first_][ball.count] = {part.normal, height, part.model};
+        // Coplanar triangles share a plane.
         if (part.is_triangle) parts_.cull_behind(part.normal, height - radius + gap / 2, 0);
     }
 }
 
-bool FlightWalls::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
+bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
     if (!usable_ || reach > body.radius[p]) return false;
     if (ball(p).sight == has_not_looked) look(body, p);
     const Ball& ball = this->ball(p);
@@ -85,14 +85,14 @@ bool FlightWalls::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displaceme
     if (ball.sight == blocked || !in_ball(from) || !in_ball(from + displacement)) return false;
     impact = {};
     for (uint32_t i = 0; i < ball.count; ++i) {
-        const Wall& wall = walls_[p - first_][i];
-        const double gap = dot(wall.normal, from) - wall.height, approach = -dot(wall.normal, displacement);
+        const Plane& plane = planes_[p - first_][i];
+        const double gap = dot(plane.normal, from) - plane.height, approach = -dot(plane.normal, displacement);
         if (gap < 0) return false;
         if (approach <= gap) continue;
         const double t = gap / approach;
         const Vec3 center = from + displacement * t;
-        keep_first(impact, {t, wall.model, false, false, 0, center, center - wall.normal * body.radius[p], wall.normal,
-                            Vec3{}});
+        keep_first(impact, {t, plane.model, false, false, 0, center, center - plane.normal * body.radius[p],
+                            plane.normal, Vec3{}});
     }
     return true;
 }
