@@ -230,7 +230,7 @@ func TestSettingsChangeLive(t *testing.T) {
 	settings := must(solver.Settings())
 	settings.Substeps = 5
 	try(t, solver.SetSettings(settings))
-	same(t, must(solver.Settings()).Substeps, 5)
+	same(t, must(solver.Settings()).Substeps, uint32(5))
 	rope := must(solver.AddRope([]Vec3{{}, Vec(0, -1, 0)}, 0, nil))
 	try(t, solver.SetPinned(rope, 0, 1, true))
 	pinned := make([]int32, 2)
@@ -239,7 +239,7 @@ func TestSettingsChangeLive(t *testing.T) {
 	body := must(solver.BodySettings(rope))
 	body.Damping = 0.5
 	try(t, solver.SetBodySettings(rope, body))
-	same(t, must(solver.BodySettings(rope)).Damping, 0.5)
+	same(t, must(solver.BodySettings(rope)).Damping, float32(0.5))
 	links := []ConstraintID{must(solver.Constraints(rope))[0].ID}
 	link := make([]ConstraintSettings, 1)
 	try(t, solver.ConstraintSettings(rope, links, link))
@@ -262,7 +262,7 @@ func TestWindCarriesBallsAlong(t *testing.T) {
 	solver := must(NewSolver(&desc))
 	balls := must(solver.AddParticles([]Vec3{{}, Vec(1, 0, 0)}, nil))
 	try(t, solver.SetWind(balls, Wind{Velocity: Vec(2, 0, 0), Density: 1e4, Drag: 0.5}))
-	same(t, must(solver.Wind(balls)).Density, 1e4)
+	same(t, must(solver.Wind(balls)).Density, float32(1e4))
 	try(t, solver.SetAirVelocities(balls, 1, []Vec3{Vec(0, 3, 0)}))
 	vectors := make([]Vec3, 2)
 	try(t, solver.AirVelocities(balls, 0, vectors))

@@ -419,7 +419,7 @@ class TestGamephys < Minitest::Test
     settings.substeps = 5
     solver.set_settings(settings)
     assert_equal 5, solver.get_settings.substeps
-    rope = solver.add_rope([[0, 0, 0], [0, -1, 0]], 0)
+    rope = solver.add_rope([[0, 0, 0], [0, -1, 0]])
     solver.set_pinned(rope, 0, 1, true)
     assert_equal [1, 0], solver.get_pinned(rope, 0, 2).to_a
     body = solver.get_body_settings(rope)
