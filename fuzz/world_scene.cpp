@@ -143,9 +143,20 @@ void World::add_batch() {
     const uint32_t stride = shape_strides[p_.below(5)];
     const bool with_transforms = !p_.one_in(4);
     std::vector<gphys_model_id> ids(count + 1, 0xa5a5a5a5);
-    const gphys_status status = call(gphys_scene_add_batch, scene_, type, shapes[0].shape.bytes, stride,
-                                     with_transforms ? locals.data() : nullptr,
-                                     static_cast<uint32_t>(sizeof(gphys_transform)), count, nullptr, ids.data());
+    const gphys_transform* given = with_transforms ? locals.data() : nullptr;
+    const uint32_t local_stride = sizeof(gphys_transform);
+    std::vector<gphys_model_desc> descs(count + 1, gphys_model_desc{sizeof(gphys_model_desc), 0, 1, 0});
+    const bool described = count % 2 == 1;
+    for (uint32_t i = 0; described && i < count; ++i) {
+        if (i % 2 == 1 && !models_.empty()) descs[i].parent = models_[i % models_.size()].id;
+        descs[i].layers = 1u << i;
+        descs[i].tag = 100 + i;
+    }
+    const gphys_status status =
+        described ? call(gphys_scene_add_described_batch, scene_, type, shapes[0].shape.bytes, stride, given,
+                         local_stride, descs.data(), uint32_t{sizeof descs[0]}, count, ids.data())
+                  : call(gphys_scene_add_batch, scene_, type, shapes[0].shape.bytes, stride, given, local_stride, count,
+                         nullptr, ids.data());
     bool valid = stride == sizeof(Spaced) || stride == 0;
     for (uint32_t i = 0; i < count; ++i) {
         valid = valid && is_valid(shapes[stride ? i : 0].shape) && (!with_transforms || is_valid(locals[i]));
@@ -158,7 +169,10 @@ void World::add_batch() {
         note(ids[i]);
         FUZZ_CHECK(ids[i] != 0 && !model(ids[i]), "each model has an id of its own");
         const gphys_transform& local = with_transforms ? locals[i] : identity;
-        const Model added{ids[i], 0, 1, 0, shapes[stride ? i : 0].shape, nullptr, local, local};
+        const gphys_model_desc& desc = descs[i];
+        const gphys_transform world = desc.parent ? gphys::composed(model(desc.parent)->world, local) : local;
+        const Model added{ids[i],  desc.parent, desc.layers, desc.tag, shapes[stride ? i : 0].shape,
+                          nullptr, local,       world};
         models_.insert(std::lower_bound(models_.begin(), models_.end(), ids[i],
                                         [](const Model& m, gphys_model_id wanted) { return m.id < wanted; }),
                        added);
@@ -505,6 +519,7 @@ void World::misuse_scene() {
         call(gphys_scene_add_batch, scene_, sphere, &ball, 0u, nullptr, 0u, 2u, nullptr, nullptr),
         call(gphys_scene_add_batch, scene_, gphys_shape_type{GPHYS_SHAPE_MESH}, meshes_[0].get(), 8u, nullptr, 0u, 2u,
              nullptr, &out),
+        call(gphys_scene_add_described_batch, scene_, sphere, &ball, 0u, nullptr, 0u, nullptr, 0u, 2u, nullptr),
         call(gphys_scene_remove, none, id),
         call(gphys_scene_remove_batch, scene_, nullptr, 2u),
         call(gphys_scene_remove_subtree, none, id),

@@ -404,12 +404,87 @@ static void a_snapshot_brings_back_the_scene(void** state) {
     gphys_scene_destroy(scene);
 }
 
+/* The same models as by single calls: the two scenes have one hash. */
+static void a_batch_gives_each_model_its_own_desc(void** state) {
+    enum { COUNT = 6 };
+    struct {
+        gphys_model_desc desc;
+        float unused;
+    } descs[COUNT];
+    const gphys_transform up = {{0, 2, 0}, {0, 0, 0, 1}, 1};
+    gphys_transform places[COUNT];
+    gphys_model_id roots[2][2], models[2][COUNT], parent;
+    gphys_scene* scenes[2];
+    gphys_model_info info;
+    uint32_t hashes[2][2];
+    int i, s;
+    (void)state;
+    memset(descs, 0, sizeof descs);
+    for (s = 0; s < 2; ++s) {
+        assert_int_equal(gphys_scene_create(NULL, &scenes[s]), GPHYS_OK);
+        for (i = 0; i < 2; ++i)
+            assert_int_equal(gphys_scene_add(scenes[s], GPHYS_SHAPE_AABB, &unit_box, &up, NULL, &roots[s][i]),
+                             GPHYS_OK);
+    }
+    assert_memory_equal(roots[0], roots[1], sizeof roots[0]);
+    for (i = 0; i < COUNT; ++i) {
+        gphys_model_desc_init(&descs[i].desc, sizeof descs[i].desc);
+        descs[i].desc.parent = i % 3 == 2 ? 0 : roots[0][i % 3];
+        descs[i].desc.layers = 1u << i;
+        descs[i].desc.tag = 70 + (uint32_t)i;
+        places[i] = identity;
+        places[i].position.x = (float)(3 * i);
+    }
+    assert_int_equal(gphys_scene_add_described_batch(scenes[0], GPHYS_SHAPE_AABB, &unit_box, 0, places, sizeof *places,
+                                                     &descs[0].desc, sizeof descs[0], COUNT, models[0]),
+                     GPHYS_OK);
+    for (i = 0; i < COUNT; ++i)
+        assert_int_equal(
+            gphys_scene_add(scenes[1], GPHYS_SHAPE_AABB, &unit_box, &places[i], &descs[i].desc, &models[1][i]),
+            GPHYS_OK);
+    assert_memory_equal(models[0], models[1], sizeof models[0]);
+    assert_int_equal(gphys_scene_get_info(scenes[0], models[0][4], &info), GPHYS_OK);
+    assert_int_equal(info.parent, roots[0][1]);
+    assert_int_equal(info.layers, 16);
+    assert_int_equal(info.tag, 74);
+    assert_int_equal(gphys_scene_get_hash(scenes[0], hashes[0]), GPHYS_OK);
+    assert_int_equal(gphys_scene_get_hash(scenes[1], hashes[1]), GPHYS_OK);
+    assert_memory_equal(hashes[0], hashes[1], sizeof hashes[0]);
+
+    models[0][0] = 99;
+    parent = descs[5].desc.parent;
+    descs[5].desc.parent = 0x01ffffff;
+    assert_int_equal(gphys_scene_add_described_batch(scenes[0], GPHYS_SHAPE_AABB, &unit_box, 0, places, sizeof *places,
+                                                     &descs[0].desc, sizeof descs[0], COUNT, models[0]),
+                     GPHYS_ERROR_INVALID_ID);
+    descs[5].desc.parent = parent;
+    descs[3].desc.struct_size = 8;
+    assert_int_equal(gphys_scene_add_described_batch(scenes[0], GPHYS_SHAPE_AABB, &unit_box, 0, places, sizeof *places,
+                                                     &descs[0].desc, sizeof descs[0], COUNT, models[0]),
+                     GPHYS_ERROR_STRUCT_SIZE);
+    descs[3].desc.struct_size = sizeof descs[3]; /* a newer client's, with zeros where this release knows nothing */
+    assert_invalid(gphys_scene_add_described_batch(scenes[0], GPHYS_SHAPE_AABB, &unit_box, 0, NULL, 0, &descs[0].desc,
+                                                   12, COUNT, models[0]));
+    assert_invalid(gphys_scene_add_described_batch(scenes[0], GPHYS_SHAPE_AABB, &unit_box, 0, NULL, 0, &descs[0].desc,
+                                                   sizeof descs[0], COUNT, NULL));
+    assert_int_equal(models[0][0], 99);
+    assert_int_equal(gphys_scene_get_hash(scenes[0], hashes[0]), GPHYS_OK);
+    assert_memory_equal(hashes[0], hashes[1], sizeof hashes[0]);
+    assert_int_equal(gphys_scene_add_described_batch(scenes[0], GPHYS_SHAPE_AABB, &unit_box, 0, places, sizeof *places,
+                                                     &descs[0].desc, sizeof descs[0], COUNT, models[0]),
+                     GPHYS_OK);
+    assert_int_equal(gphys_scene_validate(scenes[0]), GPHYS_OK);
+    gphys_scene_destroy(scenes[0]);
+    gphys_scene_destroy(scenes[1]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(descs_have_defaults_and_a_size),
         cmocka_unit_test(creation_checks_its_arguments),
         cmocka_unit_test(an_origin_is_checked_kept_and_returned),
         cmocka_unit_test(add_refuses_what_is_no_model),
+        cmocka_unit_test(a_batch_gives_each_model_its_own_desc),
         cmocka_unit_test(stale_ids_are_refused_everywhere),
         cmocka_unit_test(null_and_bad_strides_are_refused_everywhere),
         cmocka_unit_test(what_was_set_is_what_one_gets),

@@ -54,10 +54,13 @@ def assign(function, handles):
             p["role"] = "handle"
         elif of == "gphys_shape_type":
             p["role"] = "shape_type"
+        elif name == "descs":
+            p["role"] = "descs"  # an array of structs that carry their size, for C and C++
         elif name == "count" or name.endswith("_count"):
             p["role"] = "count"
         elif name == "stride" or name.endswith("_stride"):
-            p["role"] = "one" if element(parameters[i - 1]).endswith("_desc") else "stride"
+            many = parameters[i - 1]["role"] == "descs" or not element(parameters[i - 1]).endswith("_desc")
+            p["role"] = "stride" if many else "one"
         elif name == "capacity":
             p["role"] = "capacity"
         elif name == "out_total":

@@ -111,6 +111,23 @@ gphys_status read_desc(const Desc* from, Desc& to, size_t first_size) noexcept {
     return GPHYS_OK;
 }
 
+/// The desc at the beginning of an element of an array, `to` has the defaults. Elements may be larger than the desc is
+/// here, and aligned as their stride is only. `too_small` says that the stride is below the size of a desc.
+template <class Desc>
+gphys_status read_desc_element(const char* element, size_t stride, Desc& to, size_t first_size,
+                               const char* too_small) noexcept {
+    uint32_t size = 0;
+    std::memcpy(&size, element, sizeof size);
+    if (size > stride) return invalid(too_small);
+    for (size_t i = sizeof(Desc); i < size; ++i) {
+        if (element[i] != 0) return newer_desc();
+    }
+    Desc aligned{};
+    std::memcpy(&aligned, element, size < sizeof(Desc) ? size : sizeof(Desc));
+    aligned.struct_size = size < sizeof(Desc) ? size : sizeof(Desc);
+    return read_desc(&aligned, to, first_size);
+}
+
 /// Give the caller, whose desc has `size` bytes, the defaults. Never writes past `size`.
 template <class Desc>
 gphys_status write_desc(Desc* to, uint32_t size, Desc defaults, size_t first_size) noexcept {

@@ -46,20 +46,10 @@ gphys_status Filters::read(const Scene& scene, const gphys_query_filter_desc* fi
     return is_one() ? read_filter(scene, filters, one_) : GPHYS_OK;
 }
 
-/// Elements may be larger than the desc is here, and aligned as their stride is only.
 gphys_status Filters::read_known_of(uint32_t item, gphys_query_filter_desc& known) const noexcept {
-    const char* bytes = first_ + item * stride_;
-    uint32_t size = 0;
-    std::memcpy(&size, bytes, sizeof size);
-    GPHYS_REQUIRE(size <= stride_, "filter_stride: below the struct_size of a filter");
-    for (size_t i = sizeof known; i < size; ++i) {
-        if (bytes[i] != 0) return newer_desc();
-    }
-    gphys_query_filter_desc element{};
-    std::memcpy(&element, bytes, std::min(size_t{size}, sizeof element));
-    element.struct_size = std::min(size, static_cast<uint32_t>(sizeof element));
     known = default_filter;
-    GPHYS_TRY(read_desc(&element, known, filter_desc_size));
+    GPHYS_TRY(read_desc_element(first_ + item * stride_, stride_, known, filter_desc_size,
+                                "filter_stride: below the struct_size of a filter"));
     return check_known(known);
 }
 

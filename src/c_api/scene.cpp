@@ -54,17 +54,29 @@ gphys_status check_transforms(const Workers& workers, const gphys_transform* tra
     });
 }
 
+/// With a desc for each if desc_stride is not 0.
 gphys_status add_models(gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,
-                        const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
-                        const gphys_model_desc* desc, gphys_model_id* out_models) {
+                        const gphys_transform* transforms, uint32_t transform_stride, const gphys_model_desc* descs,
+                        uint32_t desc_stride, uint32_t count, gphys_model_id* out_models) {
     GPHYS_REQUIRE(scene, "scene is null");
     GPHYS_REQUIRE(out_models || count == 0, "out_models is null");
     const Workers& workers = unwrap(scene)->workers();
     GPHYS_TRY(check_shapes(workers, type, shapes, shape_stride, count));
     if (transforms) GPHYS_TRY(check_transforms(workers, transforms, transform_stride, count));
-    gphys_model_desc known = default_model_desc;
-    GPHYS_TRY(read_desc(desc, known, model_desc_size));
-    return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count, known, out_models);
+    if (!descs || desc_stride == 0) {
+        gphys_model_desc known = default_model_desc;
+        GPHYS_TRY(read_desc(descs, known, model_desc_size));
+        return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count, known, out_models);
+    }
+    GPHYS_TRY(check_stride("desc_stride", desc_stride, model_desc_size));
+    Vector<gphys_model_desc> known(count, default_model_desc, &unwrap(scene)->memory);
+    const Strided<char> desc(reinterpret_cast<const char*>(descs), desc_stride);
+    GPHYS_TRY(check_each(workers, count, [&](uint32_t i) {
+        return read_desc_element(&desc[i], desc_stride, known[i], model_desc_size,
+                                 "desc_stride: below the struct_size of a desc");
+    }));
+    return unwrap(scene)->add(type, shapes, shape_stride, transforms, transform_stride, count,
+                              Strided<gphys_model_desc>(known.data(), sizeof(gphys_model_desc)), out_models);
 }
 
 using TransformOf = const gphys_transform& (Scene::*)(gphys_model_id) const;
@@ -164,14 +176,24 @@ gphys_status gphys_model_desc_init(gphys_model_desc* desc, uint32_t size) {
 gphys_status gphys_scene_add(gphys_scene* scene, gphys_shape_type type, const void* shape,
                              const gphys_transform* transform, const gphys_model_desc* desc,
                              gphys_model_id* out_model) {
-    return guarded([&] { return add_models(scene, type, shape, 0, transform, 0, 1, desc, out_model); });
+    return guarded([&] { return add_models(scene, type, shape, 0, transform, 0, desc, 0, 1, out_model); });
 }
 
 gphys_status gphys_scene_add_batch(gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                                    const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
                                    const gphys_model_desc* desc, gphys_model_id* out_models) {
     return guarded([&] {
-        return add_models(scene, type, shapes, shape_stride, transforms, transform_stride, count, desc, out_models);
+        return add_models(scene, type, shapes, shape_stride, transforms, transform_stride, desc, 0, count, out_models);
+    });
+}
+
+gphys_status gphys_scene_add_described_batch(gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                             uint32_t shape_stride, const gphys_transform* transforms,
+                                             uint32_t transform_stride, const gphys_model_desc* descs,
+                                             uint32_t desc_stride, uint32_t count, gphys_model_id* out_models) {
+    return guarded([&] {
+        return add_models(scene, type, shapes, shape_stride, transforms, transform_stride, descs, desc_stride, count,
+                          out_models);
     });
 }
 

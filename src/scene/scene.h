@@ -66,7 +66,13 @@ public:
     /// `shapes` are public structs of the type, strided, or one Mesh; `transforms` may be null.
     gphys_status add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                      const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
-                     const gphys_model_desc& desc, gphys_model_id* out_models);
+                     Strided<gphys_model_desc> descs, gphys_model_id* out_models);
+    gphys_status add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
+                     const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
+                     const gphys_model_desc& desc, gphys_model_id* out_models) {
+        return add(type, shapes, shape_stride, transforms, transform_stride, count,
+                   Strided<gphys_model_desc>(&desc, 0), out_models);
+    }
     gphys_status remove(const gphys_model_id* models, uint32_t count);
     gphys_status remove_subtree(gphys_model_id model);
     void clear();

@@ -73,9 +73,14 @@ void Scene::MeshFollower::mesh_changed(uint32_t slot) noexcept {
 
 gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                         const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
-                        const gphys_model_desc& desc, gphys_model_id* out_models) {
-    if (desc.parent != 0 && !has(desc.parent)) {
-        return fail(GPHYS_ERROR_INVALID_ID, "desc.parent: no such model, or no longer");
+                        Strided<gphys_model_desc> descs, gphys_model_id* out_models) {
+    uint32_t with_parent = 0, common_layers = ~0u;
+    for (uint32_t i = 0; i < count; ++i) {
+        if (descs[i].parent != 0 && !has(descs[i].parent)) {
+            return fail(GPHYS_ERROR_INVALID_ID, "desc.parent: no such model, or no longer");
+        }
+        with_parent += descs[i].parent != 0;
+        common_layers &= descs[i].layers;
     }
     if (!ids_.reserve(count)) return fail(GPHYS_ERROR_CAPACITY, "a scene holds at most 2^24 - 1 models");
     if (count == 0) return GPHYS_OK;
@@ -90,7 +95,7 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         grow(shape_tails_, slots_needed);
     const bool bounded = type != GPHYS_SHAPE_PLANE;
     if (!bounded) reserve_more(unbounded_, count);
-    if (desc.parent != 0) families_.reserve(count + 1);
+    families_.reserve(2 * with_parent);  // parents may become such by it
 
     // Until the ids exist, nobody sees what is written to their slots.
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
@@ -103,12 +108,13 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
         for (uint32_t i = 0; i < placed; ++i) discard_shape(slots[i]);
         for (uint32_t i = placed; mesh && i < count; ++i) mesh->leave(mesh_follower_, slots[i]);
     };
-    const uint32_t parent = IdTable::slot_of(desc.parent);
     for (; placed < count;) {
         const uint32_t slot = slots[placed];
+        const gphys_model_desc& desc = descs[placed];
         Model& model = models_[slot];
         model = {};
-        model.world = desc.parent != 0 ? composed(models_[parent].world, local[placed]) : local[placed];
+        model.world =
+            desc.parent != 0 ? composed(models_[IdTable::slot_of(desc.parent)].world, local[placed]) : local[placed];
         model.layers = desc.layers;
         model.family = no_family;
         model.type_ = static_cast<uint32_t>(type);
@@ -132,13 +138,13 @@ gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shap
     }
 
     const bool is_empty = mesh && mesh->triangle_count() == 0;
-    common_layers_ = is_empty ? 0 : size() == 0 ? desc.layers : common_layers_ & desc.layers;
+    common_layers_ = is_empty ? 0 : size() == 0 ? common_layers : common_layers_ & common_layers;
     for (uint32_t i = 0; i < count; ++i) {
         out_models[i] = ids_.add();
         if (!bounded) list_unbounded(slots[i]);
         if (type == GPHYS_SHAPE_MESH) list_large_mesh(slots[i]);
-        if (desc.parent != 0) {
-            link(slots[i], parent);
+        if (descs[i].parent != 0) {
+            link(slots[i], IdTable::slot_of(descs[i].parent));
             family(slots[i]).local = local[i];
         }
     }
