@@ -534,6 +534,17 @@ static inline go_gphys_scene_add_batch_result go_gphys_scene_add_batch(void* sce
     return r;
 }
 
+typedef struct go_gphys_scene_add_described_batch_result {
+    gphys_status status;
+    char* message;
+} go_gphys_scene_add_described_batch_result;
+static inline go_gphys_scene_add_described_batch_result go_gphys_scene_add_described_batch(void* scene, gphys_shape_type type, const void * shapes, uint32_t shape_stride, const gphys_transform * transforms, uint32_t transform_stride, const gphys_model_desc * descs, uint32_t desc_stride, uint32_t count, gphys_model_id * out_models) {
+    go_gphys_scene_add_described_batch_result r = {0};
+    r.status = gphys_scene_add_described_batch(scene, type, shapes, shape_stride, transforms, transform_stride, descs, desc_stride, count, out_models);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_scene_remove_result {
     gphys_status status;
     char* message;

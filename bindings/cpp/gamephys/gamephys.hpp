@@ -322,6 +322,18 @@ public:
         check(gphys_scene_add_batch(handle(), shapes.type, shapes.data, shapes.stride, transforms.data, transforms.stride, count, desc, out_models.data));
     }
 
+    // Add the models of one type, all or none, each with a desc of its own.
+    // Fails as Scene::add; GPHYS_ERROR_STRUCT_SIZE as for a single desc.
+    //   - shapes: in the models' own coordinates
+    //   - transforms: local; nullptr is the identity
+    //   - descs: nullptr: no parent, layer 1, tag 0. Parents are models that the scene has before the call
+    // Cost: as Scene::add_batch.
+    void add_described_batch(ShapeSpan shapes, Span<const Transform> transforms, Span<const ModelDesc> descs, Span<gphys_model_id> out_models) {
+        const uint32_t count = common_size({shapes.sizes(), transforms.sizes(), descs.sizes()});
+        require_size(out_models.size, count);
+        check(gphys_scene_add_described_batch(handle(), shapes.type, shapes.data, shapes.stride, transforms.data, transforms.stride, descs.data, descs.stride, count, out_models.data));
+    }
+
     // Remove a model. Its children stay where they are in the world and lose their parent.
     // Cost: O(log n) amortised, and O(1) a child.
     void remove(gphys_model_id model) {

@@ -57,6 +57,7 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_model_desc_init(ModelDesc* desc, uint size);
     [DllImport(Library)] internal static extern Status gphys_scene_add(SceneHandle scene, ShapeType type, void* shape, Transform* transform, ModelDesc* desc, uint* out_model);
     [DllImport(Library)] internal static extern Status gphys_scene_add_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, Transform* transforms, uint transform_stride, uint count, ModelDesc* desc, uint* out_models);
+    [DllImport(Library)] internal static extern Status gphys_scene_add_described_batch(SceneHandle scene, ShapeType type, void* shapes, uint shape_stride, Transform* transforms, uint transform_stride, ModelDesc* descs, uint desc_stride, uint count, uint* out_models);
     [DllImport(Library)] internal static extern Status gphys_scene_remove(SceneHandle scene, uint model);
     [DllImport(Library)] internal static extern Status gphys_scene_remove_batch(SceneHandle scene, uint* models, uint count);
     [DllImport(Library)] internal static extern Status gphys_scene_remove_subtree(SceneHandle scene, uint model);

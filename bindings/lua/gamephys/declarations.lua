@@ -109,6 +109,7 @@ gphys_status gphys_scene_get_origin(const gphys_scene *scene, double *out_origin
 gphys_status gphys_model_desc_init(gphys_model_desc *desc, uint32_t size);
 gphys_status gphys_scene_add(gphys_scene *scene, gphys_shape_type type, const void *shape, const gphys_transform *transform, const gphys_model_desc *desc, gphys_model_id *out_model);
 gphys_status gphys_scene_add_batch(gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, const gphys_transform *transforms, uint32_t transform_stride, uint32_t count, const gphys_model_desc *desc, gphys_model_id *out_models);
+gphys_status gphys_scene_add_described_batch(gphys_scene *scene, gphys_shape_type type, const void *shapes, uint32_t shape_stride, const gphys_transform *transforms, uint32_t transform_stride, const gphys_model_desc *descs, uint32_t desc_stride, uint32_t count, gphys_model_id *out_models);
 gphys_status gphys_scene_remove(gphys_scene *scene, gphys_model_id model);
 gphys_status gphys_scene_remove_batch(gphys_scene *scene, const gphys_model_id *models, uint32_t count);
 gphys_status gphys_scene_remove_subtree(gphys_scene *scene, gphys_model_id model);

@@ -669,6 +669,7 @@ gphys_scene_get_origin = function("gphys_scene_get_origin", c_int32, [c_void_p, 
 gphys_model_desc_init = function("gphys_model_desc_init", c_int32, [c_void_p, c_uint32])
 gphys_scene_add = function("gphys_scene_add", c_int32, [c_void_p, c_int32, c_void_p, c_void_p, c_void_p, c_void_p])
 gphys_scene_add_batch = function("gphys_scene_add_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p, c_void_p])
+gphys_scene_add_described_batch = function("gphys_scene_add_described_batch", c_int32, [c_void_p, c_int32, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p, c_uint32, c_uint32, c_void_p])
 gphys_scene_remove = function("gphys_scene_remove", c_int32, [c_void_p, c_uint32])
 gphys_scene_remove_batch = function("gphys_scene_remove_batch", c_int32, [c_void_p, c_void_p, c_uint32])
 gphys_scene_remove_subtree = function("gphys_scene_remove_subtree", c_int32, [c_void_p, c_uint32])

@@ -73,6 +73,7 @@ extern "C" {
     pub fn gphys_model_desc_init(desc: *mut ModelDesc, size: u32) -> Status;
     pub fn gphys_scene_add(scene: *mut gphys_scene, type_: ShapeType, shape: *const c_void, transform: *const Transform, desc: *const ModelDesc, out_model: *mut ModelId) -> Status;
     pub fn gphys_scene_add_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, transforms: *const Transform, transform_stride: u32, count: u32, desc: *const ModelDesc, out_models: *mut ModelId) -> Status;
+    pub fn gphys_scene_add_described_batch(scene: *mut gphys_scene, type_: ShapeType, shapes: *const c_void, shape_stride: u32, transforms: *const Transform, transform_stride: u32, descs: *const ModelDesc, desc_stride: u32, count: u32, out_models: *mut ModelId) -> Status;
     pub fn gphys_scene_remove(scene: *mut gphys_scene, model: ModelId) -> Status;
     pub fn gphys_scene_remove_batch(scene: *mut gphys_scene, models: *const ModelId, count: u32) -> Status;
     pub fn gphys_scene_remove_subtree(scene: *mut gphys_scene, model: ModelId) -> Status;

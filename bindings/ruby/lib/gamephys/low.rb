@@ -81,6 +81,7 @@ module Gamephys
     attach_function :gphys_model_desc_init, [:pointer, :uint32], :int32
     attach_function :gphys_scene_add, [:pointer, :int32, :pointer, :pointer, :pointer, :pointer], :int32
     attach_function :gphys_scene_add_batch, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :uint32, :pointer, :pointer], :int32
+    attach_function :gphys_scene_add_described_batch, [:pointer, :int32, :pointer, :uint32, :pointer, :uint32, :pointer, :uint32, :uint32, :pointer], :int32
     attach_function :gphys_scene_remove, [:pointer, :uint32], :int32
     attach_function :gphys_scene_remove_batch, [:pointer, :pointer, :uint32], :int32
     attach_function :gphys_scene_remove_subtree, [:pointer, :uint32], :int32

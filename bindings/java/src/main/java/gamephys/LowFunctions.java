@@ -58,6 +58,7 @@ class LowFunctions {
     static native int gphys_model_desc_init(Pointer desc, int size);
     static native int gphys_scene_add(Pointer scene, int type, Pointer shape, Pointer transform, Pointer desc, Pointer outModel);
     static native int gphys_scene_add_batch(Pointer scene, int type, Pointer shapes, int shapeStride, Pointer transforms, int transformStride, int count, Pointer desc, Pointer outModels);
+    static native int gphys_scene_add_described_batch(Pointer scene, int type, Pointer shapes, int shapeStride, Pointer transforms, int transformStride, Pointer descs, int descStride, int count, Pointer outModels);
     static native int gphys_scene_remove(Pointer scene, int model);
     static native int gphys_scene_remove_batch(Pointer scene, Pointer models, int count);
     static native int gphys_scene_remove_subtree(Pointer scene, int model);
