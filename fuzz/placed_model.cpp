@@ -232,6 +232,16 @@ bool is_clear(const PlacedModel& model, const Shape& query) {
     return (is_larger && !larger_overlaps) || (is_smaller && smaller_overlaps);
 }
 
+bool has_clear_parts(const PlacedModel& model, const Shape& query) {
+    if (std::holds_alternative<Shape>(model.shape)) return is_clear(model, query);
+    const MeshSource& mesh = *std::get<1>(model.shape);
+    const Shape local = inverse_transformed(query, model.world);
+    for (uint32_t i = 0; i < mesh.triangles(); ++i) {
+        if (!is_clear({model.id, model.tag, Transform{}, Shape(triangle_of(mesh, i))}, local)) return false;
+    }
+    return true;
+}
+
 bool nearest(const PlacedModel& model, Vec3 point, double within, gphys_nearest& out) {
     Vec3 closest;
     uint32_t triangle = GPHYS_NO_TRIANGLE;

@@ -30,6 +30,8 @@ bool overlaps(const PlacedModel& model, const gphys::Shape& query);
 /// Whether the answer of overlaps is the same if the query, or else the model, is larger, or smaller, by more than the
 /// error that the header allows for the pair: then it has to be right.
 bool is_clear(const PlacedModel& model, const gphys::Shape& query);
+/// The same of each triangle, if the model is a mesh.
+bool has_clear_parts(const PlacedModel& model, const gphys::Shape& query);
 /// False if nothing is within that distance, which the doubles decide: what is reported at it may be beyond.
 bool nearest(const PlacedModel& model, gphys::Vec3 point, double within, gphys_nearest& near);
 

@@ -176,7 +176,10 @@ void World::ways_out() {
                                      static_cast<uint32_t>(found.size()), &total);
     FUZZ_CHECK((status >= 0) == is_valid(moving), "a valid solid gets out");
     if (status < 0) return;
-    for (const PlacedModel& model : placed(layers)) add_ways_out(model, widened(moving), expected);
+    for (const PlacedModel& model : placed(layers)) {
+        if (!has_clear_parts(model, widened(moving))) return;
+        add_ways_out(model, widened(moving), expected);
+    }
     std::sort(expected.begin(), expected.end(), gphys::DeepestFirst());
     found.resize(std::min(total, uint32_t{64}));
     FUZZ_CHECK(total == expected.size(), "a scene lists what is overlapped");

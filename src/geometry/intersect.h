@@ -130,6 +130,8 @@ bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit
 /// The box around a sphere, capsule or box, its middle, and how far it reaches along each axis.
 struct BoxInMotion {
     explicit BoxInMotion(const Shape& moving);
+    /// `half`, and how far a sweep may count as contact what rounding does not tell from it, of shapes in a box.
+    Vec3 half_with_rounding(const Box& shapes, Vec3 displacement) const;
     Box box;
     Vec3 middle, half;
 };

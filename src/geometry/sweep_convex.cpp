@@ -178,6 +178,17 @@ BoxInMotion::BoxInMotion(const Shape& moving)
     half = (high - low) * 0.5;
 }
 
+Vec3 BoxInMotion::half_with_rounding(const Box& shapes, Vec3 displacement) const {
+    // The parts of ConvexDifference::size: how far corners of the two are apart, twice for those of triangles.
+    double size = max_component(abs(displacement));
+    for (int axis = 0; axis < 3; ++axis) {
+        const double apart = std::max(shapes.max[axis] - middle[axis], middle[axis] - shapes.min[axis]);
+        size += 2 * (std::max(apart, 0.0) + half[axis]);
+    }
+    const double margin = touching * size;
+    return half + Vec3{margin, margin, margin};
+}
+
 bool sweep(const Shape& shape, const Shape& moving, Vec3 displacement, Hit& hit) {
     return with_pair(shape, moving,
                      [&](const auto& other, const auto& solid) { return sweep_pair(other, solid, displacement, hit); });

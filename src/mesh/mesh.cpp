@@ -270,10 +270,11 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
     if (packets_.empty()) return false;
     if (const auto* sphere = std::get_if<Sphere>(&moving)) return sweep(*sphere, displacement, hit);
     const BoxInMotion box(moving);
-    const RayProbe probe(box.middle, displacement, box.half, bounds());
+    const Vec3 half = box.half_with_rounding(bounds(), displacement);
+    const RayProbe probe(box.middle, displacement, half, bounds());
     Hit first;
     float first_t = std::numeric_limits<float>::infinity();
-    bvh_.sweep(box.middle, displacement, box.half, [&](uint32_t number, double& t_max) {
+    bvh_.sweep(box.middle, displacement, half, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
         for_each_lane(kernels_.lanes_along(packet, probe, probe.limit(t_max)), [&](int lane) {
             Hit candidate;

@@ -47,7 +47,8 @@ gphys_status Scene::sweep_by(const Shape& moving, Vec3 displacement, const Filte
         t_max = end;
     };
     const BoxInMotion box(moving);
-    bvh_.sweep(box.middle, displacement, box.half, visit, model_memory());
+    const Vec3 half = box.half_with_rounding(bvh_.bounds(), displacement);
+    bvh_.sweep(box.middle, displacement, half, visit, model_memory());
     if (!winner.exists()) return GPHYS_NO_HIT;
     out = to_contact(first, displacement, ids_.id(winner.slot), tags_[winner.slot]);
     return GPHYS_OK;
