@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The study with Dask: dask_study.py RESULT [--poses N] [--times N] [--side N] [--workers N | --scheduler ADDRESS]
 
-The units go to the workers as they become free. What a worker was doing when it died is given to another. Records are
+The town is built once and sent to the workers as a snapshot; what moves is sent once for each time. The units go to the
+workers as they become free. What a worker was doing when it died is given to another. Records are
 written to their place in the result file as they come; a file that was begun is gone on with.
 """
 import argparse
@@ -44,7 +45,11 @@ def main():
     with Client(cluster) as client, open(options.result, "r+b") as file:
         client.upload_file(study.__file__)  # the workers need nothing but the gamephys package
         start = time.monotonic()
-        futures = client.map(study.do, [unit for unit, _ in work], side=options.side, retries=3, pure=False)
+        town = client.submit(study.town)  # by one worker; the others get what it returns, and another if it dies
+        times = sorted({unit[0] for unit, _ in work})
+        places = dict(zip(times, client.map(study.traffic, times, retries=3)))
+        futures = client.map(study.do, [unit for unit, _ in work], [places[unit[0]] for unit, _ in work],
+                             town=town, side=options.side, retries=3, pure=False)
         place = dict(zip((future.key for future in futures), (offset for _, offset in work)))
         victim = None
         for count, (future, records) in enumerate(as_completed(futures, with_results=True), 1):

@@ -16,37 +16,46 @@ static uint32_t below(uint32_t* state, uint32_t n) {
     return (*state >> 8) % n;
 }
 
-void study_create(study* s) {
+void town_build(town* t) {
     uint32_t random = 1;
     const gphys_plane ground = {{0, 1, 0}, 0};
+    gphys_scene* scene;
     gphys_model_id id;
-    check(gphys_scene_create(NULL, &s->scene));
-    check(gphys_scene_add(s->scene, GPHYS_SHAPE_PLANE, &ground, NULL, NULL, &id));
+    check(gphys_scene_create(NULL, &scene));
+    check(gphys_scene_add(scene, GPHYS_SHAPE_PLANE, &ground, NULL, NULL, &id));
     for (int i = 0; i < BUILDINGS; ++i) { /* in metres, between -1000 and 1000 */
         const float x = (float)below(&random, 2000) - 1000, z = (float)below(&random, 2000) - 1000;
         const float w = (float)(4 + below(&random, 12)), h = (float)(3 + below(&random, 30)),
                     d = (float)(4 + below(&random, 12));
         const gphys_aabb building = {{x - w, 0, z - d}, {x + w, h, z + d}};
-        check(gphys_scene_add(s->scene, GPHYS_SHAPE_AABB, &building, NULL, NULL, &id));
+        check(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &building, NULL, NULL, &id));
     }
-    s->vehicles = calloc(VEHICLES, sizeof *s->vehicles);
-    if (!s->vehicles) exit(1);
     const gphys_aabb vehicle = {{-1, 0.25f, -2}, {1, 1.75f, 2}};
     for (int i = 0; i < VEHICLES; ++i)
-        check(gphys_scene_add(s->scene, GPHYS_SHAPE_AABB, &vehicle, NULL, NULL, &s->vehicles[i]));
+        check(gphys_scene_add(scene, GPHYS_SHAPE_AABB, &vehicle, NULL, NULL, &t->vehicles[i]));
+
+    check(gphys_scene_get_snapshot(scene, 1, NULL, 0, &t->word_count));
+    t->words = malloc(t->word_count * sizeof *t->words);
+    if (!t->words) exit(1);
+    check(gphys_scene_get_snapshot(scene, 1, t->words, t->word_count, &t->word_count));
+    gphys_scene_destroy(scene);
 }
 
 /* Vehicles drive straight, along z or x, each at its own speed, and begin again at the other end of the town. */
-static void move(study* s, uint32_t time) {
-    gphys_transform places[VEHICLES];
+void traffic_at(uint32_t time, traffic* now) {
     for (uint32_t i = 0; i < VEHICLES; ++i) {
         const float along = (float)((i * 7919 + time * (4 + i % 23)) % 2000) - 1000;
         const float across = (float)(i * 104729 % 2000) - 1000;
         const gphys_quat ahead = {0, 0, 0, 1}, aside = {0, 0.70710678f, 0, 0.70710678f};
-        places[i] =
+        now->places[i] =
             i % 2 ? (gphys_transform){{across, 0, along}, ahead, 1} : (gphys_transform){{along, 0, across}, aside, 1};
     }
-    check(gphys_scene_set_transforms(s->scene, s->vehicles, places, sizeof places[0], VEHICLES));
+}
+
+void study_create(study* s, const town* t) {
+    check(gphys_scene_create(NULL, &s->scene));
+    check(gphys_scene_restore(s->scene, NULL, t->words, t->word_count));
+    memcpy(s->vehicles, t->vehicles, sizeof s->vehicles);
 }
 
 /* side * side rays, 256 m long or more, around a sensor. Their directions go along a square, as no function is needed
@@ -64,12 +73,12 @@ static void aim(const study* s, uint32_t pose, gphys_ray* rays) {
     }
 }
 
-void study_do(study* s, uint32_t unit, record* out) {
+void study_do(study* s, uint32_t unit, const traffic* now, record* out) {
     const uint32_t count = s->side * s->side, time = unit / study_blocks(s), first = unit % study_blocks(s) * BLOCK;
     gphys_ray* rays = malloc(count * sizeof *rays);
     gphys_hit* hits = malloc(count * sizeof *hits);
     if (!rays || !hits) exit(1);
-    move(s, time);
+    check(gphys_scene_set_transforms(s->scene, s->vehicles, now->places, sizeof now->places[0], VEHICLES));
     for (uint32_t k = 0; k < unit_size(s, unit); ++k) {
         record* r = &out[k];
         *r = (record){1, time, first + k, 0, 0, 0, {0}};
@@ -90,7 +99,4 @@ void study_do(study* s, uint32_t unit, record* out) {
     free(hits);
 }
 
-void study_destroy(study* s) {
-    gphys_scene_destroy(s->scene);
-    free(s->vehicles);
-}
+void study_destroy(study* s) { gphys_scene_destroy(s->scene); }

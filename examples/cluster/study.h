@@ -15,13 +15,25 @@ typedef struct record {
     uint32_t histogram[8]; /* hits by t, 0.0625 each; the last holds the rest */
 } record;
 
+enum { BLOCK = 25, BUILDINGS = 4000, VEHICLES = 1000 };
+
+/* The town as it is sent to other processes, once: a snapshot of the scene, and which of its models are vehicles. */
+typedef struct town {
+    uint32_t word_count;
+    uint32_t* words;
+    gphys_model_id vehicles[VEHICLES];
+} town;
+
+/* What changes from one time to another. */
+typedef struct traffic {
+    gphys_transform places[VEHICLES];
+} traffic;
+
 typedef struct study {
     uint32_t poses, times, side; /* side * side rays a pose */
     gphys_scene* scene;
-    gphys_model_id* vehicles;
+    gphys_model_id vehicles[VEHICLES];
 } study;
-
-enum { BLOCK = 25, BUILDINGS = 4000, VEHICLES = 1000 };
 
 static inline uint32_t study_blocks(const study* s) { return (s->poses + BLOCK - 1) / BLOCK; }
 static inline uint32_t study_units(const study* s) { return s->times * study_blocks(s); }
@@ -34,9 +46,16 @@ static inline uint32_t unit_size(const study* s, uint32_t unit) {
     return s->poses - first < BLOCK ? s->poses - first : BLOCK;
 }
 
-/* Build the town; ends the program with a message if that fails. */
-void study_create(study* s);
-void study_do(study* s, uint32_t unit, record* out);
+/* These end the program with a message if they fail. */
+
+/* Build the town, in one process. */
+void town_build(town* t);
+void traffic_at(uint32_t time, traffic* now);
+
+/* The same scene as the one that the snapshot was taken of, with the same ids. */
+void study_create(study* s, const town* t);
+/* The records of a unit, with the traffic at its time. */
+void study_do(study* s, uint32_t unit, const traffic* now, record* out);
 void study_destroy(study* s);
 
 #endif

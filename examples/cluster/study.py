@@ -18,8 +18,8 @@ class Random:
         return (self.state >> 8) % n
 
 
-@functools.lru_cache(1)  # one scene a process, whatever the number of its units
 def town():
+    """The town, built in one process: the words of its snapshot, as bytes, and which of its models are vehicles."""
     random = Random(1)
     scene = gp.Scene()
     scene.add(gp.Plane((0, 1, 0), 0))
@@ -28,10 +28,18 @@ def town():
         w, h, d = 4 + random.below(12), 3 + random.below(30), 4 + random.below(12)
         scene.add(gp.Aabb((x - w, 0, z - d), (x + w, h, z + d)))
     vehicles = np.array([scene.add(gp.Aabb((-1, 0.25, -2), (1, 1.75, 2))) for _ in range(VEHICLES)], np.uint32)
-    return scene, vehicles
+    return scene.get_snapshot(1).tobytes(), vehicles
 
 
-def move(scene, vehicles, time):
+@functools.lru_cache(1)  # one scene a process, whatever the number of its units
+def restored(words):
+    scene = gp.Scene()
+    scene.restore(None, np.frombuffer(words, np.uint32))
+    return scene
+
+
+def traffic(time):
+    """What changes from one time to another: where the vehicles are."""
     i = np.arange(VEHICLES)
     along, across = (i * 7919 + time * (4 + i % 23)) % 2000 - 1000, i * 104729 % 2000 - 1000
     places = np.zeros(VEHICLES, gp.transform_dtype)
@@ -40,7 +48,7 @@ def move(scene, vehicles, time):
     places["position"][:, 2] = np.where(odd, along, across)
     places["rotation"][:] = np.where(odd[:, None], (0, 0, 0, 1), (0, 0.70710678, 0, 0.70710678))
     places["scale"] = 1
-    scene.set_transforms(vehicles, places)
+    return places
 
 
 def aim(side, pose):
@@ -64,11 +72,12 @@ def units(poses, times):
     return [(time, first, min(BLOCK, poses - first)) for time in range(times) for first in range(0, poses, BLOCK)]
 
 
-def do(unit, side):
-    """The records of a unit, as bytes."""
+def do(unit, places, town, side):
+    """The records of a unit, as bytes, with the vehicles at their places."""
     time, first, count = unit
-    scene, vehicles = town()
-    move(scene, vehicles, time)
+    words, vehicles = town
+    scene = restored(words)
+    scene.set_transforms(vehicles, places)
     records = np.zeros(count, RECORD)
     odd = 2 * np.arange(side * side, dtype=np.uint64) + np.uint64(1)
     for k, r in enumerate(records):
