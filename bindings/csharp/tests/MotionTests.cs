@@ -160,9 +160,9 @@ public class MotionTests {
         twin.Restore(snapshot);
         Scene place = new Scene(), copy = new Scene();
         place.Add(new Sphere((0, 1, 0), 1));
-        copy.Restore(null, place.GetSnapshot(true));
+        copy.Restore(place.GetSnapshot(true));
         CollectionAssert.AreEqual(place.GetHash(), copy.GetHash());
-        copy.Restore(place, place.GetSnapshot(false));
+        copy.Restore(place.GetSnapshot(false), place);
         CollectionAssert.AreEqual(place.GetModels(), copy.GetModels());
         CollectionAssert.AreEqual(solver.GetHash(), twin.GetHash());
         solver.Step(0.01f);
