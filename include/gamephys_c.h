@@ -782,8 +782,8 @@ GPHYS_API gphys_status gphys_scene_add_batch(gphys_scene* scene, gphys_shape_typ
 /** Add count models of one type, all or none, each with a desc of its own.
  *  @param shapes      in the models' own coordinates; a stride of 0 shares one shape, and a mesh needs 0
  *  @param transforms  local; a stride of 0 shares one; NULL is the identity
- *  @param descs       a stride of 0 takes one for all; NULL: no parent, layer 1, tag 0. Parents are models that the
- *                     scene has before the call
+ *  @param descs       one for each; a stride of 0 takes one for all; NULL: no parent, layer 1, tag 0. Parents are
+ *                     models that the scene has before the call
  *  @param out_models  count elements
  *  @return as gphys_scene_add; GPHYS_ERROR_STRUCT_SIZE as for a single desc
  *  Cost: as gphys_scene_add_batch; with a stride of descs that is not 0, 16 bytes a model are allocated for the

@@ -137,7 +137,7 @@ class Language:
 class Docs:
     def __init__(self, api, language):
         self.language = language
-        self.calls = {c.function["name"]: c for c in calls(api, with_descs=True)}
+        self.calls = {c.function["name"]: c for c in calls(api)}
         self.made = {c.function["name"]: handle for handle, c in creations(api).items()}
         self.made.update({f"{handle}_destroy": handle for handle in self.made.values()})
         self.made.update({c.function["name"]: handle for handle in api["handles"] for c in other_creations(api, handle)})
@@ -253,7 +253,7 @@ def translated(api, language, layout):
     for enum in mine["enums"]:
         for value in enum["values"]:
             value["doc"] = docs.plain(value["doc"])
-    every = {c.function["name"]: c for c in [*calls(api, with_descs=True), *creations(api).values(),
+    every = {c.function["name"]: c for c in [*calls(api), *creations(api).values(),
                                                *(c for h in api["handles"] for c in other_creations(api, h))]}
     for function in mine["functions"]:
         if function["name"] in every:

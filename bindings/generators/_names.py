@@ -61,19 +61,17 @@ def is_created(function):
     return any(p["role"] == "new" for p in function["parameters"])
 
 
-def calls(api, with_descs=False):
+def calls(api):
     """Every function that fits the conventions, except those that make and destroy objects and
-    descs, and the three without a status. Arrays of descs are for languages that have the structs of C."""
+    descs, and the three without a status."""
     for function in api["functions"]:
         parameters = function["parameters"]
         name = function["name"]
         if function["returns"] != "gphys_status" or name.endswith("_init") or is_created(function):
             continue
-        if with_descs:
-            parameters = [{**p, "role": "array"} if p["role"] == "descs" else p for p in parameters]
-        if any(p["role"] in ("raw", "descs") for p in parameters):
+        if any(p["role"] == "raw" for p in parameters):
             continue
-        yield as_call(api, {**function, "parameters": parameters})
+        yield as_call(api, function)
 
 
 def created_handle(function):

@@ -152,7 +152,7 @@ def generate(api):
                        f"    check({name}_init(&desc, sizeof desc));\n    return desc;\n}}")
     out.append("\nstruct ShapeRef;\nstruct ShapeSpan;\n")
     made = creations(api)
-    methods = list(calls(api, with_descs=True))
+    methods = list(calls(api))
     for handle in api["handles"]:
         out.append(f"class {camel(handle)};")
     shapes = [s for s in SHAPES if s != "mesh"]

@@ -11,7 +11,7 @@ LAYOUTS = {"float": "Layout.FLOAT", "double": "Layout.DOUBLE", "int": "Layout.IN
 ACCESS = {"float": "Float", "double": "Double", "int": "Int"}
 SLOT = 128  # bytes that Scratch has for one argument
 DEFAULTS = {"layers": "Gamephys.ALL_LAYERS", "max_distance": "Float.POSITIVE_INFINITY", "tolerance": "0", "link_length": "0",
-            "compliance": "0", "desc": "null", "filter": "null", "filters": "null", "transform": "null", "transforms": "null", "local_point": "null"}
+            "compliance": "0", "desc": "null", "descs": "null", "filter": "null", "filters": "null", "transform": "null", "transforms": "null", "local_point": "null"}
 FLAGS = ("pinned", "keep_world", "reverse_z", "embed_meshes")
 TEMPLATES = {
     "self": "opened()", "handle": "{n}.opened()", "handle?": "{n} == null ? null : {n}.opened()",
@@ -112,7 +112,17 @@ def settings(api, s):
     size = str(wide) if wide == narrow else f"Low.pick({wide}, {narrow})"
     text = HEADER + "import com.sun.jna.Pointer;\nimport java.nio.ByteBuffer;\n\n"
     text += (doc(s["doc"], "") or f"/** Settings: the library's defaults, until one is changed. */\n")
-    text += f"public final class {name} {{\n    private final ByteBuffer memory = Batch.direct({size});\n\n"
+    text += f"public final class {name} {{\n"
+    if any(p["role"] == "array" and element(p) == s["name"] for f in api["functions"] for p in f["parameters"]):
+        assert wide == narrow, f"{name} in an array has a size of the platform"
+        text += (f"    /** For a Batch of copies: Batch.copyOf, or Batch.shared for one that stands for all. */\n"
+                 f"    public static final Layout<{name}> LAYOUT = new Layout<>({size}, 0, {name}::read, {name}::write);\n\n")
+        copies = (f"\n    private static {name} read(ByteBuffer memory, int at) {{\n        {name} copy = new {name}();\n"
+                  f"        copy.memory.put(0, memory, at, {size});\n        return copy;\n    }}\n\n"
+                  f"    private void write(ByteBuffer to, int at) {{\n        to.put(at, memory, 0, {size});\n    }}\n")
+    else:
+        copies = ""
+    text += f"    private final ByteBuffer memory = Batch.direct({size});\n\n"
     text += f"    public {name}() {{\n        Low.check(Low.{s['name']}_init(pointer(), memory.capacity()));\n    }}\n\n"
     text += "    Pointer pointer() {\n        return com.sun.jna.Native.getDirectBufferPointer(memory);\n    }\n"
     for f in s["fields"]:
@@ -125,7 +135,7 @@ def settings(api, s):
         kind = java_type(api, f["type"])
         text += f"\n{about}    public {name} {n}({kind} value) {{\n        {writing(api, f['type'], place(f), 'value')}\n        return this;\n    }}\n"
         text += f"\n    public {kind} {n}() {{\n        return {reading(api, f['type'], place(f))};\n    }}\n"
-    return text + "}\n"
+    return text + copies + "}\n"
 
 
 def native_type(api, p_type):

@@ -188,7 +188,7 @@ class Method:
         if role == "in":
             return self.given(p, of)
         if role == "array":
-            kind = f"inputShapes({name})" if of == "void" else f"input({name}, {structs.size(of, 0) * p.get('width', 1)}, '{name}')"
+            kind = self.input(name, of, structs.size(of, 0) * p.get("width", 1) if of != "void" else 0)
             if p.get("nullable"):
                 kind = f"{name} == null ? nothing : {kind}"
             self.before.append(f"const {name}_ = {kind};")
@@ -230,6 +230,15 @@ class Method:
             return self.address(self.new)
         assert role == "scalar", role
         return f"+{name}" if of == "int32_t" else name
+
+    def input(self, name, of, bytes):
+        if of == "void":
+            return f"inputShapes({name})"
+        if self.structs.is_desc(of):
+            assert self.structs.size(of, 0) == self.structs.size(of, 1), f"{of} in an array has a size of the platform"
+            place = self.place(bytes, 8)
+            return f"inputDescs({name}, {place // 4}, {bytes}, native.{of}_init, write{camel(of)}, '{name}')"
+        return f"input({name}, {bytes}, '{name}')"
 
     def given(self, p, of):
         structs, name = self.structs, p["name"]
@@ -359,8 +368,8 @@ def objects_file(structs):
             + "import { " + ", ".join(used) + " } from './structs.js';\nimport { Shape, runtime } from './runtime.js';\n\n"
             + "/** Everything of the library but constants, over one way to reach its memory and functions. */\n"
             + "export function objects(memory) {\n"
-            + "    const { native, v, base, Handle, begin, check, common, finish, input, inputShapes, list, made, nothing, numbers,\n"
-            + "        output, pass, pointer, putShape, ragged, typeOf, more } = runtime(memory);\n\n" + text
+            + "    const { native, v, base, Handle, begin, check, common, finish, input, inputDescs, inputShapes, list, made, nothing,\n"
+            + "        numbers, output, pass, pointer, putShape, ragged, typeOf, more } = runtime(memory);\n\n" + text
             + "    return {\n        " + ", ".join([camel(h) for h in api["handles"]] + [lower_camel(c.name) for c in free]) + ",\n"
             + shapes + "        ...more(Scene, Mesh),\n    };\n}\n")
 

@@ -54,12 +54,15 @@ def prepared(api, call):
     lines = []
     for p in call.function["parameters"]:
         n = p["name"]
-        if p["role"] == "array" and element(p) == "void":
+        if p["role"] == "array" and element(p).endswith("_desc"):
+            lines.append(f"local {n}, {n}_count, {n}_stride = to_descs({lua_type(api, element(p))}, {n})")
+        elif p["role"] == "array" and element(p) == "void":
             lines.append(f"local {n}, {n}_kind, {n}_count, {n}_stride = to_shapes({n})")
         elif p["role"] == "array":
             width = f", {p['width']}" if "width" in p else ""
             lines.append(f"local {n}, {n}_count, {n}_stride = to_array({lua_type(api, element(p))}, {n}{width})")
     arrays = [p["name"] + "_count" for p in batch_arrays(call)]
+    assert len(arrays) <= 3, "runtime.common takes three"
     if arrays:
         lines.append(f"local count = common({', '.join(arrays)})")
     return lines
@@ -133,7 +136,7 @@ def methods(api):
     out = [HEADER + "return function(gp, runtime)",
            "local C, ALL_LAYERS = runtime.C, gp.ALL_LAYERS",
            "local opened, kind, address, to_value = runtime.opened, runtime.kind, runtime.address, runtime.to_value",
-           "local to_numbers, to_desc, to_flag = runtime.to_numbers, runtime.to_desc, runtime.to_flag",
+           "local to_numbers, to_desc, to_descs, to_flag = runtime.to_numbers, runtime.to_desc, runtime.to_descs, runtime.to_flag",
            "local to_array, to_shapes, common, results = runtime.to_array, runtime.to_shapes, runtime.common, runtime.results",
            "local list, ragged, check, found, answered = runtime.list, runtime.ragged, runtime.check, runtime.found, "
            "runtime.answered",

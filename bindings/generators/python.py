@@ -95,7 +95,7 @@ def default(p):
         return "low.ALL_LAYERS"
     if p["name"] == "max_distance":
         return 'float("inf")'
-    if p["name"] in ("desc", "filter", "filters", "transform", "transforms", "local_point"):
+    if p["name"] in ("desc", "descs", "filter", "filters", "transform", "transforms", "local_point"):
         return "None"
     return "0" if p["name"] in ("tolerance", "link_length", "compliance", "first") else None
 
@@ -103,6 +103,8 @@ def default(p):
 def input_hint(api, p):
     if p["role"] == "shape":
         return "Shape"
+    if p["role"] == "array" and element(p).endswith("_desc"):
+        return f"np.ndarray | Sequence[low.{camel(element(p))}] | low.{camel(element(p))} | None"
     if p["role"] == "array":
         return "ArrayLike | None" if p["name"] == "transforms" else "ArrayLike"
     if p["role"] == "handle":
@@ -167,6 +169,8 @@ def body(api, call, self_handle):
         elif role == "array":
             if element(p) == "void":
                 lines.append(f"{parameters[i - 1]['name']}_, {name}_ = shapes_of({name})")
+            elif element(p).endswith("_desc"):
+                lines.append(f"{name}_ = descs_of({name}, low.{camel(element(p))})")
             else:
                 width = f", {p['width']}" if "width" in p else ""
                 lines.append(f"{name}_ = array_of({name}, {numpy_type(api, element(p))}{width})")
@@ -262,8 +266,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _low as low
-from ._runtime import (Models, Object, array_of, check, common_length, found, handle_of, list_of, numbers_of,
-                       ragged_of, result_array, shape_of, shapes_of, value_of)
+from ._runtime import (Models, Object, array_of, check, common_length, descs_of, found, handle_of, list_of,
+                       numbers_of, ragged_of, result_array, shape_of, shapes_of, value_of)
 ''']
     made = creations(api)
     methods = list(calls(api))

@@ -18,7 +18,7 @@ TEMPLATES = {
 }
 # Optional parameters that are named in a call.
 KEYWORDS = {"layers": "ALL_LAYERS", "max_distance": "Float::INFINITY", "tolerance": "0", "link_length": "0", "compliance": "0"}
-POSITIONAL = ("transform", "transforms", "local_point")
+POSITIONAL = ("transform", "transforms", "descs", "local_point")
 
 
 def kind(api, of):
@@ -156,7 +156,9 @@ def argument_list(api, call):
 def prepared(api, call):
     lines = []
     for p in call.function["parameters"]:
-        if p["role"] == "array":
+        if p["role"] == "array" and element(p).endswith("_desc"):
+            lines.append(f"{p['name']} = Low.descs(Low::{camel(element(p))}, :{element(p)}_init, {p['name']})")
+        elif p["role"] == "array":
             of = "" if element(p) == "void" else f"{kind(api, element(p))}, "
             width = f", {p['width']}" if "width" in p else ""
             lines.append(f"{p['name']} = Low.{'array' if of else 'shapes'}({of}{p['name']}{width})")

@@ -91,6 +91,8 @@ def typescript(api):
             return camel(of) + null
         if p["role"] == "shape":
             return "AnyShape"
+        if p["role"] == "array" and of.endswith("_desc"):
+            return f"readonly Partial<{camel(of)}>[] | Partial<{camel(of)}>" + null
         if p["role"] == "array":
             return ("Shapes | AnyShape" if of == "void" else "Elements") + null
         if p.get("count"):

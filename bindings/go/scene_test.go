@@ -43,6 +43,37 @@ func TestBatchesAnswerAsSingleCallsDo(t *testing.T) {
 	}
 }
 
+func TestModelsWithDescsOfTheirOwn(t *testing.T) {
+	scene, balls := must(NewScene(nil)), Spheres{{Radius: 1}, {Radius: 2}, {Radius: 3}}
+	root := must(scene.Add(balls[0], nil, nil))
+	models := make([]ModelID, 3)
+	are := func(wanted ...[3]uint32) {
+		t.Helper()
+		for i, model := range models {
+			info := must(scene.Info(model))
+			same(t, [3]uint32{info.Parent, info.Layers, info.Tag}, wanted[i])
+		}
+	}
+	plain := DefaultModelDesc()
+	some := []ModelDesc{plain, plain, plain}
+	some[0].Parent, some[0].Layers, some[0].Tag, some[1].Tag = root, 2, 5, 6
+	first, second, third := [3]uint32{root, 2, 5}, [3]uint32{0, 1, 6}, [3]uint32{0, 1, 0}
+	try(t, scene.AddDescribedBatch(balls, nil, some, models))
+	are(first, second, third)
+	try(t, scene.AddDescribedBatch(balls[0], nil, some, models))
+	are(first, second, third)
+	try(t, scene.AddDescribedBatch(balls, nil, some[:1], models)) // one for all
+	are(first, first, first)
+	try(t, scene.AddDescribedBatch(balls, make500Places()[:3], nil, models))
+	are(third, third, third)
+	count := len(must(scene.Models()))
+	refused(t, ErrInvalidArgument, scene.AddDescribedBatch(balls, nil, some[:2], models))
+	refused(t, ErrStructSize, scene.AddDescribedBatch(balls, nil, make([]ModelDesc, 3), models))
+	some[2].Parent = 12345
+	refused(t, ErrInvalidID, scene.AddDescribedBatch(balls, nil, some, models))
+	same(t, len(must(scene.Models())), count)
+}
+
 func TestFiltersLeaveOutModels(t *testing.T) {
 	scene, ball := must(NewScene(nil)), Sphere{Radius: 1}
 	body := must(scene.Add(ball, nil, nil))

@@ -163,12 +163,21 @@ function runtime.to_shapes(given)
     error('not shapes: ' .. tostring(given), 3)
 end
 
+--- The same for settings: tables of fields, for each element or for all, over the library's defaults.
+function runtime.to_descs(of, given)
+    if type(given) ~= 'table' then return runtime.to_array(of, given) end
+    if not given[1] then return runtime.to_desc(of, given), nil, 0 end
+    local made = of.array(#given)
+    for i, fields in ipairs(given) do made[i - 1] = runtime.to_desc(of, fields) end
+    return made, #given, of.size
+end
+
 --- The length that arrays share; nil stands for any.
-function runtime.common(first, second)
-    if first and second and first ~= second then
-        error(('arrays of different lengths: %d and %d'):format(first, second), 3)
-    end
-    return first or second or error('no array says how many there are', 3)
+function runtime.common(first, second, third)
+    local count = first or second or third or error('no array says how many there are', 3)
+    local other = second and second ~= count and second or third and third ~= count and third
+    if other then error(('arrays of different lengths: %d and %d'):format(count, other), 3) end
+    return count
 end
 
 --- Room for results: the caller's, if it gave some.

@@ -10,7 +10,7 @@ out_array   pointer, [stride]: one result for each element
 list        out, capacity, out_total: as many results as there are
 ragged      out, capacity, out_offsets: such a list for each element
 stride, count, capacity, total, offsets    go with the above
-one         the stride of a desc, of which bindings pass one for all elements: always 0
+one         the stride of filters, of which bindings pass one for all elements: always 0
 scalar      a plain number
 raw         none of these: only for callers of the C function itself
 """
@@ -33,7 +33,7 @@ def nullable(function, p):
         return p["role"] == "in"
     if name in ("transform", "transforms"):
         return "_add" in function["name"]
-    if name == "library":
+    if name in ("descs", "library"):
         return True
     return name == "scene" and function["name"] in ("gphys_solver_step", "gphys_solver_advance")
 
@@ -54,13 +54,10 @@ def assign(function, handles):
             p["role"] = "handle"
         elif of == "gphys_shape_type":
             p["role"] = "shape_type"
-        elif name == "descs":
-            p["role"] = "descs"  # an array of structs that carry their size, for C and C++
         elif name == "count" or name.endswith("_count"):
             p["role"] = "count"
         elif name == "stride" or name.endswith("_stride"):
-            many = parameters[i - 1]["role"] == "descs" or not element(parameters[i - 1]).endswith("_desc")
-            p["role"] = "stride" if many else "one"
+            p["role"] = "one" if parameters[i - 1]["name"] == "filters" else "stride"
         elif name == "capacity":
             p["role"] = "capacity"
         elif name == "out_total":
@@ -75,7 +72,7 @@ def assign(function, handles):
             else:
                 p["role"] = "raw"
         elif pointer and is_const:
-            strided = following[:1] and following[0].endswith("stride") and not element(p).endswith("_desc")
+            strided = following[:1] and following[0].endswith("stride") and name != "filters"
             p["role"] = "array" if strided or following[:1] and following[0].endswith("count") else "in"
             # `models, transforms, transform_stride, count`: an array without a stride of its own
             whole = element(p) == "gphys_frustum" or element(p).endswith("_desc")

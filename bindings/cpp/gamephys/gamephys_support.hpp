@@ -61,7 +61,7 @@ using ElementOf = std::remove_const_t<std::remove_pointer_t<decltype(std::declva
 template <class C, class T>
 using ElementsOf = std::enable_if_t<std::is_same_v<ElementOf<C>, std::remove_const_t<T>>>;
 
-// Elements with any step between them; not the owner.
+// Elements with any step between them, or one to read that stands for all; not the owner.
 template <class T>
 struct Span {
     T* data = nullptr;
@@ -73,7 +73,9 @@ struct Span {
     Span(C&& container) : Span(container.data(), container.size()) {}
     template <size_t N>
     Span(T (&array)[N]) : Span(array, N) {}
-    uint32_t sizes() const { return data ? size : ANY_SIZE; }
+    template <class One, class = std::enable_if_t<std::is_class_v<One> && std::is_same_v<const One, T>>>
+    Span(const One& element) : Span(&element, 1, 0) {}
+    uint32_t sizes() const { return data && stride ? size : ANY_SIZE; }
 
 private:
     static uint32_t narrow(size_t size) {

@@ -116,6 +116,43 @@ TEST_CASE("meshes") {
     CHECK(raycast(mesh, down)->triangle == hits[0].triangle);
 }
 
+TEST_CASE("models with descs of their own") {
+    Scene scene;
+    const std::vector<Sphere> three(3, ball);
+    const gphys_model_id root = scene.add(ball);
+    std::vector<gphys_model_id> models(3);
+    std::vector<ModelDesc> some(3, model_desc());
+    some[0].parent = root;
+    some[0].layers = 2;
+    some[0].tag = 5;
+    some[1].tag = 6;
+    using Read = std::array<uint32_t, 3>;
+    const Read first{root, 2, 5}, second{0, 1, 6}, third{0, 1, 0};
+    const auto read_back = [&] {
+        std::vector<Read> read;
+        for (const gphys_model_id model : models) {
+            const ModelInfo info = scene.get_info(model);
+            read.push_back({info.parent, info.layers, info.tag});
+        }
+        return read;
+    };
+    scene.add_described_batch(three, {}, some, models);
+    CHECK(read_back() == std::vector<Read>{first, second, third});
+    scene.add_described_batch(ball, {}, some, models);
+    CHECK(read_back() == std::vector<Read>{first, second, third});
+    scene.add_described_batch(three, identity, some[0], models);
+    CHECK(read_back() == std::vector<Read>(3, first));
+    scene.add_described_batch(three, {}, {}, models);
+    CHECK(read_back() == std::vector<Read>(3, third));
+    const size_t count = scene.get_models().size();
+    CHECK_THROWS_AS(scene.add_described_batch(three, {}, std::vector<ModelDesc>(2, model_desc()), models),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(scene.add_described_batch(three, {}, std::vector<ModelDesc>(3), models), Error);
+    some[2].parent = 12345;
+    CHECK_THROWS_AS(scene.add_described_batch(three, {}, some, models), Error);
+    CHECK(scene.get_models().size() == count);
+}
+
 TEST_CASE("models") {
     SceneDesc desc = scene_desc();
     desc.worker_count = 2;

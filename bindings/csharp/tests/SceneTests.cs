@@ -45,6 +45,37 @@ public class SceneTests {
     }
 
     [Test]
+    public void ModelsWithDescsOfTheirOwn() {
+        var scene = new Scene();
+        var balls = Enumerable.Repeat(new Sphere((0, 0, 0), 1), 3).ToArray();
+        var root = scene.Add(balls[0]);
+        var models = new uint[3];
+        Action<(uint, uint, uint)[]> are = wanted => CollectionAssert.AreEqual(
+            wanted, models.Select(model => scene.GetInfo(model)).Select(info => (info.Parent, info.Layers, info.Tag)));
+        ModelDesc plain = ModelDesc.Default, first = plain, second = plain;
+        first.Parent = root;
+        first.Layers = 2;
+        first.Tag = 5;
+        second.Tag = 6;
+        var some = new[] { first, second, plain };
+        var known = new[] { (root, 2u, 5u), (0u, 1u, 6u), (0u, 1u, 0u) };
+        scene.AddDescribedBatch(balls, models, descs: some);
+        are(known);
+        scene.AddDescribedBatch((Shape)balls[0], models, descs: some);
+        are(known);
+        scene.AddDescribedBatch(balls, models, descs: new[] { first }); // one for all
+        are(new[] { known[0], known[0], known[0] });
+        scene.AddDescribedBatch(balls, models, new[] { Transform.Identity });
+        are(new[] { known[2], known[2], known[2] });
+        var count = scene.GetModels().Length;
+        Assert.Throws<ArgumentException>(() => scene.AddDescribedBatch(balls, models, descs: new[] { first, second }));
+        Refused(Status.ErrorStructSize, () => scene.AddDescribedBatch(balls, models, descs: new ModelDesc[3]));
+        some[2].Parent = 12345;
+        Refused(Status.ErrorInvalidId, () => scene.AddDescribedBatch(balls, models, descs: some));
+        Assert.AreEqual(count, scene.GetModels().Length);
+    }
+
+    [Test]
     public void FiltersLeaveOutModels() {
         var scene = new Scene();
         var ball = new Sphere((0, 0, 0), 1);

@@ -11,6 +11,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -156,6 +157,32 @@ public class GamephysTest {
         assertEquals(0, scene.getModels().size());
         scene.setOrigin(new double[] {1e9 + 0.5, 0, 0});
         assertArrayEquals(new double[] {1e9 + 0.5, 0, 0}, scene.getOrigin(), 0);
+    }
+
+    static List<List<Integer>> readBack(Scene scene, Batch<Integer> models) {
+        return models.stream().map(scene::getInfo).map(info -> List.of(info.parent(), info.layers(), info.tag())).toList();
+    }
+
+    @Test
+    public void modelsWithDescsOfTheirOwn() {
+        Scene scene = new Scene();
+        int root = scene.add(BALL);
+        Shapes three = Shapes.of(List.of(BALL, BALL, BALL));
+        ModelDesc first = new ModelDesc().parent(root).layers(2).tag(5);
+        Batch<ModelDesc> some = Batch.copyOf(ModelDesc.LAYOUT, List.of(first, new ModelDesc().tag(6), new ModelDesc()));
+        List<List<Integer>> known = List.of(List.of(root, 2, 5), List.of(0, 1, 6), List.of(0, 1, 0));
+        assertEquals(known, readBack(scene, scene.addDescribedBatch(three, null, some)));
+        assertEquals(known, readBack(scene, scene.addDescribedBatch(Shapes.of(BALL), null, some)));
+        Batch<ModelDesc> one = Batch.shared(ModelDesc.LAYOUT, first);
+        assertEquals(Collections.nCopies(3, known.get(0)), readBack(scene, scene.addDescribedBatch(three, null, one)));
+        assertEquals(Collections.nCopies(3, known.get(2)), readBack(scene, scene.addDescribedBatch(three)));
+        assertEquals(6, some.get(1).tag());
+        int count = scene.getModels().size();
+        assertThrows(IllegalArgumentException.class, () -> scene.addDescribedBatch(three, null, some.first(2)));
+        assertFails(ERROR_STRUCT_SIZE, () -> scene.addDescribedBatch(three, null, Batch.allocate(ModelDesc.LAYOUT, 3)));
+        some.set(2, new ModelDesc().parent(12345));
+        assertFails(ERROR_INVALID_ID, () -> scene.addDescribedBatch(three, null, some));
+        assertEquals(count, scene.getModels().size());
     }
 
     static Hit orMiss(java.util.Optional<Hit> hit, Hit batched) {

@@ -214,6 +214,20 @@ export function runtime(memory) {
         return { view, address: memory.locate(view), stride: size, length: view.byteLength / size, numbers: view.byteLength / 4 };
     }
 
+    /** Settings over the library's defaults, which are written at a place first: for each element, or for all. */
+    function inputDescs(descs, at, size, init, write, name) {
+        const many = Array.isArray(descs) ? descs : [descs];
+        const view = new Uint32Array((many.length * size) / 4);
+        check(init(base + 4 * at, size));
+        many.forEach((desc, i) => view.set(v.u32.subarray(at, at + size / 4), (i * size) / 4));
+        const views = viewsOf(view.buffer, 0, view.byteLength);
+        many.forEach((desc, i) => {
+            if (typeof desc !== 'object' || desc === null) throw new TypeError(`${name}: expected an object, got ${desc}`);
+            write(views, (i * size) / 4, desc);
+        });
+        return many === descs ? input(view, size, name) : { view, stride: 0 };
+    }
+
     /** The length that arrays have in common, those apart that stand for one element or for none. */
     function common(...arrays) {
         const lengths = arrays.map((array) => array.length).filter((length) => length !== undefined);
@@ -313,7 +327,7 @@ export function runtime(memory) {
     }
 
     return {
-        native, v, base, Handle, begin: memory.begin, check, common, finish, input, inputShapes, list, made, nothing, numbers,
-        output, pass, pointer, putShape, ragged, typeOf, more,
+        native, v, base, Handle, begin: memory.begin, check, common, finish, input, inputDescs, inputShapes, list, made, nothing,
+        numbers, output, pass, pointer, putShape, ragged, typeOf, more,
     };
 }

@@ -57,6 +57,26 @@ test('frusta', () => {
     assert.strictEqual(camera.getCorners(), null);
 });
 
+test('models with descs of their own', () => {
+    const scene = new gp.Scene();
+    const root = scene.add(ball);
+    const readBack = (models) => [...models].map((model) => scene.getInfo(model)).map(({ parent, layers, tag }) => [parent, layers, tag]);
+    const three = gp.shapes('sphere', floats(0, 0, 0, 1, 3, 0, 0, 1, 6, 0, 0, 1));
+    const some = [{ parent: root, layers: 2, tag: 5 }, { tag: 6 }, {}];
+    const known = [[root, 2, 5], [0, 1, 6], [0, 1, 0]];
+    same(readBack(scene.addDescribedBatch(three, null, some)), known);
+    same(readBack(scene.addDescribedBatch(ball, null, some)), known);
+    same(readBack(scene.addDescribedBatch(three, null, some[0])), [known[0], known[0], known[0]]);
+    same(readBack(scene.addDescribedBatch(three)), [known[2], known[2], known[2]]);
+    same(readBack(scene.addDescribedBatch(ball, null, [])), []);
+    const count = scene.getModels().length;
+    assert.throws(() => scene.addDescribedBatch(three, null, [{}, {}]), RangeError);
+    assert.throws(() => scene.addDescribedBatch(three, null, [{}, {}, { weight: 1 }]), TypeError);
+    assert.throws(() => scene.addDescribedBatch(three, null, [{}, {}, null]), TypeError);
+    assert.throws(() => scene.addDescribedBatch(three, null, { parent: 12345 }), gp.GamephysError);
+    assert.strictEqual(scene.getModels().length, count);
+});
+
 test('meshes', () => {
     const bad = gp.meshCheck(tetrahedron.vertices, Uint32Array.of(0, 1, 9, 0, 0, 0));
     same([bad.out_of_range_count, bad.first_out_of_range, bad.degenerate_count], [1, 0, 1]);

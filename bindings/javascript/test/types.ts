@@ -13,7 +13,11 @@ const there: boolean = scene.has(ball);
 const [side, distance]: [number, number] = gp.classifyPlane(gp.sphere([0, 0, 0], 1), [[0, 1, 0], 0]);
 const models: Uint32Array = scene.overlap(new gp.Mesh(new Float32Array(9), new Uint32Array(3))).u32;
 const corners: number[][] | null = new wasm.Camera({ viewport_width: 3 }).getCorners();
+scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), null, [{ tag: 1 }, { layers: 2, parent: ball }, {}]);
+scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), rays, { tag: 1 }, new Uint32Array(10));
 
+// @ts-expect-error: there is no such field
+scene.addDescribedBatch(gp.sphere([0, 0, 0], 1), null, [{ weight: 1 }]);
 // @ts-expect-error: there is no such field
 new gp.Camera({ width: 3 });
 // @ts-expect-error: a ray may meet nothing

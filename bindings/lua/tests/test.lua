@@ -114,6 +114,33 @@ function tests.models()
     assert(scene:get_origin()[0] == 1e9 + 0.5)
 end
 
+function tests.models_with_descs_of_their_own()
+    local scene = gp.Scene()
+    local root = scene:add(ball)
+    local function are(models, ...)
+        assert(gp.length(models) == select('#', ...))
+        for i, known in ipairs { ... } do
+            local info = scene:get_info(models[i - 1])
+            assert(info.parent == known[1] and info.layers == known[2] and info.tag == known[3])
+        end
+    end
+    local three, some = { ball, ball, ball }, { { parent = root, layers = 2, tag = 5 }, { tag = 6 }, {} }
+    are(scene:add_described_batch(three, nil, some), { root, 2, 5 }, { 0, 1, 6 }, { 0, 1, 0 })
+    are(scene:add_described_batch(ball, nil, some), { root, 2, 5 }, { 0, 1, 6 }, { 0, 1, 0 })
+    are(scene:add_described_batch({ ball, ball }, { IDENTITY, IDENTITY }, some[1]), { root, 2, 5 }, { root, 2, 5 })
+    are(scene:add_described_batch { ball, ball }, { 0, 1, 0 }, { 0, 1, 0 })
+    local descs = gp.array('model_desc', 2) -- an array of structs is taken as it is
+    fails(gp.ERROR_STRUCT_SIZE, scene.add_described_batch, scene, ball, nil, descs)
+    for i = 0, 1 do descs[i] = { struct_size = ffi.sizeof 'gphys_model_desc', layers = 4, tag = i } end
+    are(scene:add_described_batch(ball, nil, descs), { 0, 4, 0 }, { 0, 4, 1 })
+    local _, count = scene:get_models()
+    raises('different lengths: 3 and 2', scene.add_described_batch, scene, three, nil, { {}, {} })
+    raises('different lengths: 3 and 2', scene.add_described_batch, scene, three, { IDENTITY, IDENTITY }, { {}, {}, {} })
+    raises('weight', scene.add_described_batch, scene, three, nil, { {}, {}, { weight = 1 } })
+    fails(gp.ERROR_INVALID_ID, scene.add_described_batch, scene, three, nil, { parent = 12345 })
+    assert(select(2, scene:get_models()) == count)
+end
+
 local function some_scene()
     local scene = gp.Scene()
     for i = 0, 29 do scene:add(gp.Sphere({ 3 * math.sin(i), 3 * math.cos(2 * i), i / 3 }, 0.7)) end

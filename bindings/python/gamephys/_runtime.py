@@ -119,6 +119,16 @@ class Desc(Value):
 
     _init: ClassVar[Any]
 
+    @classmethod
+    def array(cls, count: int, **fields: Any) -> np.ndarray:
+        """So many of them in a numpy array, for a batch. A field is one value for all, or one for each."""
+        descs = np.full(count, np.frombuffer(bytes(cls()), cls.dtype))
+        for name, values in fields.items():
+            if name not in (cls.dtype.names or ()):
+                raise TypeError(f"{cls.__name__} has no field {name}")
+            descs[name] = numbers_as(cls.dtype[name].base, np.asarray(values))
+        return descs
+
     def __init__(self, **fields):
         check(type(self)._init(ctypes.addressof(self), ctypes.sizeof(self)))
         for name, value in fields.items():
@@ -219,7 +229,11 @@ def array_of(things, dtype, width=1):
         return _NONE
     dtype = np.dtype(dtype)
     base, inner = dtype.subdtype or (dtype, ())
-    if isinstance(things, (list, tuple)) and things and base.names and isinstance(things[0], (tuple, Value, np.void)):
+    if isinstance(things, (list, tuple)) and things and isinstance(things[0], Value):
+        kind = type(things[0])
+        if hasattr(kind, "dtype") and kind.dtype == dtype:
+            return structs_of(things, kind)
+    if isinstance(things, (list, tuple)) and things and base.names and isinstance(things[0], (tuple, np.void)):
         array = np.asarray(things, base)
     else:
         array = np.asarray(things)
@@ -245,6 +259,27 @@ def array_of(things, dtype, width=1):
         array = np.ascontiguousarray(array)
         stride = array.strides[0]
     return Argument(array.__array_interface__["data"][0], stride, length, array.size, array)
+
+
+def structs_of(things, kind):
+    """A list of structs of one kind, copied."""
+    for thing in things:
+        if type(thing) is not kind:
+            raise TypeError(f"expected {kind.__name__}, got {type(thing).__name__}")
+    array = (kind * len(things))(*things)
+    size = ctypes.sizeof(kind)
+    return Argument(ctypes.addressof(array), size, len(things), size // 4 * len(things), array)
+
+
+def descs_of(things, kind):
+    """An array of descs, such as Desc.array makes; a list of them; or one that stands for all."""
+    if isinstance(things, kind):
+        return Argument(ctypes.addressof(things), array=things)
+    if isinstance(things, (list, tuple)):
+        return structs_of(things, kind)
+    if things is not None and getattr(things, "dtype", None) != kind.dtype:
+        raise TypeError(f"expected {kind.__name__}s, got {type(things).__name__}")
+    return array_of(things, kind.dtype)
 
 
 def numbers_as(number, array):
@@ -290,10 +325,7 @@ def shapes_of(shapes):
         raise TypeError(f"{shapes.dtype} is no shape's dtype")
     if isinstance(shapes, (list, tuple)) and shapes and type(shapes[0]) in _low.shape_types:
         kind = type(shapes[0])
-        if any(type(shape) is not kind for shape in shapes):
-            raise TypeError("shapes of one batch are of one kind")
-        array = (kind * len(shapes))(*shapes)
-        return _low.shape_types[kind], Argument(ctypes.addressof(array), ctypes.sizeof(kind), len(shapes), array=array)
+        return _low.shape_types[kind], structs_of(shapes, kind)
     return shape_of(shapes)
 
 

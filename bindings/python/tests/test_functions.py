@@ -98,6 +98,40 @@ class Functions(unittest.TestCase):
         scene.set_origin((1e9 + 0.5, 0, 0))
         self.assertEqual(scene.get_origin().tolist(), [1e9 + 0.5, 0, 0])
 
+    def test_models_with_descs_of_their_own(self):
+        scene = gp.Scene()
+        root = scene.add(BALL)
+
+        def read_back(models):
+            return [(info.parent, info.layers, info.tag) for info in map(scene.get_info, models)]
+
+        some = [gp.ModelDesc(parent=root, layers=2, tag=5), gp.ModelDesc(tag=6), gp.ModelDesc()]
+        known = [(root, 2, 5), (0, 1, 6), (0, 1, 0)]
+        self.assertEqual(read_back(scene.add_described_batch([BALL] * 3, None, some)), known)
+        self.assertEqual(read_back(scene.add_described_batch(BALL, descs=some)), known)
+        array = gp.ModelDesc.array(3, tag=[5, 6, 0])
+        array["parent"][0], array["layers"][0] = root, 2
+        self.assertEqual(read_back(scene.add_described_batch([BALL] * 3, descs=array)), known)
+        self.assertEqual(read_back(scene.add_described_batch([BALL] * 2, descs=array[::2])), known[::2])
+        self.assertEqual(read_back(scene.add_described_batch([BALL] * 2, [IDENTITY] * 2, some[0])), known[:1] * 2)
+        self.assertEqual(read_back(scene.add_described_batch([BALL] * 2)), [(0, 1, 0)] * 2)
+        self.assertEqual(len(scene.add_described_batch(BALL, descs=gp.ModelDesc.array(0))), 0)
+        count = len(scene.get_models())
+        with self.assertRaisesRegex(ValueError, "different lengths"):
+            scene.add_described_batch([BALL] * 2, descs=some)
+        with self.assertRaises(gp.InvalidId):
+            scene.add_described_batch([BALL] * 3, descs=gp.ModelDesc.array(3, parent=12345))
+        with self.assertRaises(gp.Error):  # no desc: its size is 0
+            scene.add_described_batch([BALL] * 3, descs=np.zeros(3, gp.ModelDesc.dtype))
+        for wrong in ([{"tag": 1}] * 3, np.zeros((3, 4), np.uint32), 7, gp.SceneDesc()):
+            with self.assertRaises(TypeError):
+                scene.add_described_batch([BALL] * 3, descs=wrong)
+        with self.assertRaisesRegex(TypeError, "no field weight"):
+            gp.ModelDesc.array(3, weight=1)
+        with self.assertRaises(TypeError):
+            gp.ModelDesc.array(3, tag=0.5)
+        self.assertEqual(len(scene.get_models()), count)
+
     def test_batches_of_scenes_answer_as_single_calls_do(self):
         scene = gp.Scene()
         for i in range(30):

@@ -16,7 +16,11 @@ with gp.Solver() as solver:
     steps, leftover = solver.advance(scene, 0.1)
     whole: int = steps
 lists: tuple[np.ndarray, np.ndarray] = scene.overlap_batch([gp.Sphere((0, 0, 0), 1)])
+described: np.ndarray = scene.add_described_batch([], None, [gp.ModelDesc(tag=1)])
+scene.add_described_batch([], descs=gp.ModelDesc.array(2, tag=[1, 2]))
+scene.add_described_batch([], descs=gp.ModelDesc())
 
+scene.add_described_batch([], descs=[gp.SceneDesc()])  # type: ignore[list-item]
 scene.raycast(3)  # type: ignore[arg-type]
 scene.raycast(gp.Ray((0, 0, 0), (0, 0, 1), 100)).t  # type: ignore[union-attr]
 gp.Solver().step(gp.Camera(), 0.1)  # type: ignore[arg-type]

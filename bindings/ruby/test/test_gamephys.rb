@@ -122,6 +122,25 @@ class TestGamephys < Minitest::Test
     assert_equal [1e9 + 0.5, 0, 0], scene.get_origin
   end
 
+  def test_models_with_descs_of_their_own
+    scene = Scene.new
+    root = scene.add(BALL)
+    read_back = ->(models) { models.map { |model| scene.get_info(model).then { |info| [info.parent, info.layers, info.tag] } } }
+    some = [{ parent: root, layers: 2, tag: 5 }, { tag: 6 }, {}]
+    known = [[root, 2, 5], [0, 1, 6], [0, 1, 0]]
+    assert_equal known, read_back.(scene.add_described_batch([BALL] * 3, nil, some))
+    assert_equal known, read_back.(scene.add_described_batch(BALL, nil, some))
+    assert_equal known[0, 1] * 2, read_back.(scene.add_described_batch([BALL] * 2, [IDENTITY] * 2, some[0]))
+    assert_equal [[0, 1, 0]] * 2, read_back.(scene.add_described_batch([BALL] * 2))
+    assert_equal 0, scene.add_described_batch(BALL, nil, []).size
+    count = scene.get_models.size
+    assert_raises(ArgumentError) { scene.add_described_batch([BALL] * 2, nil, some) }
+    assert_raises(ArgumentError) { scene.add_described_batch([BALL] * 2, nil, [{}, { weight: 1 }]) }
+    assert_raises(TypeError) { scene.add_described_batch([BALL] * 2, nil, 7) }
+    assert_raises(InvalidId) { scene.add_described_batch([BALL] * 2, nil, { parent: 12_345 }) }
+    assert_equal count, scene.get_models.size
+  end
+
   def test_batches_answer_as_single_calls_do
     scene = Scene.new
     30.times { |i| scene.add(Sphere.new([3 * Math.sin(i), 3 * Math.cos(2 * i), i / 3.0], 0.7)) }

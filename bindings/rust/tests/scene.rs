@@ -41,6 +41,35 @@ fn batches_answer_as_single_calls_do() {
 }
 
 #[test]
+fn models_with_descs_of_their_own() {
+    let mut scene = Scene::new(None).unwrap();
+    let balls = [Sphere::new([0.0; 3], 1.0); 3];
+    let root = scene.add(&balls[0], None, None).unwrap();
+    let plain = ModelDesc::default();
+    let some = [ModelDesc { parent: root, layers: 2, tag: 5, ..plain }, ModelDesc { tag: 6, ..plain }, plain];
+    let known = [(root, 2, 5), (0, 1, 6), (0, 1, 0)];
+    let read_back = |scene: &Scene, models: [ModelId; 3]| {
+        models.map(|model| scene.get_info(model).unwrap()).map(|info| (info.parent, info.layers, info.tag))
+    };
+    let mut models = [0; 3];
+    scene.add_described_batch(&balls, Batch::none(), &some, &mut models).unwrap();
+    assert_eq!(read_back(&scene, models), known);
+    scene.add_described_batch(Shapes::one(&balls[0]), Batch::none(), &some, &mut models).unwrap();
+    assert_eq!(read_back(&scene, models), known);
+    scene.add_described_batch(&balls, Batch::none(), Batch::one(&some[0]), &mut models).unwrap();
+    assert_eq!(read_back(&scene, models), [known[0]; 3]);
+    scene.add_described_batch(&balls, &[Transform::default(); 3], Batch::none(), &mut models).unwrap();
+    assert_eq!(read_back(&scene, models), [known[2]; 3]);
+    let count = scene.get_models().unwrap().len();
+    let fails = scene.add_described_batch(&balls, Batch::none(), &some[..2], &mut models).unwrap_err();
+    assert_eq!(fails.status, Status::ERROR_INVALID_ARGUMENT);
+    let stale = [some[0], some[1], ModelDesc { parent: 12345, ..plain }];
+    let fails = scene.add_described_batch(&balls, Batch::none(), &stale, &mut models).unwrap_err();
+    assert_eq!(fails.status, Status::ERROR_INVALID_ID);
+    assert_eq!(scene.get_models().unwrap().len(), count);
+}
+
+#[test]
 fn filters_leave_out_models() {
     let mut scene = Scene::new(None).unwrap();
     let ball = Sphere::new([0.0; 3], 1.0);

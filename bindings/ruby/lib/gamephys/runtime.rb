@@ -146,12 +146,13 @@ module Gamephys
 
     # Settings: the library's defaults, changed by keywords; nil, which stands for them, without any.
     def desc(kind, init, fields)
-      return nil if fields.empty?
+      fields.empty? ? nil : filled(kind.new, init, fields)
+    end
 
-      made = kind.new
-      check(public_send(init, made, kind.size))
+    def filled(made, init, fields)
+      check(public_send(init, made, made.class.size))
       fields.each do |name, value|
-        raise ArgumentError, "#{kind.name.split('::').last} has no field #{name}" unless kind.members.include?(name)
+        raise ArgumentError, "#{made.class.name.split('::').last} has no field #{name}" unless made.members.include?(name)
 
         value.is_a?(Array) ? value.each_with_index { |number, i| made[name][i] = number } : made[name] = value
       end
@@ -205,6 +206,19 @@ module Gamephys
       else
         kind(given)
         array(given.class, given)
+      end
+    end
+
+    # The same for settings: an Array of Hashes, or one Hash that stands for all.
+    def descs(kind, init, given)
+      case given
+      when nil then Memory.new(kind, nil, nil, 0)
+      when Hash then Memory.new(kind, filled(kind.new, init, given), nil, 0)
+      when Array
+        memory = FFI::MemoryPointer.new(kind, [given.size, 1].max)
+        given.each_with_index { |fields, i| filled(kind.new(memory + i * kind.size), init, fields) }
+        Memory.new(kind, memory, given.size, kind.size)
+      else raise TypeError, "#{given.class} is neither an Array of Hashes nor a Hash"
       end
     end
 
