@@ -430,6 +430,36 @@ func (o *Scene) AddBatch(shapes Shapes, transforms []Transform, desc *ModelDesc,
 	return
 }
 
+// Add the models of one type, all or none, each with a desc of its own.
+// Fails as Scene.Add; ErrStructSize as for a single desc.
+//   - shapes: in the models' own coordinates
+//   - transforms: local; nil is the identity
+//   - descs: one for each; nil: no parent, layer 1, tag 0. Parents are models that the scene has
+//     before the call
+// Cost: as Scene.AddBatch.
+func (o *Scene) AddDescribedBatch(shapes Shapes, transforms []Transform, descs []ModelDesc, models []ModelID) (err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	shapesGiven, err := shapesOf(shapes)
+	if err != nil {
+		return
+	}
+	count, err := commonLength([]int{}, shapesGiven.count, optional(transforms), optional(descs))
+	if err != nil {
+		return
+	}
+	if err = requireLength(len(models), count); err != nil {
+		return
+	}
+	r := C.go_gphys_scene_add_described_batch(self, shapesGiven.kind, shapesGiven.data, shapesGiven.stride, (*C.gphys_transform)(data(transforms)), step(transforms), (*C.gphys_model_desc)(data(descs)), step(descs), C.uint32_t(count), (*C.gphys_model_id)(data(models)))
+	runtime.KeepAlive(o)
+	runtime.KeepAlive(shapes)
+	err = check(r.status, r.message)
+	return
+}
+
 // Remove a model. Its children stay where they are in the world and lose their parent.
 // Cost: O(log n) amortised, and O(1) a child.
 func (o *Scene) Remove(model ModelID) (err error) {

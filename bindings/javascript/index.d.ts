@@ -682,6 +682,14 @@ export class Scene {
      * @param transforms - local; null is the identity
      * @param desc - for all; null: no parent, layer 1, tag 0 */
     addBatch(shapes: Shapes | AnyShape, transforms?: Elements | null, desc?: Partial<ModelDesc> | null, out?: Elements): Records<number>;
+    /** Add the models of one type, all or none, each with a desc of its own.
+     * Fails as Scene.add; ERROR_STRUCT_SIZE as for a single desc.
+     * Cost: as Scene.addBatch.
+     * @param shapes - in the models' own coordinates
+     * @param transforms - local; null is the identity
+     * @param descs - one for each; null: no parent, layer 1, tag 0. Parents are models that the scene has
+     *     before the call */
+    addDescribedBatch(shapes: Shapes | AnyShape, transforms?: Elements | null, descs?: readonly Partial<ModelDesc>[] | Partial<ModelDesc> | null, out?: Elements): Records<number>;
     /** Remove a model. Its children stay where they are in the world and lose their parent.
      * Cost: O(log n) amortised, and O(1) a child. */
     remove(model: number): void;

@@ -326,7 +326,8 @@ public:
     // Fails as Scene::add; GPHYS_ERROR_STRUCT_SIZE as for a single desc.
     //   - shapes: in the models' own coordinates
     //   - transforms: local; nullptr is the identity
-    //   - descs: nullptr: no parent, layer 1, tag 0. Parents are models that the scene has before the call
+    //   - descs: one for each; nullptr: no parent, layer 1, tag 0. Parents are models that the scene has
+    //     before the call
     // Cost: as Scene::add_batch.
     void add_described_batch(ShapeSpan shapes, Span<const Transform> transforms, Span<const ModelDesc> descs, Span<gphys_model_id> out_models) {
         const uint32_t count = common_size({shapes.sizes(), transforms.sizes(), descs.sizes()});

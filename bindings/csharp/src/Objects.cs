@@ -298,6 +298,27 @@ public sealed partial class Scene : IDisposable {
         Check(status);
     }
 
+    /// <summary>Add the models of one type, all or none, each with a desc of its own.
+    /// Fails as Scene.Add; Status.ErrorStructSize as for a single desc.
+    /// Cost: as Scene.AddBatch.</summary>
+    /// <param name="shapes">in the models' own coordinates</param>
+    /// <param name="transforms">local; null is the identity</param>
+    /// <param name="descs">one for each; null: no parent, layer 1, tag 0. Parents are models that the scene
+    /// has before the call</param>
+    public unsafe void AddDescribedBatch(Shapes shapes, Span<uint> models, ReadOnlySpan<Transform> transforms = default(ReadOnlySpan<Transform>), ReadOnlySpan<ModelDesc> descs = default(ReadOnlySpan<ModelDesc>)) {
+        var shapesOne = shapes.One;
+        var count = CommonLength(-1, shapes.Count, Optional(transforms.Length), Optional(descs.Length));
+        RequireLength(models.Length, count);
+        Status status;
+        fixed (byte* shapesFirst = &MemoryMarshal.GetReference(shapes.Bytes))
+        fixed (Transform* transforms_ = &MemoryMarshal.GetReference(transforms))
+        fixed (ModelDesc* descs_ = &MemoryMarshal.GetReference(descs))
+        fixed (uint* models_ = &MemoryMarshal.GetReference(models))
+        status = Low.gphys_scene_add_described_batch(Handle, shapes.Type, shapes.IsOne ? (shapesOne.Mesh == null ? (void*)&shapesOne.Data : shapesOne.Mesh.Pointer) : shapesFirst, shapes.Stride, transforms_, StrideOf(transforms), descs_, StrideOf(descs), count, models_);
+        GC.KeepAlive(shapesOne.Mesh);
+        Check(status);
+    }
+
     /// <summary>Remove a model. Its children stay where they are in the world and lose their parent.
     /// Cost: O(log n) amortised, and O(1) a child.</summary>
     public unsafe void Remove(uint model) {

@@ -5,8 +5,8 @@ import { Shape, runtime } from './runtime.js';
 
 /** Everything of the library but constants, over one way to reach its memory and functions. */
 export function objects(memory) {
-    const { native, v, base, Handle, begin, check, common, finish, input, inputShapes, list, made, nothing, numbers,
-        output, pass, pointer, putShape, ragged, typeOf, more } = runtime(memory);
+    const { native, v, base, Handle, begin, check, common, finish, input, inputDescs, inputShapes, list, made, nothing,
+        numbers, output, pass, pointer, putShape, ragged, typeOf, more } = runtime(memory);
 
     class Mesh extends Handle {
         constructor(vertices, indices, desc) {
@@ -102,6 +102,16 @@ export function objects(memory) {
             const count = common(shapes_, transforms_);
             const out_models_ = output(out, 'uint32_t', count);
             check(native.gphys_scene_add_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(transforms_), transforms_.stride, count, desc == null ? 0 : base, pass(out_models_)));
+            return finish(out_models_);
+        }
+        addDescribedBatch(shapes, transforms, descs, out) {
+            begin();
+            const shapes_ = inputShapes(shapes);
+            const transforms_ = transforms == null ? nothing : input(transforms, 32, 'transforms');
+            const descs_ = descs == null ? nothing : inputDescs(descs, 0, 16, native.gphys_model_desc_init, writeModelDesc, 'descs');
+            const count = common(shapes_, transforms_, descs_);
+            const out_models_ = output(out, 'uint32_t', count);
+            check(native.gphys_scene_add_described_batch(this.pointer, shapes_.type, pass(shapes_), shapes_.stride, pass(transforms_), transforms_.stride, pass(descs_), descs_.stride, count, pass(out_models_)));
             return finish(out_models_);
         }
         remove(model) {

@@ -52,7 +52,7 @@ export const signatures = {
     gphys_model_desc_init: 'ipu',
     gphys_scene_add: 'ipipppp',
     gphys_scene_add_batch: 'ipiauauupa',
-    gphys_scene_add_described_batch: 'ipiauaupuua',
+    gphys_scene_add_described_batch: 'ipiauauauua',
     gphys_scene_remove: 'ipu',
     gphys_scene_remove_batch: 'ipau',
     gphys_scene_remove_subtree: 'ipu',

@@ -2,7 +2,7 @@
 return function(gp, runtime)
 local C, ALL_LAYERS = runtime.C, gp.ALL_LAYERS
 local opened, kind, address, to_value = runtime.opened, runtime.kind, runtime.address, runtime.to_value
-local to_numbers, to_desc, to_flag = runtime.to_numbers, runtime.to_desc, runtime.to_flag
+local to_numbers, to_desc, to_descs, to_flag = runtime.to_numbers, runtime.to_desc, runtime.to_descs, runtime.to_flag
 local to_array, to_shapes, common, results = runtime.to_array, runtime.to_shapes, runtime.common, runtime.results
 local list, ragged, check, found, answered = runtime.list, runtime.ragged, runtime.check, runtime.found, runtime.answered
 local float = runtime.element 'float'
@@ -246,6 +246,23 @@ function Scene:add_batch(shapes, transforms, desc, out)
     local count = common(shapes_count, transforms_count)
     out = results(uint32_t, out, count)
     check(C.gphys_scene_add_batch(opened(self), shapes_kind, shapes, shapes_stride, transforms, transforms_stride, count, desc and to_desc(ModelDesc, desc), out))
+    return out
+end
+
+--- Add the models of one type, all or none, each with a desc of its own.
+--- Fails as Scene:add; ERROR_STRUCT_SIZE as for a single desc.
+--- Cost: as Scene:add_batch.
+--- @param shapes in the models' own coordinates
+--- @param transforms local; nil is the identity
+--- @param descs one for each; nil: no parent, layer 1, tag 0. Parents are models that the scene has
+---     before the call
+function Scene:add_described_batch(shapes, transforms, descs, out)
+    local shapes, shapes_kind, shapes_count, shapes_stride = to_shapes(shapes)
+    local transforms, transforms_count, transforms_stride = to_array(Transform, transforms)
+    local descs, descs_count, descs_stride = to_descs(ModelDesc, descs)
+    local count = common(shapes_count, transforms_count, descs_count)
+    out = results(uint32_t, out, count)
+    check(C.gphys_scene_add_described_batch(opened(self), shapes_kind, shapes, shapes_stride, transforms, transforms_stride, descs, descs_stride, count, out))
     return out
 end
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _low as low
-from ._runtime import (Models, Object, array_of, check, common_length, found, handle_of, list_of, numbers_of,
-                       ragged_of, result_array, shape_of, shapes_of, value_of)
+from ._runtime import (Models, Object, array_of, check, common_length, descs_of, found, handle_of, list_of,
+                       numbers_of, ragged_of, result_array, shape_of, shapes_of, value_of)
 
 
 
@@ -231,6 +231,24 @@ class Scene(Models):
         count = common_length(shapes_, transforms_)
         out_ = result_array(out, count, "<u4")
         check(low.gphys_scene_add_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, count, desc_.address, out_.address))
+        return out_.array
+
+    def add_described_batch(self, shapes: ArrayLike, transforms: ArrayLike | None = None, descs: np.ndarray | Sequence[low.ModelDesc] | low.ModelDesc | None = None, *, out: np.ndarray | None = None) -> np.ndarray:
+        """Add the models of one type, all or none, each with a desc of its own.
+        Fails as Scene.add; ERROR_STRUCT_SIZE as for a single desc.
+        Cost: as Scene.add_batch.
+
+        Args:
+            shapes: in the models' own coordinates
+            transforms: local; None is the identity
+            descs: one for each; None: no parent, layer 1, tag 0. Parents are models that the scene has
+                before the call"""
+        type_, shapes_ = shapes_of(shapes)
+        transforms_ = array_of(transforms, low.transform_dtype)
+        descs_ = descs_of(descs, low.ModelDesc)
+        count = common_length(shapes_, transforms_, descs_)
+        out_ = result_array(out, count, "<u4")
+        check(low.gphys_scene_add_described_batch(self._handle, type_, shapes_.address, shapes_.stride, transforms_.address, transforms_.stride, descs_.address, descs_.stride, count, out_.address))
         return out_.array
 
     def remove(self, model: int) -> None:

@@ -426,6 +426,25 @@ impl Scene {
         check(unsafe { sys::gphys_scene_add_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, transforms.data, transforms.stride, count, pointer(desc), out_models.data) })
     }
 
+    /// Add the models of one type, all or none, each with a desc of its own.
+    /// Fails as `Scene::add`; `Status::ERROR_STRUCT_SIZE` as for a single desc.
+    ///
+    /// Cost: as `Scene::add_batch`.
+    ///
+    /// * `shapes`: in the models' own coordinates
+    /// * `transforms`: local; None is the identity
+    /// * `descs`: one for each; None: no parent, layer 1, tag 0. Parents are models that the scene has
+    ///   before the call
+    pub fn add_described_batch<'a>(&mut self, shapes: impl Into<Shapes<'a>>, transforms: impl Into<Batch<'a, Transform>>, descs: impl Into<Batch<'a, ModelDesc>>, out_models: &mut [ModelId]) -> Result<()> {
+        let shapes = shapes.into();
+        let transforms = transforms.into();
+        let descs = descs.into();
+        let out_models = BatchMut::from(out_models);
+        let count = common_length(&[shapes.length, transforms.length, descs.length])?;
+        out_models.require(count.into())?;
+        check(unsafe { sys::gphys_scene_add_described_batch(self.handle.as_ptr(), shapes.shape_type(), shapes.data, shapes.stride, transforms.data, transforms.stride, descs.data, descs.stride, count, out_models.data) })
+    }
+
     /// Remove a model. Its children stay where they are in the world and lose their parent.
     ///
     /// Cost: O(log n) amortised, and O(1) a child.

@@ -195,6 +195,23 @@ module Gamephys
       out
     end
 
+    # Add the models of one type, all or none, each with a desc of its own.
+    # Fails as Scene#add; ERROR_STRUCT_SIZE as for a single desc.
+    # Cost: as Scene#add_batch.
+    # @param shapes in the models' own coordinates
+    # @param transforms local; nil is the identity
+    # @param descs one for each; nil: no parent, layer 1, tag 0. Parents are models that the scene has
+    #     before the call
+    def add_described_batch(shapes, transforms = nil, descs = nil, out: nil)
+      shapes = Low.shapes(shapes)
+      transforms = Low.array(Transform, transforms)
+      descs = Low.descs(Low::ModelDesc, :gphys_model_desc_init, descs)
+      count = Low.common(shapes, transforms, descs)
+      out = Low.results(UInt32, out, count)
+      Low.check(Low.gphys_scene_add_described_batch(opened, shapes.kind::KIND, shapes.pointer, shapes.stride, transforms.pointer, transforms.stride, descs.pointer, descs.stride, count, out.pointer))
+      out
+    end
+
     # Remove a model. Its children stay where they are in the world and lose their parent.
     # Cost: O(log n) amortised, and O(1) a child.
     def remove(model)

@@ -6,6 +6,9 @@ import java.nio.ByteBuffer;
 
 /** Settings: the library's defaults, until one is changed. */
 public final class ModelDesc {
+    /** For a Batch of copies: Batch.copyOf, or Batch.shared for one that stands for all. */
+    public static final Layout<ModelDesc> LAYOUT = new Layout<>(16, 0, ModelDesc::read, ModelDesc::write);
+
     private final ByteBuffer memory = Batch.direct(16);
 
     public ModelDesc() {
@@ -56,5 +59,15 @@ public final class ModelDesc {
 
     public int tag() {
         return memory.getInt(12);
+    }
+
+    private static ModelDesc read(ByteBuffer memory, int at) {
+        ModelDesc copy = new ModelDesc();
+        copy.memory.put(0, memory, at, 16);
+        return copy;
+    }
+
+    private void write(ByteBuffer to, int at) {
+        to.put(at, memory, 0, 16);
     }
 }

@@ -126,6 +126,39 @@ public final class Scene extends SceneBase {
     }
 
     /**
+     * Add the models of one type, all or none, each with a desc of its own.
+     * Fails as Scene.add; ERROR_STRUCT_SIZE as for a single desc.
+     * Cost: as Scene.addBatch.
+     * @param shapes in the models' own coordinates
+     * @param transforms local; null is the identity
+     * @param descs one for each; null: no parent, layer 1, tag 0. Parents are models that the scene has
+     *     before the call
+     */
+    public Batch<Integer> addDescribedBatch(Shapes shapes, Batch<Transform> transforms, Batch<ModelDesc> descs, Batch<Integer> out) {
+        int count = Low.common(shapes.common(), Batch.common(transforms), Batch.common(descs));
+        Batch<Integer> room = Batch.room(Layout.INT, count, out);
+        int status = Low.gphys_scene_add_described_batch(opened(), shapes.kind(), shapes.pointer(), shapes.stride(), Batch.pointer(transforms), Batch.stride(transforms), Batch.pointer(descs), Batch.stride(descs), count, room.pointer());
+        Low.keep(this, shapes, transforms, descs, room);
+        Low.check(status);
+        return room;
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> addDescribedBatch(Shapes shapes, Batch<Transform> transforms, Batch<ModelDesc> descs) {
+        return addDescribedBatch(shapes, transforms, descs, (Batch<Integer>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> addDescribedBatch(Shapes shapes, Batch<Transform> transforms) {
+        return addDescribedBatch(shapes, transforms, (Batch<ModelDesc>) null, (Batch<Integer>) null);
+    }
+
+    /** The same with defaults. */
+    public Batch<Integer> addDescribedBatch(Shapes shapes) {
+        return addDescribedBatch(shapes, (Batch<Transform>) null, (Batch<ModelDesc>) null, (Batch<Integer>) null);
+    }
+
+    /**
      * Remove a model. Its children stay where they are in the world and lose their parent.
      * Cost: O(log n) amortised, and O(1) a child.
      */
