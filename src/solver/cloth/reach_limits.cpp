@@ -55,7 +55,6 @@ struct Way {
 
 /// Dijkstra from all pins at once; each particle keeps the first few that reach it.
 void plan_reach_limits(Body& body) {
-    Plan& plan = body.plan;
     body.cloth.reach_limits.clear();
     std::pmr::memory_resource* memory = body.cloth.reach_limits.get_allocator().resource();
     const Neighbours neighbours(body, memory);

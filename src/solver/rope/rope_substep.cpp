@@ -146,7 +146,6 @@ namespace {
 /// Out of what the rope is in. Its tensions are those that move it, and stay.
 void leave_solids(Body& body, const CollisionContext& around, double step) {
     if (!body.contacts.sunk || !begin_leaving(body, around)) return;
-    Plan& plan = body.plan;
     body.rope.earlier_tension = body.rope.tension;
     std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
     body.history.predicted = body.particles.position;
