@@ -161,22 +161,14 @@ TEST_CASE("a snapshot's arrays of a body have the lengths that belong together")
     REQUIRE(takes(rope, [](Body&) {}));
     REQUIRE(takes(sheet, [](Body&) {}));
     const Change longer[] = {
-        [](Body& b) { b.velocity.emplace_back(); },
-        [](Body& b) { b.force.emplace_back(); },
-        [](Body& b) { b.mass.push_back(1); },
-        [](Body& b) { b.inverse_mass.push_back(1); },
-        [](Body& b) { b.radius.push_back(0); },
-        [](Body& b) { b.constraints.push_back({}); },
-        [](Body& b) { b.rest_position.resize(10); },
-        [](Body& b) { b.placed.resize(10); },
-        [](Body& b) { b.start.resize(10); },
-        [](Body& b) { b.start_velocity.resize(10); },
-        [](Body& b) { b.touches.resize(10); },
-        [](Body& b) { b.stuck.resize(10); },
-        [](Body& b) { b.cloth.search_balls.resize(10); },
-        [](Body& b) { b.triangles.push_back(0); },
-        [](Body& b) { b.settings.self_collision = 2; },
-        [](Body& b) { b.settings.self_collision ^= 1; },
+        [](Body& b) { b.particles.velocity.emplace_back(); }, [](Body& b) { b.particles.force.emplace_back(); },
+        [](Body& b) { b.particles.mass.push_back(1); },       [](Body& b) { b.particles.inverse_mass.push_back(1); },
+        [](Body& b) { b.particles.radius.push_back(0); },     [](Body& b) { b.constraints.by_slot.push_back({}); },
+        [](Body& b) { b.cloth.rest_position.resize(10); },    [](Body& b) { b.contacts.self.placed.resize(10); },
+        [](Body& b) { b.history.start.resize(10); },          [](Body& b) { b.history.start_velocity.resize(10); },
+        [](Body& b) { b.contacts.touches.resize(10); },       [](Body& b) { b.contacts.stuck.resize(10); },
+        [](Body& b) { b.cloth.search_balls.resize(10); },     [](Body& b) { b.cloth.triangles.push_back(0); },
+        [](Body& b) { b.settings.self_collision = 2; },       [](Body& b) { b.settings.self_collision ^= 1; },
     };
     for (const Change& change : longer) {
         INFO(&change - longer);
@@ -186,9 +178,10 @@ TEST_CASE("a snapshot's arrays of a body have the lengths that belong together")
     // A body has particles, and some arrays may be missing.
     Memory memory(nullptr);
     CHECK(defect(Body(&memory)) != nullptr);
-    CHECK(takes(sheet, [](Body& b) { b.rest_position.clear(); }));
-    CHECK(takes(rope, [](Body& b) { b.start.clear(), b.start_velocity.clear(); }));
-    CHECK(takes(sheet, [](Body& b) { b.touches.resize(9 * touches_per_particle), b.stuck.resize(9); }));
+    CHECK(takes(sheet, [](Body& b) { b.cloth.rest_position.clear(); }));
+    CHECK(takes(rope, [](Body& b) { b.history.start.clear(), b.history.start_velocity.clear(); }));
+    CHECK(
+        takes(sheet, [](Body& b) { b.contacts.touches.resize(9 * touches_per_particle), b.contacts.stuck.resize(9); }));
 }
 
 TEST_CASE("a snapshot's numbers of a body are in their ranges, each by itself") {
@@ -204,47 +197,48 @@ TEST_CASE("a snapshot's numbers of a body are in their ranges, each by itself") 
             rope, [&](Body& b) -> double& { return b.settings.*amount; }, amounts, no_amounts);
     }
     check_number(rope, [](Body& b) -> double& { return b.settings.restitution; }, {0, 1}, {-tiny, beyond(1)});
-    for (double Body::*const seconds : {&Body::wanted_substep, &Body::earlier_step}) {
-        check_number(rope, [&](Body& b) -> double& { return b.*seconds; }, {0, 0.5}, {-tiny, beyond(0.5)});
-    }
+    check_number(rope, [](Body& b) -> double& { return b.substeps.wanted; }, {0, 0.5}, {-tiny, beyond(0.5)});
+    check_number(rope, [](Body& b) -> double& { return b.history.earlier_step; }, {0, 0.5}, {-tiny, beyond(0.5)});
     check_number(
         rope, [](Body& b) -> double& { return b.sleep.calm; }, amounts, no_amounts);
     check_number(
-        rope, [](Body& b) -> double& { return b.radius.back(); }, amounts, no_amounts);
+        rope, [](Body& b) -> double& { return b.particles.radius.back(); }, amounts, no_amounts);
     check_number(sheet, [](Body& b) -> double& { return b.cloth.balance.lost; }, {0, 1e300}, {-tiny, infinity});
-    check_number(sheet, [](Body& b) -> double& { return b.volume.rest; }, {0, 1e300}, {-tiny, infinity});
+    check_number(sheet, [](Body& b) -> double& { return b.cloth.volume.rest; }, {0, 1e300}, {-tiny, infinity});
     check_number(
-        sheet, [](Body& b) -> double& { return b.volume.compliance; }, amounts, no_amounts);
-    check_number(sheet, [](Body& b) -> double& { return b.volume.pressure; }, {-1e300, 1e300}, {infinity, -infinity});
+        sheet, [](Body& b) -> double& { return b.cloth.volume.compliance; }, amounts, no_amounts);
+    check_number(sheet, [](Body& b) -> double& { return b.cloth.volume.pressure; }, {-1e300, 1e300},
+                 {infinity, -infinity});
 
     // On its way a place may be rounded beyond the range; relative to a former origin it was up to four times as far.
     constexpr double place = range * (1 + 0x1p-40), earlier = 4 * range, speed = 1e30;
     check_vector(
-        rope, [](Body& b) -> Vec3& { return b.position.back(); }, place);
+        rope, [](Body& b) -> Vec3& { return b.particles.position.back(); }, place);
     check_vector(
-        rope, [](Body& b) -> Vec3& { return b.velocity.back(); }, speed);
+        rope, [](Body& b) -> Vec3& { return b.particles.velocity.back(); }, speed);
     check_vector(
-        rope, [](Body& b) -> Vec3& { return b.force.back(); }, range);
+        rope, [](Body& b) -> Vec3& { return b.particles.force.back(); }, range);
     check_vector(
-        rope, [](Body& b) -> Vec3& { return b.placed.back(); }, place);
+        rope, [](Body& b) -> Vec3& { return b.contacts.self.placed.back(); }, place);
     check_vector(
-        rope, [](Body& b) -> Vec3& { return b.start.resize(4), b.start.back(); }, earlier);
+        rope, [](Body& b) -> Vec3& { return b.history.start.resize(4), b.history.start.back(); }, earlier);
     check_vector(
-        rope, [](Body& b) -> Vec3& { return b.start_velocity.resize(4), b.start_velocity.back(); }, speed);
+        rope, [](Body& b) -> Vec3& { return b.history.start_velocity.resize(4), b.history.start_velocity.back(); },
+        speed);
     check_vector(
-        sheet, [](Body& b) -> Vec3& { return b.rest_position.back(); }, place);
+        sheet, [](Body& b) -> Vec3& { return b.cloth.rest_position.back(); }, place);
     check_vector(
         sheet, [](Body& b) -> Vec3& { return b.cloth.origin; }, place);
 
-    CHECK(takes(sheet, [](Body& b) { b.stuck.assign(9, 1); }));
-    CHECK_FALSE(takes(sheet, [](Body& b) { b.stuck.assign(9, 1), b.stuck.back() = 2; }));
-    for (Vector<float> ClothState::*const floats : {&ClothState::moved, &ClothState::velocity_before}) {
+    CHECK(takes(sheet, [](Body& b) { b.contacts.stuck.assign(9, 1); }));
+    CHECK_FALSE(takes(sheet, [](Body& b) { b.contacts.stuck.assign(9, 1), b.contacts.stuck.back() = 2; }));
+    for (Vector<float> Cloth::*const floats : {&Cloth::moved, &Cloth::velocity_before}) {
         CHECK(takes(sheet, [&](Body& b) { (b.cloth.*floats).assign(1, 1e30f); }));
         CHECK_FALSE(takes(sheet, [&](Body& b) { (b.cloth.*floats).assign(1, HUGE_VALF); }));
     }
-    const uint32_t corners = static_cast<uint32_t>(sheet.triangles.size());
+    const uint32_t corners = static_cast<uint32_t>(sheet.cloth.triangles.size());
     REQUIRE(corners > 0);
-    CHECK_FALSE(takes(sheet, [](Body& b) { b.triangles.back() = 9; }));
+    CHECK_FALSE(takes(sheet, [](Body& b) { b.cloth.triangles.back() = 9; }));
 }
 
 TEST_CASE("a snapshot's masses are positive, of pinned particles too, and fit their inverses") {
@@ -253,8 +247,8 @@ TEST_CASE("a snapshot's masses are positive, of pinned particles too, and fit th
     for (const uint32_t particle : {0u, 3u}) {  // one of them pinned
         const auto with_mass = [&](double mass) {
             return takes(rope, [&](Body& b) {
-                b.mass[particle] = mass;
-                if (!b.pinned(particle)) b.inverse_mass[particle] = 1 / mass;
+                b.particles.mass[particle] = mass;
+                if (!b.particles.pinned(particle)) b.particles.inverse_mass[particle] = 1 / mass;
             });
         };
         const double least_mass = 0x1p-173;  // the least float, shared among 2^24
@@ -264,8 +258,8 @@ TEST_CASE("a snapshot's masses are positive, of pinned particles too, and fit th
             CHECK_FALSE(with_mass(mass));
         }
     }
-    for (const double inverse : {beyond(1 / rope.mass[3]), -1.0, not_a_number}) {
-        CHECK_FALSE(takes(rope, [&](Body& b) { b.inverse_mass[3] = inverse; }));
+    for (const double inverse : {beyond(1 / rope.particles.mass[3]), -1.0, not_a_number}) {
+        CHECK_FALSE(takes(rope, [&](Body& b) { b.particles.inverse_mass[3] = inverse; }));
     }
 }
 
@@ -274,8 +268,8 @@ TEST_CASE("a snapshot's touches, boxes and looks around are of numbers") {
     Body& sheet = bodies.sheet();
     const auto with_touch = [&](const gphys_vec3& point, const gphys_vec3& normal) {
         return takes(sheet, [&](Body& b) {
-            b.touches.resize(9 * touches_per_particle);
-            b.touches.back() = {1, 0, point, normal};
+            b.contacts.touches.resize(9 * touches_per_particle);
+            b.contacts.touches.back() = {1, 0, point, normal};
         });
     };
     CHECK(with_touch({1e30f, -1e30f, 0}, {0, -1, 0}));
@@ -300,7 +294,7 @@ TEST_CASE("a snapshot's touches, boxes and looks around are of numbers") {
         CHECK(with_look(axis, -far));
         CHECK_FALSE(with_look(axis, -further));
     }
-    for (const float reach : {0.0f, far, ClothState::no_ball}) CHECK(with_look(3, reach));
+    for (const float reach : {0.0f, far, Cloth::no_ball}) CHECK(with_look(3, reach));
     for (const float reach : {-0.5f, further, HUGE_VALF}) CHECK_FALSE(with_look(3, reach));
 }
 
@@ -308,7 +302,7 @@ TEST_CASE("a snapshot's impulses are of numbers, and by model") {
     Bodies bodies;
     Body& rope = bodies.rope();
     const auto with_impulses = [&](const std::vector<ModelImpulse>& impulses) {
-        return takes(rope, [&](Body& b) { b.impulses.assign(impulses.begin(), impulses.end()); });
+        return takes(rope, [&](Body& b) { b.contacts.impulses.assign(impulses.begin(), impulses.end()); });
     };
     CHECK(with_impulses({{1, 0, {1e300, 0, 0}, {}}, {2, 0, {}, {}}}));
     CHECK_FALSE(with_impulses({{2, 0, {}, {}}, {1, 0, {}, {}}}));
@@ -326,7 +320,7 @@ TEST_CASE("a snapshot's attachments are of pinned particles, in order, in a plac
     Body& rope = bodies.rope();
     set_pinned(rope, 0, 2, true);
     const auto with = [&](const std::vector<Attachment>& attachments) {
-        return takes(rope, [&](Body& b) { b.attachments.assign(attachments.begin(), attachments.end()); });
+        return takes(rope, [&](Body& b) { b.constraints.attachments.assign(attachments.begin(), attachments.end()); });
     };
     const Vec3 far{4 * range, 0, 0}, further{0, 0, beyond(4 * range)};
     CHECK(with({{0, 1, {1e32, 0, 0}, far, far}, {1, 1, {}, {}, {}}}));
@@ -345,22 +339,22 @@ TEST_CASE("a snapshot's constraints join two particles each, by amounts") {
     const auto number = [&](double DistanceConstraint::*field, const std::vector<double>& taken,
                             const std::vector<double>& refused) {
         check_number(
-            rope, [&](Body& b) -> double& { return b.constraints.back().*field; }, taken, refused);
+            rope, [&](Body& b) -> double& { return b.constraints.by_slot.back().*field; }, taken, refused);
     };
     number(&DistanceConstraint::rest, {0, 4 * range}, {-tiny, beyond(4 * range)});
     number(&DistanceConstraint::compliance, {0, range}, {-tiny, beyond(range)});
     number(&DistanceConstraint::damping, {0, range}, {-tiny, beyond(range)});
-    CHECK(takes(rope, [](Body& b) { b.constraints.back().limit = 1; }));
-    CHECK_FALSE(takes(rope, [](Body& b) { b.constraints.back().limit = 2; }));
-    CHECK_FALSE(takes(rope, [](Body& b) { b.constraints.back().a = 4; }));
-    CHECK_FALSE(takes(rope, [](Body& b) { b.constraints.back().b = 4; }));
-    CHECK_FALSE(takes(rope, [](Body& b) { b.constraints.back().a = b.constraints.back().b; }));
+    CHECK(takes(rope, [](Body& b) { b.constraints.by_slot.back().limit = 1; }));
+    CHECK_FALSE(takes(rope, [](Body& b) { b.constraints.by_slot.back().limit = 2; }));
+    CHECK_FALSE(takes(rope, [](Body& b) { b.constraints.by_slot.back().a = 4; }));
+    CHECK_FALSE(takes(rope, [](Body& b) { b.constraints.by_slot.back().b = 4; }));
+    CHECK_FALSE(takes(rope, [](Body& b) { b.constraints.by_slot.back().a = b.constraints.by_slot.back().b; }));
     // What was removed may hold anything.
-    gphys_constraint_id id = rope.constraint_ids.id(2);
+    gphys_constraint_id id = rope.constraints.ids.id(2);
     REQUIRE(remove_constraint(rope, id) == GPHYS_OK);
-    CHECK(takes(rope, [](Body& b) { b.constraints[2].a = 9; }));
+    CHECK(takes(rope, [](Body& b) { b.constraints.by_slot[2].a = 9; }));
     check_table([&](const std::function<void(IdTable&)>& change) {
-        return takes(rope, [&](Body& b) { change(b.constraint_ids); });
+        return takes(rope, [&](Body& b) { change(b.constraints.ids); });
     });
 }
 
@@ -416,8 +410,8 @@ TEST_CASE("a snapshot's plan of a rope is the one that its constraints ask for")
     CHECK(taken([](Body&) {}));
     CHECK_FALSE(taken([](Body& b) { b.plan.method = GPHYS_SOLVE_GRAPH; }));
     CHECK_FALSE(taken([](Body& b) { b.plan.method = GPHYS_SOLVE_FREE; }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.tension.push_back(0); }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.tension.back() = infinity; }));
+    CHECK_FALSE(taken([](Body& b) { b.rope.tension.push_back(0); }));
+    CHECK_FALSE(taken([](Body& b) { b.rope.tension.back() = infinity; }));
     // One that is out of date says nothing.
     CHECK(taken([](Body& b) { b.plan.chains_current = false, b.plan.method = GPHYS_SOLVE_FREE; }));
 }
@@ -465,7 +459,7 @@ TEST_CASE("a snapshot's plan of cloth has each constraint once, and solves side 
     REQUIRE(plan.chains.size() > 2);
     REQUIRE(plan.colours.size() > 2);
     REQUIRE(plan.reach_current);
-    REQUIRE_FALSE(plan.reach_limits.empty());
+    REQUIRE_FALSE(sheet.cloth.reach_limits.empty());
     CHECK(taken([](Body&) {}));
     CHECK_FALSE(taken([](Body& b) { b.plan.particles.back() = 9; }));
 
@@ -489,31 +483,35 @@ TEST_CASE("a snapshot's plan of cloth has each constraint once, and solves side 
     // Each link is the constraint between its particles.
     CHECK_FALSE(taken([](Body& b) { b.plan.slots[0] = b.plan.slots[1]; }));
     CHECK_FALSE(taken([](Body& b) { std::swap(b.plan.slots.front(), b.plan.slots.back()); }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.slots[0] = b.constraint_ids.slots(); }));
+    CHECK_FALSE(taken([](Body& b) { b.plan.slots[0] = b.constraints.ids.slots(); }));
     CHECK_FALSE(taken([](Body& b) { std::swap(b.plan.particles.front(), b.plan.particles.back()); }));
-    CHECK_FALSE(taken([](Body& b) { b.constraint_ids.remove(b.constraint_ids.id(b.plan.slots[0])); }));
+    CHECK_FALSE(taken([](Body& b) { b.constraints.ids.remove(b.constraints.ids.id(b.plan.slots[0])); }));
     for (const bool first : {true, false}) {
         // One end alone is not enough, whichever way round.
         const uint32_t from = plan.particles[0], to = plan.particles[1], shared = first ? from : to;
         const uint32_t elsewhere = 8 - from - to;
         REQUIRE((elsewhere < 9 && elsewhere != from && elsewhere != to));
-        CHECK_FALSE(taken(
-            [&](Body& b) { b.constraints[b.plan.slots[0]].a = shared, b.constraints[b.plan.slots[0]].b = elsewhere; }));
-        CHECK_FALSE(taken(
-            [&](Body& b) { b.constraints[b.plan.slots[0]].b = shared, b.constraints[b.plan.slots[0]].a = elsewhere; }));
+        CHECK_FALSE(taken([&](Body& b) {
+            b.constraints.by_slot[b.plan.slots[0]].a = shared, b.constraints.by_slot[b.plan.slots[0]].b = elsewhere;
+        }));
+        CHECK_FALSE(taken([&](Body& b) {
+            b.constraints.by_slot[b.plan.slots[0]].b = shared, b.constraints.by_slot[b.plan.slots[0]].a = elsewhere;
+        }));
     }
     // Which of its ends comes first does not matter, but all of a family push, or none does.
-    CHECK(taken([](Body& b) { std::swap(b.constraints[b.plan.slots[0]].a, b.constraints[b.plan.slots[0]].b); }));
-    CHECK_FALSE(taken([](Body& b) { b.constraints[b.plan.slots[0]].limit ^= 1; }));
-    CHECK_FALSE(taken([](Body& b) { b.constraints[b.plan.slots[1]].limit ^= 1; }));
+    CHECK(taken([](Body& b) {
+        std::swap(b.constraints.by_slot[b.plan.slots[0]].a, b.constraints.by_slot[b.plan.slots[0]].b);
+    }));
+    CHECK_FALSE(taken([](Body& b) { b.constraints.by_slot[b.plan.slots[0]].limit ^= 1; }));
+    CHECK_FALSE(taken([](Body& b) { b.constraints.by_slot[b.plan.slots[1]].limit ^= 1; }));
 
     // Limits lead from a free particle to a pinned one.
-    CHECK_FALSE(taken([](Body& b) { b.plan.reach_limits.back().particle = 9; }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.reach_limits.back().anchor = 9; }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.reach_limits.back().particle = 0; }));
-    CHECK_FALSE(taken([](Body& b) { b.plan.reach_limits.back().anchor = 1; }));
+    CHECK_FALSE(taken([](Body& b) { b.cloth.reach_limits.back().particle = 9; }));
+    CHECK_FALSE(taken([](Body& b) { b.cloth.reach_limits.back().anchor = 9; }));
+    CHECK_FALSE(taken([](Body& b) { b.cloth.reach_limits.back().particle = 0; }));
+    CHECK_FALSE(taken([](Body& b) { b.cloth.reach_limits.back().anchor = 1; }));
     const auto distance = [&](double metres) {
-        return taken([&](Body& b) { b.plan.reach_limits.back().distance = metres; });
+        return taken([&](Body& b) { b.cloth.reach_limits.back().distance = metres; });
     };
     CHECK(distance(0));
     CHECK(distance(4 * range * IdTable::capacity));

@@ -190,17 +190,17 @@ struct Star {
         gphys::Body& body = bodies[0];
         for (uint32_t i = 0; i <= neighbours; ++i) {
             const Vec3 at = i == 0 ? Vec3{} : random.direction() * random.uniform(0.5, 2);
-            body.position.push_back(at);
-            body.start.push_back(at);
-            body.predicted.push_back(at + random.direction() * 0.01);
-            body.mass.push_back(random.uniform(0.1, 10));
+            body.particles.position.push_back(at);
+            body.history.start.push_back(at);
+            body.history.predicted.push_back(at + random.direction() * 0.01);
+            body.particles.mass.push_back(random.uniform(0.1, 10));
             const bool held = pinned && i % 7 == 3;
-            if (held) body.predicted.back() = at;
-            body.inverse_mass.push_back(held ? 0 : 1 / body.mass.back());
+            if (held) body.history.predicted.back() = at;
+            body.particles.inverse_mass.push_back(held ? 0 : 1 / body.particles.mass.back());
         }
         for (uint32_t i = 0; i <= neighbours; ++i) system.add_node(0, i, false);
         for (uint32_t i = 1; i <= neighbours; ++i) {
-            joints.push_back({0, 0, 0, i, length(body.position[i]), 0, {}});
+            joints.push_back({0, 0, 0, i, length(body.particles.position[i]), 0, {}});
             gphys::JointSystem::Link link{};
             link.a = 0;
             link.b = i;
@@ -208,8 +208,9 @@ struct Star {
             link.source = i - 1;
             system.add_link(link);
         }
-        for (size_t p = 0; p < body.position.size(); ++p) {
-            if (!body.pinned(static_cast<uint32_t>(p))) body.position[p] = body.predicted[p];
+        for (size_t p = 0; p < body.particles.position.size(); ++p) {
+            if (!body.particles.pinned(static_cast<uint32_t>(p)))
+                body.particles.position[p] = body.history.predicted[p];
         }
         system.plan();
     }
@@ -233,10 +234,10 @@ TEST_CASE("a star of joints moves as its equations say") {
         for (int i = 0; i < 4; ++i) star.system.solve();  // each goes on from where the one before ended
         star.system.scatter(star.bodies);
         star.system.scatter_tensions(star.bodies, star.joints);
-        std::vector<Vec3> forces(body.size());
+        std::vector<Vec3> forces(body.particles.size());
         double gap = 0, largest = 0, residual = 0;
-        for (uint32_t i = 1; i < body.size(); ++i) {
-            const Vec3 along = body.position[i] - body.position[0];
+        for (uint32_t i = 1; i < body.particles.size(); ++i) {
+            const Vec3 along = body.particles.position[i] - body.particles.position[0];
             const gphys::Joint& joint = star.joints[i - 1];
             gap = std::max(gap, std::fabs(length(along) - joint.rest));
             const Vec3 pull = along / length(along) * joint.tension.x;
@@ -244,8 +245,9 @@ TEST_CASE("a star of joints moves as its equations say") {
             forces[i] -= pull;
             largest = std::max(largest, length(pull));
         }
-        for (uint32_t i = 0; i < body.size(); ++i) {
-            const Vec3 inertia = (body.position[i] - body.predicted[i]) * (body.mass[i] / (Star::h * Star::h));
+        for (uint32_t i = 0; i < body.particles.size(); ++i) {
+            const Vec3 inertia = (body.particles.position[i] - body.history.predicted[i]) *
+                                 (body.particles.mass[i] / (Star::h * Star::h));
             residual = std::max(residual, length(inertia - forces[i]));
         }
         // Regularisation leaves 1e-10 of a correction; rounding 1e-16 of places, times m / h^2.
@@ -261,9 +263,10 @@ TEST_CASE("a star of joints to particles that do not move is held by them") {
     star.system.gather(star.bodies, star.joints, Star::h);
     for (int i = 0; i < 4; ++i) star.system.solve();
     star.system.scatter(star.bodies);
-    CHECK(length(body.position[0]) < 1e-8);
-    for (uint32_t i = 1; i < body.size(); ++i) {
-        CHECK(std::fabs(distance(body.position[i], body.position[0]) - star.joints[i - 1].rest) < 1e-8);
+    CHECK(length(body.particles.position[0]) < 1e-8);
+    for (uint32_t i = 1; i < body.particles.size(); ++i) {
+        CHECK(std::fabs(distance(body.particles.position[i], body.particles.position[0]) - star.joints[i - 1].rest) <
+              1e-8);
     }
 }
 

@@ -263,7 +263,8 @@ gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_i
         GPHYS_REQUIRE(out_info, "out_info is null");
         const Body& b = unwrap(solver)->body(body);
         const gphys_solve_method method = b.plan.chains_current ? b.plan.method : method_of(b);
-        *out_info = {b.kind, method, b.size(), b.constraint_ids.size(), static_cast<uint32_t>(b.triangles.size() / 3)};
+        *out_info = {b.kind, method, b.particles.size(), b.constraints.ids.size(),
+                     static_cast<uint32_t>(b.cloth.triangles.size() / 3)};
         return GPHYS_OK;
     });
 }
@@ -273,7 +274,7 @@ gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id
         GPHYS_REQUIRE(solver, "solver is null");
         GPHYS_TRY(unwrap(solver)->check(body));
         GPHYS_REQUIRE(out_substeps, "out_substeps is null");
-        *out_substeps = unwrap(solver)->body(body).substeps;
+        *out_substeps = unwrap(solver)->body(body).substeps.made;
         return GPHYS_OK;
     });
 }
@@ -284,7 +285,7 @@ gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_i
         GPHYS_REQUIRE(solver, "solver is null");
         GPHYS_TRY(unwrap(solver)->check(body));
         GPHYS_TRY(check_list(out_indices, capacity, out_total));
-        const Vector<uint32_t>& indices = unwrap(solver)->body(body).triangles;
+        const Vector<uint32_t>& indices = unwrap(solver)->body(body).cloth.triangles;
         const uint32_t total = static_cast<uint32_t>(indices.size());
         std::copy_n(indices.begin(), std::min(total, capacity), out_indices);
         return listed(total, capacity, out_total);

@@ -129,7 +129,8 @@ gphys_status gphys_solver_get_constraint_settings(const gphys_solver* solver, gp
         GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_settings));
         const StridedOut<gphys_constraint_settings> to(out_settings, out_stride);
         const Body& b = unwrap(solver)->body(body);
-        for (uint32_t i = 0; i < count; ++i) to[i] = settings_of(b.constraints[IdTable::slot_of(constraints[i])]);
+        for (uint32_t i = 0; i < count; ++i)
+            to[i] = settings_of(b.constraints.by_slot[IdTable::slot_of(constraints[i])]);
         return GPHYS_OK;
     });
 }

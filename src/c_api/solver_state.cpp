@@ -12,7 +12,7 @@ namespace {
 gphys_status check_range(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count) {
     GPHYS_REQUIRE(solver, "solver is null");
     GPHYS_TRY(unwrap(solver)->check(body));
-    const uint32_t size = unwrap(solver)->body(body).size();
+    const uint32_t size = unwrap(solver)->body(body).particles.size();
     GPHYS_REQUIRE(first <= size && count <= size - first, "first, count: not within the body");
     return GPHYS_OK;
 }
@@ -20,7 +20,7 @@ gphys_status check_range(const gphys_solver* solver, gphys_body_id body, uint32_
 gphys_status check_particle(const gphys_solver* solver, gphys_body_id body, uint32_t particle) {
     GPHYS_REQUIRE(solver, "solver is null");
     GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_REQUIRE(particle < unwrap(solver)->body(body).size(), "particle: not within the body");
+    GPHYS_REQUIRE(particle < unwrap(solver)->body(body).particles.size(), "particle: not within the body");
     return GPHYS_OK;
 }
 
@@ -58,7 +58,7 @@ gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_i
                                         gphys_vec3* out_positions, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).position, first, count, out_positions, out_stride);
+        return copy_out(unwrap(solver)->body(body).particles.position, first, count, out_positions, out_stride);
     });
 }
 
@@ -77,7 +77,7 @@ gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_
                                          gphys_vec3* out_velocities, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).velocity, first, count, out_velocities, out_stride);
+        return copy_out(unwrap(solver)->body(body).particles.velocity, first, count, out_velocities, out_stride);
     });
 }
 
@@ -99,7 +99,7 @@ gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id b
         const StridedOut<float> to(out_masses, out_stride);
         // Shared among many particles a mass may be less than any float; none is 0.
         constexpr float least = std::numeric_limits<float>::denorm_min();
-        const Vector<double>& mass = unwrap(solver)->body(body).mass;
+        const Vector<double>& mass = unwrap(solver)->body(body).particles.mass;
         for (uint32_t i = 0; i < count; ++i) to[i] = std::max(static_cast<float>(mass[first + i]), least);
         return GPHYS_OK;
     });
@@ -121,7 +121,7 @@ gphys_status gphys_solver_get_radii(const gphys_solver* solver, gphys_body_id bo
         GPHYS_TRY(check_range(solver, body, first, count));
         GPHYS_TRY(check_out(out_radii, out_stride, count));
         const StridedOut<float> to(out_radii, out_stride);
-        const Vector<double>& radius = unwrap(solver)->body(body).radius;
+        const Vector<double>& radius = unwrap(solver)->body(body).particles.radius;
         for (uint32_t i = 0; i < count; ++i) to[i] = static_cast<float>(radius[first + i]);
         return GPHYS_OK;
     });
@@ -141,7 +141,7 @@ gphys_status gphys_solver_get_forces(const gphys_solver* solver, gphys_body_id b
                                      gphys_vec3* out_forces, uint32_t out_stride) {
     return guarded([&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).force, first, count, out_forces, out_stride);
+        return copy_out(unwrap(solver)->body(body).particles.force, first, count, out_forces, out_stride);
     });
 }
 
@@ -184,7 +184,7 @@ gphys_status gphys_solver_get_pinned(const gphys_solver* solver, gphys_body_id b
         GPHYS_TRY(check_range(solver, body, first, count));
         GPHYS_TRY(check_out(out_pinned, out_stride, count));
         const StridedOut<int32_t> to(out_pinned, out_stride);
-        for (uint32_t i = 0; i < count; ++i) to[i] = unwrap(solver)->body(body).pinned(first + i);
+        for (uint32_t i = 0; i < count; ++i) to[i] = unwrap(solver)->body(body).particles.pinned(first + i);
         return GPHYS_OK;
     });
 }
@@ -208,8 +208,9 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
         GPHYS_TRY(unwrap(scene)->check(model));
         if (local_point) GPHYS_REQUIRE_VALID(*local_point);
         Body& b = unwrap(solver)->body(body);
-        const Vec3 local = local_point ? widen(*local_point)
-                                       : unwrap(scene)->world_transform(model).inverse_apply(b.position[particle]);
+        const Vec3 local = local_point
+                               ? widen(*local_point)
+                               : unwrap(scene)->world_transform(model).inverse_apply(b.particles.position[particle]);
         attach(b, particle, model, local);
         return GPHYS_OK;
     });
@@ -286,9 +287,9 @@ gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id b
         GPHYS_REQUIRE(solver, "solver is null");
         GPHYS_TRY(unwrap(solver)->check(body));
         const Body& b = unwrap(solver)->body(body);
-        if (!b.volume.held) return fail(GPHYS_ERROR_UNSUPPORTED, "body: no volume is held");
+        if (!b.cloth.volume.held) return fail(GPHYS_ERROR_UNSUPPORTED, "body: no volume is held");
         if (out_volume) *out_volume = to_float(volume_of(b));
-        if (out_pressure) *out_pressure = to_float(b.volume.pressure);
+        if (out_pressure) *out_pressure = to_float(b.cloth.volume.pressure);
         return GPHYS_OK;
     });
 }

@@ -15,13 +15,13 @@ Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, uint32_t count
     body.settings.body_layers = desc.body_layers;
     body.settings.self_collision = desc.self_collision;
     const double mass = static_cast<double>(desc.mass) / count;
-    body.position.resize(count);
-    body.velocity.resize(count);
-    body.force.resize(count);
-    body.mass.assign(count, mass);
-    body.inverse_mass.assign(count, 1 / mass);
-    body.radius.assign(count, desc.radius);
-    body.links.resize(count);
+    body.particles.position.resize(count);
+    body.particles.velocity.resize(count);
+    body.particles.force.resize(count);
+    body.particles.mass.assign(count, mass);
+    body.particles.inverse_mass.assign(count, 1 / mass);
+    body.particles.radius.assign(count, desc.radius);
+    body.constraints.links.resize(count);
     return body;
 }
 
@@ -29,7 +29,7 @@ Body make_body(gphys_body_kind kind, const gphys_body_desc& desc, const gphys_ve
                uint32_t count, std::pmr::memory_resource* memory) {
     Body body = make_body(kind, desc, count, memory);
     const Strided<gphys_vec3> from(positions, stride);
-    for (uint32_t p = 0; p < count; ++p) body.position[p] = widen(from[p]);
+    for (uint32_t p = 0; p < count; ++p) body.particles.position[p] = widen(from[p]);
     return body;
 }
 
@@ -64,7 +64,7 @@ gphys_status too_many() { return fail(GPHYS_ERROR_CAPACITY, "more than 2^24 - 1 
 gphys_status Solver::insert(Body&& body, gphys_body_id& out) {
     if (!state_.ids.reserve(1)) return too_many();
     reserve_more(state_.bodies, 1);
-    if (body.settings.self_collision) body.placed = body.position;
+    if (body.settings.self_collision) body.contacts.self.placed = body.particles.position;
     const gphys_body_id id = state_.ids.add();
     const uint32_t slot = IdTable::slot_of(id);
     if (slot == state_.bodies.size()) {
@@ -105,15 +105,16 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
     Body body = make_body(GPHYS_BODY_CLOTH, desc, columns * rows, &memory);
     for (uint32_t row = 0; row < rows; ++row) {
         for (uint32_t column = 0; column < columns; ++column) {
-            body.position[row * columns + column] = corner + edge_u * (static_cast<double>(column) / (columns - 1)) +
-                                                    edge_v * (static_cast<double>(row) / (rows - 1));
+            body.particles.position[row * columns + column] = corner +
+                                                              edge_u * (static_cast<double>(column) / (columns - 1)) +
+                                                              edge_v * (static_cast<double>(row) / (rows - 1));
         }
     }
-    body.triangles.reserve(size_t{6} * (columns - 1) * (rows - 1));
+    body.cloth.triangles.reserve(size_t{6} * (columns - 1) * (rows - 1));
     for (uint32_t row = 0; row + 1 < rows; ++row) {
         for (uint32_t column = 0; column + 1 < columns; ++column) {
             const uint32_t a = row * columns + column, b = a + 1, c = a + columns, d = c + 1;
-            body.triangles.insert(body.triangles.end(), {a, b, c, c, b, d});
+            body.cloth.triangles.insert(body.cloth.triangles.end(), {a, b, c, c, b, d});
         }
     }
 
@@ -129,7 +130,7 @@ gphys_status Solver::add_cloth(const gphys_body_desc& desc, Vec3 corner, Vec3 ed
         directions.push_back({1, -1, stretch});
         // Both diagonals make each cell rigid in its plane, so no two particles can be further
         // apart than in the flat sheet.
-        if (stretch == 0) body.rest_position = body.position;
+        if (stretch == 0) body.cloth.rest_position = body.particles.position;
     }
     if (desc.cloth_flags & GPHYS_CLOTH_BEND) {
         directions.push_back({0, 2, bend});
@@ -160,15 +161,15 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
                                     gphys_body_id& out) {
     const uint32_t count = static_cast<uint32_t>(mesh.vertices().size());
     Body body = make_body(GPHYS_BODY_CLOTH, desc, count, &memory);
-    for (uint32_t p = 0; p < count; ++p) body.position[p] = placement.apply(widen(mesh.vertices()[p]));
-    body.triangles.assign(mesh.indices().begin(), mesh.indices().end());
+    for (uint32_t p = 0; p < count; ++p) body.particles.position[p] = placement.apply(widen(mesh.vertices()[p]));
+    body.cloth.triangles.assign(mesh.indices().begin(), mesh.indices().end());
 
     Vector<Side3> sides(&memory);
-    sides.reserve(body.triangles.size());
-    for (size_t i = 0; i < body.triangles.size(); i += 3) {
+    sides.reserve(body.cloth.triangles.size());
+    for (size_t i = 0; i < body.cloth.triangles.size(); i += 3) {
         for (size_t k = 0; k < 3; ++k) {
-            const uint32_t a = body.triangles[i + k], b = body.triangles[i + (k + 1) % 3];
-            if (a != b) sides.push_back({std::min(a, b), std::max(a, b), body.triangles[i + (k + 2) % 3]});
+            const uint32_t a = body.cloth.triangles[i + k], b = body.cloth.triangles[i + (k + 1) % 3];
+            if (a != b) sides.push_back({std::min(a, b), std::max(a, b), body.cloth.triangles[i + (k + 2) % 3]});
         }
     }
     std::sort(sides.begin(), sides.end());

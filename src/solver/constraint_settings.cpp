@@ -12,15 +12,16 @@ bool before(const LengthChange& change, uint64_t slot) { return change.slot < sl
 
 /// Within the room that is reserved.
 void change_length(Body& body, uint32_t slot, double to) {
-    DistanceConstraint& constraint = body.constraints[slot];
+    DistanceConstraint& constraint = body.constraints.by_slot[slot];
     if (to == constraint.rest) return;
-    const auto at = std::lower_bound(body.length_changes.begin(), body.length_changes.end(), slot, before);
-    if (at == body.length_changes.end() || at->slot != slot) {
-        body.length_changes.insert(at, {slot, constraint.rest});
+    const auto at =
+        std::lower_bound(body.constraints.length_changes.begin(), body.constraints.length_changes.end(), slot, before);
+    if (at == body.constraints.length_changes.end() || at->slot != slot) {
+        body.constraints.length_changes.insert(at, {slot, constraint.rest});
     }
     // A sheet that does not keep its lengths is no longer flat, and reaches further.
     if (constraint.compliance == 0 && to > constraint.rest) {
-        body.rest_position.clear();
+        body.cloth.rest_position.clear();
         body.plan.reach_current = false;
     }
     constraint.rest = to;
@@ -28,12 +29,12 @@ void change_length(Body& body, uint32_t slot, double to) {
 
 /// visit(link, its place in ClothBatches::rest): as pack_cloth_chains has put them.
 template <class Visit>
-void each_place(const Plan& plan, Visit&& visit) {
+void each_place(const Plan& plan, const ClothBatches& batches, Visit&& visit) {
     constexpr uint32_t lanes = 8;
     for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
         for (uint32_t i = plan.colours[colour]; i < plan.colours[colour + 1]; ++i) {
             const uint32_t nth = i - plan.colours[colour];
-            const ChainBatch& batch = plan.batches.chains[plan.batches.colours[colour] + nth / lanes];
+            const ChainBatch& batch = batches.chains[batches.colours[colour] + nth / lanes];
             for (uint32_t j = 0; j < plan.chains[i].link_count; ++j) {
                 visit(plan.chains[i].first_link + j, lanes * (batch.first_link + j) + nth % lanes);
             }
@@ -70,59 +71,66 @@ gphys_constraint_settings settings_of(const DistanceConstraint& constraint) {
 
 void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const gphys_constraint_settings* settings,
                              uint32_t stride, uint32_t count) {
-    reserve_more(body.length_changes, count);
+    reserve_more(body.constraints.length_changes, count);
     wake(body);
     const Strided<gphys_constraint_settings> from(settings, stride);
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t slot = IdTable::slot_of(ids[i]);
-        DistanceConstraint& constraint = body.constraints[slot];
+        DistanceConstraint& constraint = body.constraints.by_slot[slot];
         const bool was_rigid = constraint.compliance == 0;
         constraint.compliance = from[i].compliance;
         constraint.damping = from[i].damping;
         // What is rigid no longer does not hold particles within its reach; what is so now does.
-        if (was_rigid != (constraint.compliance == 0)) body.rest_position.clear(), body.plan.reach_current = false;
+        if (was_rigid != (constraint.compliance == 0))
+            body.cloth.rest_position.clear(), body.plan.reach_current = false;
         const double rest = from[i].rest_length;
-        change_length(body, slot, rest < 0 ? distance(body.position[constraint.a], body.position[constraint.b]) : rest);
+        change_length(
+            body, slot,
+            rest < 0 ? distance(body.particles.position[constraint.a], body.particles.position[constraint.b]) : rest);
     }
     body.plan.described = false;
 }
 
 void forget_length_change(Body& body, uint32_t slot) {
-    const auto at = std::lower_bound(body.length_changes.begin(), body.length_changes.end(), slot, before);
-    if (at != body.length_changes.end() && at->slot == slot) body.length_changes.erase(at);
+    const auto at =
+        std::lower_bound(body.constraints.length_changes.begin(), body.constraints.length_changes.end(), slot, before);
+    if (at != body.constraints.length_changes.end() && at->slot == slot) body.constraints.length_changes.erase(at);
 }
 
 void find_changed_links(Body& body) {
     const Plan& plan = body.plan;
-    body.changed_links.resize(body.length_changes.size());
-    Vector<uint32_t> change_of(body.constraints.size(), ChangedLink::none, body.changed_links.get_allocator());
-    for (uint32_t i = 0; i < body.length_changes.size(); ++i) change_of[body.length_changes[i].slot] = i;
+    body.constraints.changed_links.resize(body.constraints.length_changes.size());
+    Vector<uint32_t> change_of(body.constraints.by_slot.size(), ChangedLink::none,
+                               body.constraints.changed_links.get_allocator());
+    for (uint32_t i = 0; i < body.constraints.length_changes.size(); ++i)
+        change_of[body.constraints.length_changes[i].slot] = i;
     if (!is_graph(body)) {
         for (uint32_t link = 0; link < plan.slots.size(); ++link) {
             const uint32_t change = change_of[plan.slots[link]];
-            if (change != ChangedLink::none) body.changed_links[change].place = link;
+            if (change != ChangedLink::none) body.constraints.changed_links[change].place = link;
         }
         return;
     }
     uint32_t limits = 0;  // passed so far, in the order in which they are packed
-    each_place(plan, [&](uint32_t link, uint32_t place) {
+    each_place(plan, body.cloth.batches, [&](uint32_t link, uint32_t place) {
         const uint32_t limit = plan.limit[link] && plan.compliance[link] == 0 ? limits++ : ChangedLink::none;
         const uint32_t change = change_of[plan.slots[link]];
-        if (change != ChangedLink::none) body.changed_links[change] = in_cloth(plan.batches, place, limit);
+        if (change != ChangedLink::none)
+            body.constraints.changed_links[change] = in_cloth(body.cloth.batches, place, limit);
     });
 }
 
 void change_lengths(Body& body, double fraction) {
     Plan& plan = body.plan;
-    for (size_t i = 0; i < body.length_changes.size(); ++i) {
-        const LengthChange& change = body.length_changes[i];
-        const ChangedLink& link = body.changed_links[i];
-        const double to = body.constraints[change.slot].rest;
+    for (size_t i = 0; i < body.constraints.length_changes.size(); ++i) {
+        const LengthChange& change = body.constraints.length_changes[i];
+        const ChangedLink& link = body.constraints.changed_links[i];
+        const double to = body.constraints.by_slot[change.slot].rest;
         const double rest = fraction < 1 ? change.from + (to - change.from) * fraction : to;
         if (is_graph(body)) {
-            set_length_in_cloth(plan.batches, link, rest);
+            set_length_in_cloth(body.cloth.batches, link, rest);
         } else {
-            plan.rest[link.place] = plan.damped_rest[link.place] = rest < rope_shortest ? 0 : rest;
+            plan.rest[link.place] = body.rope.damped_rest[link.place] = rest < rope_shortest ? 0 : rest;
         }
     }
 }

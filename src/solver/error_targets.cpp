@@ -14,11 +14,11 @@ namespace {
 /// Of constraints that are to keep their lengths.
 double largest_strain(const Body& body) {
     double largest = 0;
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        if (!body.constraint_ids.live(slot)) continue;
-        const DistanceConstraint& c = body.constraints[slot];
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        if (!body.constraints.ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints.by_slot[slot];
         if (c.compliance > 0 || c.rest == 0) continue;
-        const double strain = distance(body.position[c.a], body.position[c.b]) / c.rest - 1;
+        const double strain = distance(body.particles.position[c.a], body.particles.position[c.b]) / c.rest - 1;
         largest = std::max(largest, c.limit ? strain : std::fabs(strain));
     }
     return largest;
@@ -37,13 +37,13 @@ void for_each_advance(const Body& body, Visit&& visit) {
         return Vec3{v[0], v[1], v[2]};
     };
     const bool graph = body.plan.method == GPHYS_SOLVE_GRAPH;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
         if (graph) {
-            visit({at(body.cloth.moved, p), {}, at(body.cloth.velocity_before, p), body.velocity[p]});
+            visit({at(body.cloth.moved, p), {}, at(body.cloth.velocity_before, p), body.particles.velocity[p]});
         } else {
-            visit(
-                {body.position[p] - body.start[p], body.earlier_velocity[p], body.start_velocity[p], body.velocity[p]});
+            visit({body.particles.position[p] - body.history.start[p], body.history.earlier_velocity[p],
+                   body.history.start_velocity[p], body.particles.velocity[p]});
         }
     }
 }
@@ -54,7 +54,7 @@ void for_each_advance(const Body& body, Visit&& visit) {
 /// formula itself by 2/9 h^3 x'''. After an interruption the substep was one of backward Euler, where
 /// both are off by h^2/2 x''.
 double error_of_one_stage(const Body& body, double h) {
-    const bool interrupted = body.earlier_step == 0;
+    const bool interrupted = body.history.earlier_step == 0;
     double largest = 0;
     for_each_advance(body, [&](const Advance& a) {
         const Vec3 way = interrupted ? a.velocity * h : a.way;
@@ -82,10 +82,10 @@ double error_of_two_stages(const Body& body, double h) {
 
 /// Metres a second.
 double error_rate(const Body& body, double h) {
-    if (body.earlier_step == 0) return error_of_one_stage(body, h) / h;
+    if (body.history.earlier_step == 0) return error_of_one_stage(body, h) / h;
     // The last substep of a step may be a part of one.
-    if (!body.in_stages) return error_of_one_stage(body, body.earlier_step) / body.earlier_step;
-    const double whole = body.earlier_step / (1 - first_stage);
+    if (!body.history.in_stages) return error_of_one_stage(body, body.history.earlier_step) / body.history.earlier_step;
+    const double whole = body.history.earlier_step / (1 - first_stage);
     return error_of_two_stages(body, whole) / whole;
 }
 
@@ -108,7 +108,7 @@ uint32_t least_substeps(const Body& body, double dt) {
 uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt) {
     const bool targeted = settings.max_strain > 0 || settings.tolerance > 0;
     double count = settings.substeps;
-    if (targeted && body.wanted_substep > 0) count = std::ceil(dt / body.wanted_substep);
+    if (targeted && body.substeps.wanted > 0) count = std::ceil(dt / body.substeps.wanted);
     if (targeted) count = std::min<double>(count, settings.max_substeps);
     return std::max(static_cast<uint32_t>(count), least_substeps(body, dt));
 }
@@ -117,8 +117,8 @@ uint32_t substeps_near_models(const Body& body, const SolverSettings& settings, 
     // What lands on a model is stopped by it, and bends the cloth behind. While no particle has come further than
     // this part of a link's length meanwhile, the links can be relaxed; in twice the time some end 4 % too long.
     constexpr double longest_way = 0.5;
-    if (settings.max_strain == 0 || body.cloth.most_strain == 0 || body.plan.batches.link_length == 0) return 0;
-    const double count = std::ceil(dt * fastest / (longest_way * body.plan.batches.link_length));
+    if (settings.max_strain == 0 || body.cloth.most_strain == 0 || body.cloth.batches.link_length == 0) return 0;
+    const double count = std::ceil(dt * fastest / (longest_way * body.cloth.batches.link_length));
     return count_of(count, settings.max_substeps);
 }
 
@@ -134,7 +134,7 @@ void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_
     // target is aimed at. Growing slowly, as what has come to a stop may soon be fast again; less so where a step
     // that turns out too long is divided anew.
     constexpr double aim = 1.0 / 3, most_growth = 1.0625, most_growth_relaxed = 1.125, most_shrinking = 0.25;
-    body.substeps = substeps;
+    body.substeps.made = substeps;
     if (settings.max_strain == 0 && settings.tolerance == 0) return;
     const double h = dt / substeps;
     double part = 0;  // of the target: what there is of what may be
@@ -145,11 +145,11 @@ void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_
     }
     const double factor = part > 0 ? std::sqrt(aim / part) : infinity;
     // What grows by less than makes one substep fewer must not be forgotten.
-    const double last = body.wanted_substep > 0 ? body.wanted_substep : h;
+    const double last = body.substeps.wanted > 0 ? body.substeps.wanted : h;
     double wanted =
         std::min(h * std::max(factor, most_shrinking), last * (relaxed ? most_growth_relaxed : most_growth));
     if (relaxed) wanted = std::min(wanted, body.cloth.wanted_substep);
-    body.wanted_substep = std::min(std::max(wanted, dt / settings.max_substeps), dt);
+    body.substeps.wanted = std::min(std::max(wanted, dt / settings.max_substeps), dt);
 }
 
 }  // namespace gphys

@@ -14,12 +14,12 @@ void Solver::unite_near_bodies(DisjointSets& sets, double dt) {
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         const Body& body = state_.bodies[slot];
         if (!state_.ids.live(slot) || body.settings.body_layers == 0) continue;
-        Aabb box{body.position[0], body.position[0]};
+        Aabb box{body.particles.position[0], body.particles.position[0]};
         double fastest = 0, radius = 0;
-        for (uint32_t p = 0; p < body.size(); ++p) {
-            box = {min(box.min, body.position[p]), max(box.max, body.position[p])};
-            fastest = std::max(fastest, length_squared(body.velocity[p]));
-            radius = std::max(radius, body.radius[p]);
+        for (uint32_t p = 0; p < body.particles.size(); ++p) {
+            box = {min(box.min, body.particles.position[p]), max(box.max, body.particles.position[p])};
+            fastest = std::max(fastest, length_squared(body.particles.velocity[p]));
+            radius = std::max(radius, body.particles.radius[p]);
         }
         // Twice as far as it flies: constraints may make a part of it faster.
         const double room = radius + 2 * dt * (std::sqrt(fastest) + dt * length(state_.settings.gravity));
@@ -47,13 +47,13 @@ void Solver::unite_bodies(const Scene* scene, double dt) {
     const uint32_t slots = state_.ids.slots();
     DisjointSets sets(set_of_, slots);
     for (uint32_t slot = 0; slot < slots; ++slot) {
-        if (state_.ids.live(slot)) state_.bodies[slot].joined = false;
+        if (state_.ids.live(slot)) state_.bodies[slot].plan.joined = false;
     }
     for (uint32_t slot = 0; slot < state_.joint_ids.slots(); ++slot) {
         if (!state_.joint_ids.live(slot)) continue;
         const Joint& joint = state_.joints[slot];
         sets.unite(joint.body_a, joint.body_b);
-        state_.bodies[joint.body_a].joined = state_.bodies[joint.body_b].joined = true;
+        state_.bodies[joint.body_a].plan.joined = state_.bodies[joint.body_b].plan.joined = true;
     }
     unite_near_bodies(sets, dt);
     for (uint32_t slot = 0; slot < slots; ++slot) set_of_[slot] = sets.root(slot);
@@ -83,9 +83,9 @@ void Solver::list_islands() {
         }
         Island& island = islands_.back();
         const Body& body = state_.bodies[slot];
-        island.size += body.size();
+        island.size += body.particles.size();
         ++island.body_count;
-        if (!body.joined) continue;
+        if (!body.plan.joined) continue;
         joined_bodies_.push_back(slot);
         ++island.joined_count;
     }
@@ -104,7 +104,7 @@ void Solver::list_islands() {
     // A body alone is moved alone, unless it collides with itself or its chains are joined.
     const auto alone = [&](const Island& island) {
         const Body& first = state_.bodies[island_bodies_[island.first_body]];
-        return island.body_count == 1 && !first.settings.self_collision && !first.joined;
+        return island.body_count == 1 && !first.settings.self_collision && !first.plan.joined;
     };
     islands_.erase(std::remove_if(islands_.begin(), islands_.end(), alone), islands_.end());
     std::sort(islands_.begin(), islands_.end());
@@ -116,7 +116,7 @@ void Solver::list_islands() {
         moving.together = together_[moving.slot] != 0;
         if (!moving.together) continue;
         moving.undisturbed = false;
-        state_.bodies[moving.slot].in_stages = false;
+        state_.bodies[moving.slot].history.in_stages = false;
     }
 }
 
@@ -128,20 +128,20 @@ void Solver::move_touching(const Island& island, const Joined& joined, const Col
     bool interrupted = false, touched = false;
     for (uint32_t i = 0; i < island.body_count; ++i) {
         const Body& body = state_.bodies[slots[i]];
-        if (body.plan.method == GPHYS_SOLVE_FREE && !body.joined) continue;
-        interrupted = interrupted || body.earlier_step == 0;
-        touched = touched || body.touched;
+        if (body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined) continue;
+        interrupted = interrupted || body.history.earlier_step == 0;
+        touched = touched || body.contacts.touched;
     }
     const auto move_once = [&](const CollisionContext& within, double part) {
         for (uint32_t i = 0; i < island.body_count; ++i) {
             Body& body = state_.bodies[slots[i]];
-            if (!body.joined) begin_move(body, within, gravity, part);
+            if (!body.plan.joined) begin_move(body, within, gravity, part);
         }
         begin_joined(joined, within, gravity, part);
         particle_contacts_.part(island, state_.bodies, slots, within, gravity, part);
         for (uint32_t i = 0; i < island.body_count; ++i) {
             Body& body = state_.bodies[slots[i]];
-            if (!body.joined) end_move(body, within, gravity, part);
+            if (!body.plan.joined) end_move(body, within, gravity, part);
         }
         end_joined(joined, within, gravity, part);
         particle_contacts_.turn(island, state_.bodies, slots);
@@ -174,13 +174,13 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     uint32_t substeps = 1;
     each_body([&](Body& body) {
         clear_touches(body);
-        body.impulses.clear();
+        body.contacts.impulses.clear();
         give_attached(body, beginning, 1, {}, 0);
         begin_air(body, gravity, dt);
-        substeps = std::max(substeps, std::min(substeps_of(body, state_.settings, dt), body.allowed_substeps));
+        substeps = std::max(substeps, std::min(substeps_of(body, state_.settings, dt), body.substeps.allowed));
         if (body.plan.method != GPHYS_SOLVE_GRAPH) return;
         begin_cloth(body, beginning, gravity);
-        if (body.joined) begin_joined_cloth(body);
+        if (body.plan.joined) begin_joined_cloth(body);
     });
     if (island.touching_count > 0) particle_contacts_.begin(island, state_.bodies, slots);
     for (uint32_t i = 1; i <= substeps; ++i) {
@@ -192,7 +192,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
             continue;
         }
         each_body([&](Body& body) {
-            if (!body.joined) move(body, around, gravity, h);
+            if (!body.plan.joined) move(body, around, gravity, h);
         });
         if (island.joined_count > 0) move_joined(joined, around, gravity, h);
     }
@@ -201,7 +201,7 @@ void Solver::move_island(const Island& island, const Scene* scene, double dt) {
     bool calm = state_.settings.sleep_speed > 0;
     each_body([&](Body& body) {
         if (body.plan.method == GPHYS_SOLVE_GRAPH) end_cloth(body, whole);
-        body.length_changes.clear();
+        body.constraints.length_changes.clear();
         stay_in_range(body);
         meet_targets(body, state_.settings, dt, substeps);
         give_attached(body, whole, -1, gravity, dt);

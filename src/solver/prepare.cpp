@@ -15,7 +15,7 @@ namespace {
 bool is_lost(const Attachment& attachment, const Scene* scene) { return scene && !scene->has(attachment.model); }
 
 bool has_lost(const Body& body, const Scene* scene) {
-    return std::any_of(body.attachments.begin(), body.attachments.end(),
+    return std::any_of(body.constraints.attachments.begin(), body.constraints.attachments.end(),
                        [&](const Attachment& attachment) { return is_lost(attachment, scene); });
 }
 
@@ -23,19 +23,20 @@ bool has_lost(const Body& body, const Scene* scene) {
 void release_lost(Body& body, const Scene* scene) {
     const auto lost = [&](const Attachment& attachment) {
         if (!is_lost(attachment, scene)) return false;
-        body.inverse_mass[attachment.particle] = 1 / body.mass[attachment.particle];
+        body.particles.inverse_mass[attachment.particle] = 1 / body.particles.mass[attachment.particle];
         return true;
     };
-    body.attachments.erase(std::remove_if(body.attachments.begin(), body.attachments.end(), lost),
-                           body.attachments.end());
+    body.constraints.attachments.erase(
+        std::remove_if(body.constraints.attachments.begin(), body.constraints.attachments.end(), lost),
+        body.constraints.attachments.end());
     body.plan.reach_current = false;
-    body.earlier_step = 0;
+    body.history.earlier_step = 0;
 }
 
 /// Where attached particles go in this step.
 void aim_attachments(Body& body, const Scene* scene) {
-    for (Attachment& attachment : body.attachments) {
-        attachment.begin = attachment.end = body.position[attachment.particle];
+    for (Attachment& attachment : body.constraints.attachments) {
+        attachment.begin = attachment.end = body.particles.position[attachment.particle];
         if (!scene) continue;
         Vec3 ignored;
         attachment.end = scene->world_transform(attachment.model).apply(attachment.local);
@@ -46,42 +47,42 @@ void aim_attachments(Body& body, const Scene* scene) {
 /// visit(array, size) for the arrays in which a snapshot holds what steps remember.
 template <class Visit>
 void each_kept_array(Body& body, bool collides, Visit&& visit) {
-    if (body.plan.method != GPHYS_SOLVE_FREE || body.joined) {
-        visit(body.start, body.size());
+    if (body.plan.method != GPHYS_SOLVE_FREE || body.plan.joined) {
+        visit(body.history.start, body.particles.size());
         if (is_graph(body)) {
             visit(body.cloth.moved, cloth_floats(body));
             visit(body.cloth.velocity_before, cloth_floats(body));
         } else {
-            visit(body.start_velocity, body.size());
+            visit(body.history.start_velocity, body.particles.size());
         }
     }
     if (!collides) return;
-    visit(body.touches, size_t{body.size()} * touches_per_particle);
-    if (body.settings.sticks()) visit(body.stuck, body.size());
+    visit(body.contacts.touches, size_t{body.particles.size()} * touches_per_particle);
+    if (body.settings.sticks()) visit(body.contacts.stuck, body.particles.size());
 }
 
 /// Room that tasks work in.
 void make_room(Body& body, bool collides) {
     each_kept_array(body, collides, [](auto& values, size_t size) { values.reserve(size); });
-    if (collides) body.touch_count.resize(body.size());
+    if (collides) body.contacts.touch_count.resize(body.particles.size());
     // What sticks is looked at in steps without a scene, too.
-    if (collides || !body.stuck.empty()) body.held.resize(body.size());
+    if (collides || !body.contacts.stuck.empty()) body.contacts.held.resize(body.particles.size());
     if (is_graph(body)) {
         reserve_cloth(body);
-        if (body.joined) reserve_joined_cloth(body);
+        if (body.plan.joined) reserve_joined_cloth(body);
         if (collides) reserve_cloth_contacts(body);
-    } else if (body.plan.method != GPHYS_SOLVE_FREE || body.joined) {
-        body.predicted.resize(body.size());
-        body.solved.resize(body.size());
-        if (body.plan.limited) body.flying.resize(body.size());
-        body.earlier.resize(body.size());
-        body.earlier_velocity.resize(body.size());
+    } else if (body.plan.method != GPHYS_SOLVE_FREE || body.plan.joined) {
+        body.history.predicted.resize(body.particles.size());
+        body.rope.solved.resize(body.particles.size());
+        if (body.plan.limited) body.rope.flying.resize(body.particles.size());
+        body.history.earlier.resize(body.particles.size());
+        body.history.earlier_velocity.resize(body.particles.size());
     }
 }
 
 /// Whether its particles are shared by workers, whatever their number.
 bool is_divided(const Body& body) {
-    return body.plan.method == GPHYS_SOLVE_FREE && !body.joined && body.size() > part_size;
+    return body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined && body.particles.size() > part_size;
 }
 
 }  // namespace
@@ -107,7 +108,8 @@ void Solver::prepare(const Scene* scene, double dt) {
         if (scene) make_room_for_flight();
         state_.seen.reserve(next_seen_.capacity());  // they change places
         size_t given = 0;
-        for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) given += state_.bodies[slot].impulses.capacity();
+        for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot)
+            given += state_.bodies[slot].contacts.impulses.capacity();
         givers_.reserve(given);
         impulses_.reserve(given);
     } catch (...) {
@@ -123,39 +125,40 @@ void Solver::prepare_body(uint32_t slot, const Scene* scene, double dt) {
     if (lost || changed || !plan.reach_current) {
         // Its parts are there before it begins to hold for anything.
         Before before(slot, body, &memory);
-        if (lost) before.attachments = body.attachments;
+        if (lost) before.attachments = body.constraints.attachments;
         before_.push_back(std::move(before));
     }
     if (lost) {
-        before_.back().reach_limits.swap(plan.reach_limits);
+        before_.back().reach_limits.swap(body.cloth.reach_limits);
         release_lost(body, scene);
     }
     if (changed) joints_current_ = false;
     update_plan(body);
-    if (!body.length_changes.empty()) find_changed_links(body);
-    body.joined = body.joined || plan.branched;
+    if (!body.constraints.length_changes.empty()) find_changed_links(body);
+    body.plan.joined = body.plan.joined || plan.branched;
     // What systems of joints have placed stays there.
-    const bool relaxed = is_graph(body) && !body.joined;
+    const bool relaxed = is_graph(body) && !body.plan.joined;
     const double most_strain = state_.settings.max_strain > 0 ? state_.settings.max_strain : usual_cloth_strain;
     body.cloth.most_strain = relaxed ? most_strain : 0;
     body.cloth.braces_yield = state_.settings.max_strain == 0;
-    if (body.settings.self_collision && (changed || body.linked_begin.empty())) list_linked(body);
+    if (body.settings.self_collision && (changed || body.contacts.self.linked_begin.empty())) list_linked(body);
     make_room(body, scene && body.settings.layers != 0);
     reserve_air(body);
     // What falls asleep loses its speed.
-    if (body.sleep.asleep) body.extent.reset();
-    if (body.largest_radius < 0) {
-        const auto [smallest, largest] = std::minmax_element(body.radius.begin(), body.radius.end());
-        body.smallest_radius = *smallest;
-        body.largest_radius = *largest;
+    if (body.sleep.asleep) body.particles.extent.reset();
+    if (body.particles.largest_radius < 0) {
+        const auto [smallest, largest] =
+            std::minmax_element(body.particles.radius.begin(), body.particles.radius.end());
+        body.particles.smallest_radius = *smallest;
+        body.particles.largest_radius = *largest;
     }
     if (is_divided(body)) {
-        const uint32_t parts = (body.size() + part_size - 1) / part_size;
-        while (body.parts.size() < parts) body.parts.emplace_back(&memory);
+        const uint32_t parts = (body.particles.size() + part_size - 1) / part_size;
+        while (body.contacts.parts.size() < parts) body.contacts.parts.emplace_back(&memory);
     } else {
-        body.parts.clear();
+        body.contacts.parts.clear();
     }
-    moving_.push_back({body.size(), slot, substeps_of(body, state_.settings, dt),
+    moving_.push_back({body.particles.size(), slot, substeps_of(body, state_.settings, dt),
                        static_cast<uint32_t>(plan.chains.size()), is_plain_rope(body), starts_again(body)});
 }
 
@@ -164,10 +167,11 @@ void Solver::Before::put_back(Body& body) {
     body.plan.reach_current = reach_current;
     if (attachments.empty()) return;
     body.plan.pins_packed = false;
-    body.plan.reach_limits.swap(reach_limits);
-    body.attachments.swap(attachments);
-    for (const Attachment& attachment : body.attachments) body.inverse_mass[attachment.particle] = 0;
-    body.earlier_step = earlier_step;
+    body.cloth.reach_limits.swap(reach_limits);
+    body.constraints.attachments.swap(attachments);
+    for (const Attachment& attachment : body.constraints.attachments)
+        body.particles.inverse_mass[attachment.particle] = 0;
+    body.history.earlier_step = earlier_step;
 }
 
 /// Within the room that is reserved.
@@ -186,26 +190,28 @@ void Solver::look_around(const Scene& scene, double dt) {
     stretches_.clear();
     for (uint32_t i = 0; i < moving_.size(); ++i) {
         Body& body = state_.bodies[moving_[i].slot];
-        if (body.extent) continue;
-        for (uint32_t first = 0; first < body.size(); first += part_size) stretches_.push_back({i, first, {}});
+        if (body.particles.extent) continue;
+        for (uint32_t first = 0; first < body.particles.size(); first += part_size)
+            stretches_.push_back({i, first, {}});
     }
     workers_.run(static_cast<uint32_t>(stretches_.size()), [&](uint32_t i) {
         Stretch& stretch = stretches_[i];
         Body& body = state_.bodies[moving_[stretch.moving].slot];
-        stretch.extent = extent_of(body, stretch.first, std::min(stretch.first + part_size, body.size()));
+        stretch.extent = extent_of(body, stretch.first, std::min(stretch.first + part_size, body.particles.size()));
     });
     for (const Stretch& stretch : stretches_) {
-        std::optional<Extent>& extent = state_.bodies[moving_[stretch.moving].slot].extent;
+        std::optional<Extent>& extent = state_.bodies[moving_[stretch.moving].slot].particles.extent;
         if (!extent) extent.emplace();
         extent->add(stretch.extent);
     }
     for (ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
-        const double fastest = moving.fastest = length(body.extent->fastest);
-        const Aabb box = body.extent->box;
-        body.extent.reset();
+        const double fastest = moving.fastest = length(body.particles.extent->fastest);
+        const Aabb box = body.particles.extent->box;
+        body.particles.extent.reset();
         // Twice as far as a particle may come in this step; and a model in the next: what it can meet then.
-        const double way = 2 * body.largest_radius + 2 * dt * (fastest + dt * length(state_.settings.gravity));
+        const double way =
+            2 * body.particles.largest_radius + 2 * dt * (fastest + dt * length(state_.settings.gravity));
         const auto within = [&](double room) {
             return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
         };
@@ -237,7 +243,7 @@ void Solver::look_around(const Scene& scene, double dt) {
     for (const ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         reserve_impulses(body, moving.models_near + moved_.size());
-        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth_contacts.moving_colliders.reserve(moved_.size());
+        if (body.plan.method == GPHYS_SOLVE_GRAPH) body.cloth.contacts.moving_colliders.reserve(moved_.size());
     }
     find_disturbed(scene);
 }
@@ -247,27 +253,27 @@ void Solver::look_around(const Scene& scene, double dt) {
 void Solver::bound_work(double dt) {
     const uint32_t most = state_.settings.max_work;
     for (const ActiveBody& moving : moving_) {
-        state_.bodies[moving.slot].allowed_substeps = most > 0 ? moving.substeps : std::numeric_limits<uint32_t>::max();
+        state_.bodies[moving.slot].substeps.allowed = most > 0 ? moving.substeps : std::numeric_limits<uint32_t>::max();
     }
     if (most == 0) return;
     for (const Island& island : islands_) {
         const uint32_t* const slots = &island_bodies_[island.first_body];
         uint32_t needed = 1;
         for (uint32_t i = 0; i < island.body_count; ++i) {
-            needed = std::max(needed, state_.bodies[slots[i]].allowed_substeps);
+            needed = std::max(needed, state_.bodies[slots[i]].substeps.allowed);
         }
-        for (uint32_t i = 0; i < island.body_count; ++i) state_.bodies[slots[i]].allowed_substeps = needed;
+        for (uint32_t i = 0; i < island.body_count; ++i) state_.bodies[slots[i]].substeps.allowed = needed;
     }
     double work = 0;
     for (const ActiveBody& moving : moving_) {
-        work += static_cast<double>(state_.bodies[moving.slot].allowed_substeps) * moving.size;
+        work += static_cast<double>(state_.bodies[moving.slot].substeps.allowed) * moving.size;
     }
     const double kept = work > most ? most / work : 1;
     for (ActiveBody& moving : moving_) {
         Body& body = state_.bodies[moving.slot];
         const uint32_t least = least_substeps(body, dt);
-        body.allowed_substeps = std::max(least, static_cast<uint32_t>(body.allowed_substeps * kept));
-        moving.substeps = std::min(moving.substeps, body.allowed_substeps);
+        body.substeps.allowed = std::max(least, static_cast<uint32_t>(body.substeps.allowed * kept));
+        moving.substeps = std::min(moving.substeps, body.substeps.allowed);
     }
 }
 
@@ -322,10 +328,10 @@ void Solver::divide_work() {
         }
         const bool shared = workers_.count() > 1 && is_worth_sharing(first, particles);
         if (shared) {
-            ClothBatches& batches = state_.bodies[first.slot].plan.batches;
+            ClothBatches& batches = state_.bodies[first.slot].cloth.batches;
             batches.rows.resize(size_t{cloth_row_floats} * batches.longest * workers_.count());
         }
-        const uint32_t parts = static_cast<uint32_t>(state_.bodies[first.slot].parts.size());
+        const uint32_t parts = static_cast<uint32_t>(state_.bodies[first.slot].contacts.parts.size());
         for (uint32_t part = 0; part < parts; ++part) tasks_.push_back({i, 1, false, part});
         if (parts == 0) tasks_.push_back({i, next - i, shared, 0});
         if (state_.bodies[first.slot].plan.method != GPHYS_SOLVE_DIRECT) continue;

@@ -24,24 +24,24 @@ void Solver::set_wind(gphys_body_id of, const gphys_wind& wind) {
 }
 
 void set_air_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride) {
-    if (body.air.velocity.empty()) body.air.velocity.resize(body.size());
+    if (body.air.velocity.empty()) body.air.velocity.resize(body.particles.size());
     wake(body);
     const Strided<gphys_vec3> from(velocities, stride);
     for (uint32_t i = 0; i < count; ++i) body.air.velocity[first + i] = widen(from[i]);
 }
 
 void set_settings(Body& body, const BodySettings& settings) {
-    Vector<Vec3> placed(body.placed.get_allocator());
-    if (settings.self_collision && !body.settings.self_collision) placed = body.position;  // which may fail
+    Vector<Vec3> placed(body.contacts.self.placed.get_allocator());
+    if (settings.self_collision && !body.settings.self_collision) placed = body.particles.position;  // which may fail
     wake(body);
     if (settings.self_collision != body.settings.self_collision) {
-        body.placed.swap(placed);
-        body.linked_begin.clear();
-        body.linked.clear();
+        body.contacts.self.placed.swap(placed);
+        body.contacts.self.linked_begin.clear();
+        body.contacts.self.linked.clear();
     }
     // What friction holds now was not held by the same.
     if (settings.friction != body.settings.friction || settings.static_friction != body.settings.static_friction) {
-        body.stuck.clear();
+        body.contacts.stuck.clear();
     }
     body.settings = settings;
 }

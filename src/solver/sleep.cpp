@@ -9,22 +9,22 @@ namespace gphys {
 namespace {
 
 bool is_slow(const Body& body, double speed) {
-    return std::all_of(body.velocity.begin(), body.velocity.end(),
+    return std::all_of(body.particles.velocity.begin(), body.particles.velocity.end(),
                        [&](Vec3 velocity) { return length_squared(velocity) <= speed * speed; });
 }
 
 /// Of rigid constraints: what elastic ones hold may be at rest at any length, and so may braces of cloth that yield.
 bool is_hardly_strained(const Body& body, double strain) {
     if (is_graph(body) && body.cloth.braces_yield) {
-        const Vector<KeptLinks::Link>& links = body.plan.batches.kept.links;
+        const Vector<KeptLinks::Link>& links = body.cloth.batches.kept.links;
         return std::all_of(links.begin(), links.end(), [&](const KeptLinks::Link& link) {
-            const double error = distance(body.position[link.a], body.position[link.b]) - link.rest;
+            const double error = distance(body.particles.position[link.a], body.particles.position[link.b]) - link.rest;
             return link.brace || (link.limit && error < 0) || std::fabs(error) <= strain * link.rest;
         });
     }
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        if (!body.constraint_ids.live(slot)) continue;
-        const DistanceConstraint& c = body.constraints[slot];
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        if (!body.constraints.ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints.by_slot[slot];
         if (c.compliance > 0) continue;
         if (std::fabs(excess(body, c)) > strain * c.rest) return false;
     }
@@ -39,9 +39,11 @@ uint64_t neighbourhood(const Body& body, const Scene* scene, Visit&& visit) {
 }
 
 bool attachments_moved(const Body& body, const Scene* scene) {
-    return scene && std::any_of(body.attachments.begin(), body.attachments.end(), [&](const Attachment& a) {
-               return !scene->has(a.model) || scene->world_transform(a.model).apply(a.local) != a.end;
-           });
+    return scene && std::any_of(body.constraints.attachments.begin(), body.constraints.attachments.end(),
+                                [&](const Attachment& a) {
+                                    return !scene->has(a.model) ||
+                                           scene->world_transform(a.model).apply(a.local) != a.end;
+                                });
 }
 
 }  // namespace
@@ -49,7 +51,7 @@ bool attachments_moved(const Body& body, const Scene* scene) {
 void wake(Body& body) {
     body.sleep.calm = 0;
     body.sleep.asleep = false;
-    body.extent.reset();
+    body.particles.extent.reset();
     body.cloth.search_balls.clear();
 }
 
@@ -63,10 +65,10 @@ bool is_calm(Body& body, const SolverSettings& settings, double dt) {
 void fall_asleep(Body& body, const Scene* scene, double dt) {
     Sleep& sleep = body.sleep;
     sleep.asleep = true;
-    std::fill(body.velocity.begin(), body.velocity.end(), Vec3{});
-    body.earlier_step = 0;
+    std::fill(body.particles.velocity.begin(), body.particles.velocity.end(), Vec3{});
+    body.history.earlier_step = 0;
     // What is beyond cannot come near before it is seen to come.
-    sleep.box = swept_box(body, body.position, body.position, dt * fastest_model);
+    sleep.box = swept_box(body, body.particles.position, body.particles.position, dt * fastest_model);
     sleep.neighbourhood = neighbourhood(body, scene, [](gphys_model_id) {});
 }
 

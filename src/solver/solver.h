@@ -260,7 +260,7 @@ private:
             : slot(slot_),
               chains_current(body.plan.chains_current),
               reach_current(body.plan.reach_current),
-              earlier_step(body.earlier_step),
+              earlier_step(body.history.earlier_step),
               attachments(memory),
               reach_limits(memory) {}
         void put_back(Body& body);

@@ -26,33 +26,35 @@ bool all_finite(const Vector<Number>& values) {
 
 /// Ropes are brought back in each substep (finish_chains), so that where they have been is in range as well.
 bool is_in_range(const Body& body) {
-    if (!all_within(farthest_place, body.position) || !all_within(fastest_particle, body.velocity)) return false;
-    if (!is_graph(body)) return all_finite(body.plan.tension);
-    return all_within(far_range, body.start) && all_finite(body.cloth.moved) &&
-           all_finite(body.cloth.velocity_before) && is_finite(body.volume.pressure) &&
+    if (!all_within(farthest_place, body.particles.position) || !all_within(fastest_particle, body.particles.velocity))
+        return false;
+    if (!is_graph(body)) return all_finite(body.rope.tension);
+    return all_within(far_range, body.history.start) && all_finite(body.cloth.moved) &&
+           all_finite(body.cloth.velocity_before) && is_finite(body.cloth.volume.pressure) &&
            is_finite(body.cloth.balance.lost);
 }
 
 void bring_back(Body& body) {
-    for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p]);
+    for (uint32_t p = 0; p < body.particles.size(); ++p)
+        keep_in_range(body.particles.position[p], body.particles.velocity[p]);
     interrupt(body);
-    if (!body.start.empty()) body.start = body.position;
-    if (!body.start_velocity.empty()) body.start_velocity = body.velocity;
+    if (!body.history.start.empty()) body.history.start = body.particles.position;
+    if (!body.history.start_velocity.empty()) body.history.start_velocity = body.particles.velocity;
     for (Vector<float>* values : {&body.cloth.moved, &body.cloth.velocity_before}) {
         std::fill(values->begin(), values->end(), 0.0f);
     }
     body.cloth.search_balls.clear();
     body.cloth.balance.lost = 0;
-    std::fill(body.plan.tension.begin(), body.plan.tension.end(), 0.0);
-    body.volume.pressure = 0;
-    body.extent.reset();
+    std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
+    body.cloth.volume.pressure = 0;
+    body.particles.extent.reset();
 }
 
 }  // namespace
 
 void stay_in_range(Body& body) {
     if (!is_in_range(body)) bring_back(body);
-    for (ModelImpulse& given : body.impulses) {
+    for (ModelImpulse& given : body.contacts.impulses) {
         if (!is_finite(given.linear) || !is_finite(given.angular)) given.linear = given.angular = {};
     }
 }

@@ -10,17 +10,18 @@ struct Totals {
 };
 
 void add(const Body& body, Vec3 gravity, Totals& totals) {
-    totals.particles += body.size();
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        totals.pinned += body.pinned(p);
-        if (!body.pinned(p)) totals.kinetic += 0.5 * body.mass[p] * length_squared(body.velocity[p]);
-        totals.potential -= body.mass[p] * dot(gravity, body.position[p]);
+    totals.particles += body.particles.size();
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        totals.pinned += body.particles.pinned(p);
+        if (!body.particles.pinned(p))
+            totals.kinetic += 0.5 * body.particles.mass[p] * length_squared(body.particles.velocity[p]);
+        totals.potential -= body.particles.mass[p] * dot(gravity, body.particles.position[p]);
     }
-    if (body.volume.held) totals.potential += stored_in_volume(body, volume_of(body));
-    totals.constraints += body.constraint_ids.size();
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        if (!body.constraint_ids.live(slot)) continue;
-        const DistanceConstraint& c = body.constraints[slot];
+    if (body.cloth.volume.held) totals.potential += stored_in_volume(body, volume_of(body));
+    totals.constraints += body.constraints.ids.size();
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        if (!body.constraints.ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints.by_slot[slot];
         const double stretch = excess(body, c);
         if (c.compliance > 0) {
             totals.potential += 0.5 * stretch * stretch / c.compliance;
@@ -31,7 +32,7 @@ void add(const Body& body, Vec3 gravity, Totals& totals) {
             ++totals.rigid;
         }
     }
-    for (const Touch& touch : body.touches) totals.contacts += touch.model != 0;
+    for (const Touch& touch : body.contacts.touches) totals.contacts += touch.model != 0;
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ void Solver::impulses(Smallest<gphys_impulse, ImpulseOrder>& out) const {
 void Solver::contacts(Smallest<gphys_contact, ContactOrder>& out) const {
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (!state_.ids.live(slot)) continue;
-        const Vector<Touch>& touches = state_.bodies[slot].touches;
+        const Vector<Touch>& touches = state_.bodies[slot].contacts.touches;
         for (size_t i = 0; i < touches.size(); ++i) {
             const Touch& t = touches[i];
             const uint32_t particle = static_cast<uint32_t>(i / touches_per_particle);

@@ -15,11 +15,12 @@ namespace gphys {
 
 void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end) {
     const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
-    auto attachment = std::lower_bound(body.attachments.begin(), body.attachments.end(), first, before);
-    for (; attachment != body.attachments.end() && attachment->particle < end; ++attachment) {
-        Vec3& position = body.position[attachment->particle];
+    auto attachment =
+        std::lower_bound(body.constraints.attachments.begin(), body.constraints.attachments.end(), first, before);
+    for (; attachment != body.constraints.attachments.end() && attachment->particle < end; ++attachment) {
+        Vec3& position = body.particles.position[attachment->particle];
         const Vec3 next = attachment->begin + (attachment->end - attachment->begin) * fraction;
-        body.velocity[attachment->particle] = (next - position) / h;
+        body.particles.velocity[attachment->particle] = (next - position) / h;
         position = next;
     }
 }
@@ -46,7 +47,7 @@ void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double
             break;
         case GPHYS_SOLVE_DIRECT:
             begin_friction(body, gravity);
-            begin_chains(body, around, gravity, TimeScheme(h, body.earlier_step));
+            begin_chains(body, around, gravity, TimeScheme(h, body.history.earlier_step));
             break;
         default:
             predict_cloth(body, around, h);
@@ -58,7 +59,7 @@ void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h
         case GPHYS_SOLVE_FREE:
             break;
         case GPHYS_SOLVE_DIRECT:
-            end_rope(body, around, gravity, TimeScheme(h, body.earlier_step));
+            end_rope(body, around, gravity, TimeScheme(h, body.history.earlier_step));
             end_friction(body);
             break;
         default:
@@ -69,7 +70,7 @@ void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h
 /// Before and after all substeps of one body that is moved alone.
 void Solver::begin_moving(const ActiveBody& moving, const Scene* scene, double dt) {
     Body& body = state_.bodies[moving.slot];
-    body.impulses.clear();
+    body.contacts.impulses.clear();
     give_attached(body, {scene, &moved_, dt, 0, 0}, 1, {}, 0);
     begin_air(body, state_.settings.gravity, dt);
 }
@@ -77,11 +78,11 @@ void Solver::begin_moving(const ActiveBody& moving, const Scene* scene, double d
 void Solver::end_moving(const ActiveBody& moving, const Scene* scene, double dt, uint32_t substeps) {
     Body& body = state_.bodies[moving.slot];
     add_parts(body);
-    for (const FlightPart& part : body.parts) {
-        if (!body.extent) body.extent.emplace();
-        body.extent->add(part.extent);
+    for (const FlightPart& part : body.contacts.parts) {
+        if (!body.particles.extent) body.particles.extent.emplace();
+        body.particles.extent->add(part.extent);
     }
-    body.length_changes.clear();
+    body.constraints.length_changes.clear();
     stay_in_range(body);
     meet_targets(body, state_.settings, dt, substeps);
     give_attached(body, {scene, &moved_, dt, 0, 1}, -1, state_.settings.gravity, dt);
@@ -98,7 +99,7 @@ uint32_t Solver::move_in_substeps(Body& body, uint32_t count, const CollisionCon
         move(body, part, state_.settings.gravity, step.step_time * (rest.end - rest.begin) / count, contacts);
         ++made;
         const uint32_t wanted = substeps_of_rest(body, state_.settings, step.step_time, part.end, made);
-        const uint32_t left = std::min(wanted, body.allowed_substeps - std::min(body.allowed_substeps, made));
+        const uint32_t left = std::min(wanted, body.substeps.allowed - std::min(body.substeps.allowed, made));
         if (left <= count - i) continue;
         rest.begin = part.end;
         count = left;
@@ -115,10 +116,11 @@ void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene
     const CollisionContext whole{scene, &moved_, dt, 0, 1}, beginning{scene, &moved_, dt, 0, 0};
     uint32_t substeps = moving.substeps;
     begin_moving(moving, scene, dt);
-    body.in_stages = false;
+    body.history.in_stages = false;
     if (body.plan.method == GPHYS_SOLVE_FREE) {
-        body.extent = fly_through(body, 0, body.size(), {body.impulses, body.touched}, whole, gravity, substeps,
-                                  flight_planes(worker, scene));
+        body.particles.extent =
+            fly_through(body, 0, body.particles.size(), {body.contacts.impulses, body.contacts.touched}, whole, gravity,
+                        substeps, flight_planes(worker, scene));
     } else {
         begin_touches(body);
         if (body.plan.method == GPHYS_SOLVE_GRAPH) begin_cloth(body, beginning, gravity);
@@ -139,8 +141,8 @@ void Solver::move_through(const ActiveBody& moving, uint32_t worker, const Scene
 void Solver::move_part(const Task& task, uint32_t worker, const Scene* scene, double dt) {
     const ActiveBody& moving = moving_[task.first];
     Body& body = state_.bodies[moving.slot];
-    FlightPart& part = body.parts[task.part];
-    const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.size());
+    FlightPart& part = body.contacts.parts[task.part];
+    const uint32_t first = task.part * part_size, end = std::min(first + part_size, body.particles.size());
     part.extent = fly_through(body, first, end, {part.impulses, part.touched}, {scene, &moved_, dt, 0, 1},
                               state_.settings.gravity, moving.substeps, flight_planes(worker, scene));
 }
@@ -163,8 +165,8 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
             continue;
         }
         clear_touches(body);
-        std::fill(body.stuck.begin(), body.stuck.end(), 0u);
-        body.impulses.clear();
+        std::fill(body.contacts.stuck.begin(), body.contacts.stuck.end(), 0u);
+        body.contacts.impulses.clear();
         stay_in_range(body);
         meet_targets(body, state_.settings, dt, first->substeps);
         rest(body, scene, state_.settings, dt);
@@ -173,7 +175,7 @@ void Solver::move_undisturbed(const Task& task, uint32_t worker, const Scene* sc
 
 void Solver::move_shared(const ActiveBody& moving, const Scene* scene, double dt) {
     Team team;
-    ClothState& cloth = state_.bodies[moving.slot].cloth;
+    Cloth& cloth = state_.bodies[moving.slot].cloth;
     cloth.team = &team;
     workers_.run(workers_.count(), [&](uint32_t) { team.join([&] { move_through(moving, 0, scene, dt); }); });
     cloth.team = nullptr;
@@ -184,7 +186,7 @@ void Solver::step(const Scene* scene, double dt) {
     begin_step(scene);
     const auto each_divided = [&](auto&& visit) {
         for (const ActiveBody& moving : moving_) {
-            if (!moving.together && !state_.bodies[moving.slot].parts.empty()) visit(moving);
+            if (!moving.together && !state_.bodies[moving.slot].contacts.parts.empty()) visit(moving);
         }
     };
     each_divided([&](const ActiveBody& moving) { begin_moving(moving, scene, dt); });
@@ -201,7 +203,7 @@ void Solver::step(const Scene* scene, double dt) {
             }
             const Task& task = tasks_[i - islands_.size()];
             if (task.shared) continue;
-            if (!state_.bodies[moving_[task.first].slot].parts.empty()) {
+            if (!state_.bodies[moving_[task.first].slot].contacts.parts.empty()) {
                 move_part(task, worker, scene, dt);
             } else if (moving_[task.first].undisturbed) {
                 move_undisturbed(task, worker, scene, dt);
@@ -221,7 +223,8 @@ void Solver::add_impulses() {
     impulses_.clear();
     for (uint32_t slot = 0; slot < state_.ids.slots(); ++slot) {
         if (!state_.ids.live(slot)) continue;
-        for (const ModelImpulse& given : state_.bodies[slot].impulses) givers_.push_back({given.model, slot, &given});
+        for (const ModelImpulse& given : state_.bodies[slot].contacts.impulses)
+            givers_.push_back({given.model, slot, &given});
     }
     std::sort(givers_.begin(), givers_.end());
     for (const Giver& giver : givers_) {

@@ -19,24 +19,24 @@ public:
     }
 
     void add_triangles() {
-        for (size_t i = 0; i < body_.triangles.size(); i += 3) add_triangle(&body_.triangles[i]);
+        for (size_t i = 0; i < body_.cloth.triangles.size(); i += 3) add_triangle(&body_.cloth.triangles[i]);
     }
     void add_links() {
-        for (uint32_t slot = 0; slot < body_.constraint_ids.slots(); ++slot) {
-            if (body_.constraint_ids.live(slot)) add_link(body_.constraints[slot]);
+        for (uint32_t slot = 0; slot < body_.constraints.ids.slots(); ++slot) {
+            if (body_.constraints.ids.live(slot)) add_link(body_.constraints.by_slot[slot]);
         }
     }
     void add_particles() {
         const double part = 0.5 * air_.wind.density * air_.wind.drag * pi;
-        for (uint32_t p = 0; p < body_.size(); ++p) {
+        for (uint32_t p = 0; p < body_.particles.size(); ++p) {
             const Vec3 u = relative_(p);
-            const double d = part * body_.radius[p] * body_.radius[p] * length(u);
+            const double d = part * body_.particles.radius[p] * body_.particles.radius[p] * length(u);
             add(p, u * -d, d);
         }
     }
     /// Each force no larger than what ends the motion relative to the air at this rate, 1/s.
     void limit(double most) {
-        for (uint32_t p = 0; p < body_.size(); ++p) {
+        for (uint32_t p = 0; p < body_.particles.size(); ++p) {
             if (air_.rate[p] > most) air_.force[p] *= most / air_.rate[p];
         }
     }
@@ -45,7 +45,7 @@ private:
     /// A force, and by how many newtons it grows at most when all velocities do by 1 m/s.
     void add(uint32_t p, Vec3 force, double growth) {
         air_.force[p] += force;
-        air_.rate[p] += growth * body_.inverse_mass[p];
+        air_.rate[p] += growth * body_.particles.inverse_mass[p];
     }
 
     void add_triangle(const uint32_t* corners) {
@@ -69,7 +69,7 @@ private:
         const double length = gphys::length(way);
         if (length == 0) return;
         const Vec3 direction = way / length, across = u - direction * dot(u, direction);
-        const double diameter = body_.radius[link.a] + body_.radius[link.b];
+        const double diameter = body_.particles.radius[link.a] + body_.particles.radius[link.b];
         const double half = 0.25 * air_.wind.density * air_.wind.drag * diameter * length * gphys::length(across);
         for (const uint32_t p : {link.a, link.b}) add(p, across * -half, half);
     }
@@ -99,12 +99,12 @@ void add_up(Body& body, const Place& place, const Relative& relative, double mos
 void fly_in_air(Body& body, Vec3 gravity, double dt) {
     const Air& air = body.air;
     const double part = 0.5 * air.wind.density * air.wind.drag * pi * dt;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        const double w = body.inverse_mass[p];  // 0: it gets no force
-        const Vec3 u = body.velocity[p] - velocity_at(air, p) + (gravity + body.force[p] * w) * dt;
-        const double growth = 4 * part * body.radius[p] * body.radius[p] * w * length(u);
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        const double w = body.particles.inverse_mass[p];  // 0: it gets no force
+        const Vec3 u = body.particles.velocity[p] - velocity_at(air, p) + (gravity + body.particles.force[p] * w) * dt;
+        const double growth = 4 * part * body.particles.radius[p] * body.particles.radius[p] * w * length(u);
         const double lost = 1 - 2 / (1 + std::sqrt(1 + growth));
-        body.air.force[p] = u * (-lost * body.mass[p] / dt);
+        body.air.force[p] = u * (-lost * body.particles.mass[p] / dt);
     }
 }
 
@@ -117,37 +117,37 @@ void put(float* to, Vec3 value) {
 
 void reserve_air(Body& body) {
     if (!body.air.blows()) return;
-    body.air.force.resize(body.size());
-    body.air.rate.resize(body.size());
+    body.air.force.resize(body.particles.size());
+    body.air.rate.resize(body.particles.size());
     if (is_graph(body)) body.air.steady.resize(body.cloth.acceleration.size());
 }
 
 void begin_air(Body& body, Vec3 gravity, double dt) {
     if (!body.air.blows() || is_graph(body)) return;
-    if (body.plan.method == GPHYS_SOLVE_FREE && !body.joined && body.kind == GPHYS_BODY_PARTICLES) {
+    if (body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined && body.kind == GPHYS_BODY_PARTICLES) {
         fly_in_air(body, gravity, dt);
     } else {
-        const auto place = [&](uint32_t p) { return body.position[p]; };
-        const auto relative = [&](uint32_t p) { return body.velocity[p] - velocity_at(body.air, p); };
+        const auto place = [&](uint32_t p) { return body.particles.position[p]; };
+        const auto relative = [&](uint32_t p) { return body.particles.velocity[p] - velocity_at(body.air, p); };
         add_up(body, place, relative, 1 / dt);
     }
-    for (uint32_t p = 0; p < body.size(); ++p) body.air.force[p] += body.force[p];
-    body.air.force.swap(body.force);
-    body.air.forced = body.forced;
-    body.forced = true;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) body.air.force[p] += body.particles.force[p];
+    body.air.force.swap(body.particles.force);
+    body.air.forced = body.particles.forced;
+    body.particles.forced = true;
 }
 
 void end_air(Body& body) {
     if (!body.air.blows() || is_graph(body)) return;
-    body.air.force.swap(body.force);
-    body.forced = body.air.forced;
+    body.air.force.swap(body.particles.force);
+    body.particles.forced = body.air.forced;
 }
 
 /// The velocities are those that the time scheme goes on with, of a particle that nothing pushes.
 void blow_cloth(Body& body, const CollisionContext& around, double h) {
-    ClothState& cloth = body.cloth;
+    Cloth& cloth = body.cloth;
     if (around.begin == 0) std::copy(cloth.acceleration.begin(), cloth.acceleration.end(), body.air.steady.begin());
-    const TimeScheme scheme(h, body.earlier_step);
+    const TimeScheme scheme(h, body.history.earlier_step);
     const double drag = scheme.drag(body.settings.damping);
     const auto at = [](const Vector<float>& values, uint32_t p) {
         const float* value = &values[4 * size_t{p}];
@@ -156,16 +156,17 @@ void blow_cloth(Body& body, const CollisionContext& around, double h) {
     const auto place = [&](uint32_t p) { return at(cloth.at, p); };
     const auto relative = [&](uint32_t p) {
         const Vec3 now = at(cloth.velocity, p), air = velocity_at(body.air, p);
-        if (body.pinned(p) || scheme.earlier == 0) return now - air;
+        if (body.particles.pinned(p) || scheme.earlier == 0) return now - air;
         return scheme.from_history(now, at(cloth.velocity_before, p)) / scheme.next - air;
     };
     add_up(body, place, relative, 1 / (drag * h));
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        put(&cloth.acceleration[4 * size_t{p}], at(body.air.steady, p) + body.air.force[p] * body.inverse_mass[p]);
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
+        put(&cloth.acceleration[4 * size_t{p}],
+            at(body.air.steady, p) + body.air.force[p] * body.particles.inverse_mass[p]);
     }
     if (!around.scene) return;
-    for (const Attachment& attachment : body.attachments) {
+    for (const Attachment& attachment : body.constraints.attachments) {
         const uint32_t p = attachment.particle;
         give(body, around, attachment.model, cloth.origin + at(cloth.at, p), body.air.force[p] * h);
     }

@@ -26,7 +26,7 @@ struct Air {
     // Of a step under way, by particle:
     Vector<Vec3> force;    // newtons; during a step of what is not cloth in place of Body::force, which is in it
     Vector<double> rate;   // 1/s, of all forces on the particle together: none changes its velocity faster
-    Vector<float> steady;  // of cloth: accelerations without air, as in ClothState
+    Vector<float> steady;  // of cloth: accelerations without air, as in Cloth
     bool forced = false;   // what Body::forced was
 };
 

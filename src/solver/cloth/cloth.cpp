@@ -25,7 +25,7 @@ void put(float* to, Vec3 value, double limit) {
     for (int k = 0; k < 3; ++k) to[k] = to_float(value[k], limit);
 }
 
-ClothMotion motion_of(ClothState& cloth) {
+ClothMotion motion_of(Cloth& cloth) {
     return {static_cast<uint32_t>(cloth.at.size()),
             cloth.at.data(),
             cloth.start.data(),
@@ -51,19 +51,19 @@ ClothMotion part_of(const ClothMotion& all, uint32_t first, uint32_t most_floats
 
 /// part(motion of some of the particles, number of their first float).
 template <class Part>
-void share_motion(ClothState& cloth, Part&& part) {
+void share_motion(Cloth& cloth, Part&& part) {
     const ClothMotion all = motion_of(cloth);
     share(cloth.team, (all.floats + share_floats - 1) / share_floats,
           [&](uint32_t i, uint32_t) { part(part_of(all, i * share_floats, share_floats), i * share_floats); });
 }
 
-void predict(const ClothKernels& kernels, ClothState& cloth, const ClothStep& step) {
+void predict(const ClothKernels& kernels, Cloth& cloth, const ClothStep& step) {
     share_motion(cloth, [&](const ClothMotion& motion, uint32_t) { kernels.predict(motion, step); });
 }
 
 /// Of blocks of particles: kernel(motion).
 template <class Kernel>
-double sum_of_blocks(ClothState& cloth, Kernel&& kernel) {
+double sum_of_blocks(Cloth& cloth, Kernel&& kernel) {
     share_motion(cloth, [&](const ClothMotion& motion, uint32_t first) {
         for (uint32_t i = 0; i < motion.floats; i += block_floats) {
             cloth.sums[(first + i) / block_floats] = kernel(part_of(motion, i, block_floats));
@@ -75,9 +75,9 @@ double sum_of_blocks(ClothState& cloth, Kernel&& kernel) {
 }
 
 ClothStep cloth_step(const Body& body, double h) {
-    const TimeScheme scheme(h, body.earlier_step);
+    const TimeScheme scheme(h, body.history.earlier_step);
     const auto narrowed = [](double value) { return static_cast<float>(value); };
-    const double h_before = scheme.earlier > 0 ? body.earlier_step : 0, damping = body.settings.damping;
+    const double h_before = scheme.earlier > 0 ? body.history.earlier_step : 0, damping = body.settings.damping;
     return {narrowed(h),
             narrowed(h_before),
             narrowed(h_before / h),
@@ -115,8 +115,8 @@ void soften(ClothBatches& batches, double average_mass, double step) {
 }
 
 void damp_links(Body& body, const TimeScheme& scheme) {
-    ClothBatches& batches = body.plan.batches;
-    const ClothState& cloth = body.cloth;
+    ClothBatches& batches = body.cloth.batches;
+    const Cloth& cloth = body.cloth;
     for (const DampedInCloth& link : batches.damped) {
         const Vec3 now = get(&cloth.start[4 * size_t{link.b}]) - get(&cloth.start[4 * size_t{link.a}]);
         const Vec3 before = now - (get(&cloth.moved[4 * size_t{link.b}]) - get(&cloth.moved[4 * size_t{link.a}]));
@@ -128,14 +128,14 @@ void damp_links(Body& body, const TimeScheme& scheme) {
 
 /// Limits that have become taut: their ends no longer part, and what has done so is an interruption.
 bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme& scheme) {
-    ClothState& cloth = body.cloth;
+    Cloth& cloth = body.cloth;
     // Models were given the forces of this substep as if they went on; an impact has no such history.
     const double step = scheme.step(body.settings.damping);
     const double counted = scheme.h / (step * step) - scheme.next / scheme.h;
     const auto give_to_model = [&](uint32_t p, Vec3 impulse) {
-        const Attachment* attachment = around.scene ? find_attachment(body, p) : nullptr;
+        const Attachment* attachment = around.scene ? find_attachment(body.constraints, p) : nullptr;
         if (!attachment) return;
-        float* pull = &body.cloth_contacts.pulls[4 * size_t{p}];
+        float* pull = &body.cloth.contacts.pulls[4 * size_t{p}];
         const Vec3 given = (impulse - get(pull) * counted) * cloth.average_mass;
         give(body, around, attachment->model, cloth.origin + get(&cloth.at[4 * size_t{p}]), given);
         put(pull, {}, 0);
@@ -143,7 +143,7 @@ bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme
     // In parts of the length: ten times the rounding of places within a metre or so.
     constexpr double slack = 1e-6;
     bool any = false;
-    for (const LimitInCloth& limit : body.plan.batches.limits) {
+    for (const LimitInCloth& limit : body.cloth.batches.limits) {
         const size_t a = 4 * size_t{limit.a}, b = 4 * size_t{limit.b};
         const double shortest = limit.rest * (1 - slack), mobility = double{cloth.at[a + 3]} + cloth.at[b + 3];
         if (distance(get(&cloth.start[a]), get(&cloth.start[b])) >= shortest || mobility == 0) continue;
@@ -162,9 +162,9 @@ bool capture_limits(Body& body, const CollisionContext& around, const TimeScheme
 }
 
 double stored_energy(const ClothKernels& kernels, Body& body) {
-    const ClothBatches& batches = body.plan.batches;
-    ClothState& cloth = body.cloth;
-    double sum = body.volume.held ? stored_in_volume(body, cloth_volume(body)) / cloth.average_mass : 0;
+    const ClothBatches& batches = body.cloth.batches;
+    Cloth& cloth = body.cloth;
+    double sum = body.cloth.volume.held ? stored_in_volume(body, cloth_volume(body)) / cloth.average_mass : 0;
     if (!batches.elastic) return sum;
     share(cloth.team, static_cast<uint32_t>(batches.chains.size()), [&](uint32_t i, uint32_t) {
         cloth.stored[i] = kernels.stored(cloth.at.data(), chains_of(batches), batches.chains[i]);
@@ -176,11 +176,11 @@ double stored_energy(const ClothKernels& kernels, Body& body) {
 /// What chains and limits have pulled attached particles with: the force of a whole substep.
 void give_pulls(Body& body, const CollisionContext& around, double step, double h) {
     const double to_impulse = body.cloth.average_mass * h / (step * step);
-    for (const Attachment& attachment : body.attachments) {
+    for (const Attachment& attachment : body.constraints.attachments) {
         const size_t i = 4 * size_t{attachment.particle};
         if (around.scene) {
             give(body, around, attachment.model, body.cloth.origin + get(&body.cloth.at[i]),
-                 get(&body.cloth_contacts.pulls[i]) * to_impulse);
+                 get(&body.cloth.contacts.pulls[i]) * to_impulse);
         }
     }
 }
@@ -191,7 +191,7 @@ void follow_models(Body& body, const CollisionContext& around) {
     gphys_model_id model = 0;
     const PlacedModel* moved = nullptr;
     Transform now;
-    for (const Attachment& attachment : body.attachments) {
+    for (const Attachment& attachment : body.constraints.attachments) {
         if (attachment.begin == attachment.end) continue;
         Vec3 next = attachment.begin + (attachment.end - attachment.begin) * around.end;
         if (attachment.model != model) {
@@ -205,8 +205,8 @@ void follow_models(Body& body, const CollisionContext& around) {
         }
         put(&body.cloth.at[4 * size_t{attachment.particle}], next - body.cloth.origin, farthest);
     }
-    for (const Attachment& attachment : body.attachments) {
-        put(&body.cloth_contacts.pulls[4 * size_t{attachment.particle}], {}, 0);
+    for (const Attachment& attachment : body.constraints.attachments) {
+        put(&body.cloth.contacts.pulls[4 * size_t{attachment.particle}], {}, 0);
     }
 }
 
@@ -219,7 +219,7 @@ void slow_by(Body& body, Vec3 drift, double energy) {
 /// Cloth in a solid is held by it while its links get their lengths back. That makes it no faster on average than it
 /// leaves; `gain` are the joules beyond those that forces gave in the substep.
 void keep_calm(Body& body, double gain) {
-    const double calm = body.cloth.average_mass * body.size() * leaving_speed * leaving_speed / 2;
+    const double calm = body.cloth.average_mass * body.particles.size() * leaving_speed * leaving_speed / 2;
     const double excess = std::min(gain, inner_energy_of_cloth(body, {}) - calm);
     if (excess > 0) slow_by(body, {}, excess);
 }
@@ -238,19 +238,19 @@ void take_back(Body& body, double gain) {
 /// Whether all that pushes the body from outside in this substep is known: nothing, or models that a closed body
 /// touches. One that lies on them open may turn about as a whole by what its sweeps leave unsolved.
 bool is_accounted_for(const Body& body, bool collides) {
-    const ClothContacts& contacts = body.cloth_contacts;
-    if (body.cloth.held || body.joined || body.near) return false;
+    const ClothContacts& contacts = body.cloth.contacts;
+    if (body.cloth.held || body.plan.joined || body.contacts.near) return false;
     if (body.air.blows()) return false;  // its force depends on the velocity that would be given back
     if (!collides || !(contacts.touches() || contacts.sunk)) return true;
-    return body.volume.held && !contacts.sunk && !contacts.pushed;
+    return body.cloth.volume.held && !contacts.sunk && !contacts.pushed;
 }
 
 /// part(its number, first particle, end) in any order.
 template <class Part>
 void share_parts(const Body& body, Part&& part) {
     constexpr uint32_t together = share_floats / 4;
-    share(body.cloth.team, (body.size() + together - 1) / together,
-          [&](uint32_t i, uint32_t) { part(i, i * together, std::min(body.size(), (i + 1) * together)); });
+    share(body.cloth.team, (body.particles.size() + together - 1) / together,
+          [&](uint32_t i, uint32_t) { part(i, i * together, std::min(body.particles.size(), (i + 1) * together)); });
 }
 
 /// each(particle), in any order.
@@ -265,10 +265,11 @@ void share_particles(const Body& body, Each&& each) {
 ClothExtent extent_of(Body& body) {
     Vector<ClothExtent>& parts = body.cloth.extents;
     share_parts(body, [&](uint32_t i, uint32_t first, uint32_t end) {
-        ClothExtent extent{{body.position[first], body.position[first]}, 0};
+        ClothExtent extent{{body.particles.position[first], body.particles.position[first]}, 0};
         for (uint32_t p = first; p < end; ++p) {
-            extent.box = {min(extent.box.min, body.position[p]), max(extent.box.max, body.position[p])};
-            extent.mass += body.mass[p];
+            extent.box = {min(extent.box.min, body.particles.position[p]),
+                          max(extent.box.max, body.particles.position[p])};
+            extent.mass += body.particles.mass[p];
         }
         parts[i] = extent;
     });
@@ -281,19 +282,19 @@ ClothExtent extent_of(Body& body) {
 }
 
 void publish(Body& body) {
-    const ClothState& cloth = body.cloth;
+    const Cloth& cloth = body.cloth;
     share_particles(body, [&](uint32_t p) {
-        const Vec3 before = body.position[p];
-        body.position[p] = cloth.origin + get(&cloth.at[4 * size_t{p}]);
-        body.velocity[p] = get(&cloth.velocity[4 * size_t{p}]);
-        keep_in_range(body.position[p], body.velocity[p], before);
+        const Vec3 before = body.particles.position[p];
+        body.particles.position[p] = cloth.origin + get(&cloth.at[4 * size_t{p}]);
+        body.particles.velocity[p] = get(&cloth.velocity[4 * size_t{p}]);
+        keep_in_range(body.particles.position[p], body.particles.velocity[p], before);
     });
 }
 
 /// solve(batch, chains, rows) for each batch: colours one after the other.
 template <class Solve>
 void solve_colours(Body& body, Solve&& solve) {
-    ClothBatches& batches = body.plan.batches;
+    ClothBatches& batches = body.cloth.batches;
     const ClothChains chains = damped_chains_of(batches);
     for (size_t colour = 0; colour + 1 < batches.colours.size(); ++colour) {
         const uint32_t first = batches.colours[colour], end = batches.colours[colour + 1];
@@ -310,7 +311,7 @@ ClothLimits limits_of(const ClothBatches& batches) {
 
 void reach_limits(Body& body) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
-    const ClothBatches& batches = body.plan.batches;
+    const ClothBatches& batches = body.cloth.batches;
     const ClothLimits limits = limits_of(batches);
     for (size_t rank = 0; rank + 1 < batches.ranks.size(); ++rank) {
         const uint32_t first = batches.ranks[rank], count = batches.ranks[rank + 1] - first;
@@ -326,7 +327,7 @@ void reach_limits(Body& body) {
 }  // namespace
 
 Motion motion_of_cloth(const Body& body) {
-    const ClothState& cloth = body.cloth;
+    const Cloth& cloth = body.cloth;
     Motion sum;
     for (size_t i = 0; i < 4 * size_t{cloth.particles}; i += 4) {
         sum.add(cloth.acceleration[i + 3] * cloth.average_mass, get(&cloth.velocity[i]));
@@ -350,55 +351,61 @@ void slow_cloth(Body& body, Vec3 drift, double kept) {
                  [&](const ClothMotion& motion, uint32_t) { kernels.slow(motion, common, static_cast<float>(kept)); });
 }
 
-size_t cloth_floats(const Body& body) { return (4 * (size_t{body.size()} + body.plan.batches.spare) + 7) / 8 * 8; }
+size_t cloth_floats(const Body& body) {
+    return (4 * (size_t{body.particles.size()} + body.cloth.batches.spare) + 7) / 8 * 8;
+}
 
 void reserve_cloth(Body& body) {
-    ClothState& cloth = body.cloth;
+    Cloth& cloth = body.cloth;
     const size_t floats = cloth_floats(body);
     for (Vector<float>* values : {&cloth.at, &cloth.start, &cloth.velocity, &cloth.acceleration}) {
         values->resize(floats);
     }
     cloth.sums.resize((floats + block_floats - 1) / block_floats);
-    cloth.stored.resize(body.plan.batches.chains.size());
+    cloth.stored.resize(body.cloth.batches.chains.size());
     if (cloth.most_strain > 0) {
-        cloth.strained.resize(body.plan.batches.rest.size());
-        cloth.waiting.resize(body.plan.batches.kept.links.size());
-        cloth.listed.assign(body.plan.batches.kept.links.size(), 0);
+        cloth.strained.resize(body.cloth.batches.rest.size());
+        cloth.waiting.resize(body.cloth.batches.kept.links.size());
+        cloth.listed.assign(body.cloth.batches.kept.links.size(), 0);
     }
-    cloth.extents.resize((4 * size_t{body.size()} + share_floats - 1) / share_floats);
-    if (!body.attachments.empty()) body.cloth_contacts.pulls.resize(floats);
-    if (body.volume.held) body.volume.gradient.resize(body.size());
+    cloth.extents.resize((4 * size_t{body.particles.size()} + share_floats - 1) / share_floats);
+    if (!body.constraints.attachments.empty()) body.cloth.contacts.pulls.resize(floats);
+    if (body.cloth.volume.held) body.cloth.volume.gradient.resize(body.particles.size());
 }
 
 void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
-    ClothState& cloth = body.cloth;
+    Cloth& cloth = body.cloth;
     const ClothExtent extent = extent_of(body);
     if (!keeps_origin(body, extent.box)) {
         cloth.origin = (extent.box.min + extent.box.max) / 2;
         cloth.search_balls.clear();
     }
-    cloth.average_mass = extent.mass / body.size();
+    cloth.average_mass = extent.mass / body.particles.size();
     cloth.wanted_substep = infinity;
     cloth.balance.current = false;
-    cloth.pulled = (body.earlier_step == 0 && !body.touched) || !body.length_changes.empty();
-    cloth.held = std::find(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) != body.inverse_mass.end();
+    cloth.pulled =
+        (body.history.earlier_step == 0 && !body.contacts.touched) || !body.constraints.length_changes.empty();
+    cloth.held = std::find(body.particles.inverse_mass.begin(), body.particles.inverse_mass.end(), 0.0) !=
+                 body.particles.inverse_mass.end();
     share_particles(body, [&](uint32_t p) {
         const size_t i = 4 * size_t{p};
-        put(&cloth.at[i], body.position[p] - cloth.origin, farthest);
-        put(&cloth.velocity[i], body.velocity[p], fastest);
-        const bool free = !body.pinned(p);
-        const double relative = std::clamp(body.mass[p] / cloth.average_mass, 1 / most_mass_ratio, most_mass_ratio);
+        put(&cloth.at[i], body.particles.position[p] - cloth.origin, farthest);
+        put(&cloth.velocity[i], body.particles.velocity[p], fastest);
+        const bool free = !body.particles.pinned(p);
+        const double relative =
+            std::clamp(body.particles.mass[p] / cloth.average_mass, 1 / most_mass_ratio, most_mass_ratio);
         cloth.at[i + 3] = free ? static_cast<float>(1 / relative) : 0;
-        put(&cloth.acceleration[i], free ? gravity + body.force[p] * body.inverse_mass[p] : Vec3{}, hardest);
+        put(&cloth.acceleration[i], free ? gravity + body.particles.force[p] * body.particles.inverse_mass[p] : Vec3{},
+            hardest);
         cloth.acceleration[i + 3] = free ? static_cast<float>(relative) : 0;
     });
     // Those that do not move are in pairs a metre apart again: limits on the first of them shift it by a hair.
     for (Vector<float>* values : {&cloth.at, &cloth.moved, &cloth.velocity, &cloth.velocity_before}) {
-        std::fill(values->begin() + 4 * static_cast<std::ptrdiff_t>(body.size()), values->end(), 0.0f);
+        std::fill(values->begin() + 4 * static_cast<std::ptrdiff_t>(body.particles.size()), values->end(), 0.0f);
     }
-    for (uint32_t p = 1; p < body.plan.batches.spare; p += 2) cloth.at[4 * (size_t{body.size()} + p)] = 1;
-    cloth.particles = body.size();
-    body.cloth_contacts.touching.clear();
+    for (uint32_t p = 1; p < body.cloth.batches.spare; p += 2) cloth.at[4 * (size_t{body.particles.size()} + p)] = 1;
+    cloth.particles = body.particles.size();
+    body.cloth.contacts.touching.clear();
     if (collides(body, around)) {
         look_around_cloth(body, around, gravity);
     } else {
@@ -408,32 +415,33 @@ void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
 
 void predict_cloth(Body& body, const CollisionContext& around, double h) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
-    ClothState& cloth = body.cloth;
-    if (!body.length_changes.empty()) change_lengths(body, around.end);
-    soften(body.plan.batches, cloth.average_mass, TimeScheme(h, body.earlier_step).step(body.settings.damping));
+    Cloth& cloth = body.cloth;
+    if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
+    soften(body.cloth.batches, cloth.average_mass,
+           TimeScheme(h, body.history.earlier_step).step(body.settings.damping));
     // Moving models and other bodies do work.
-    const bool carried = std::any_of(body.attachments.begin(), body.attachments.end(),
+    const bool carried = std::any_of(body.constraints.attachments.begin(), body.constraints.attachments.end(),
                                      [](const Attachment& attachment) { return attachment.begin != attachment.end; });
     const bool closed = !carried && !cloth.pulled;
     if (closed && !cloth.balance.current) cloth.balance.stored = stored_energy(kernels, body);
     cloth.balance.closed = closed;
     if (body.air.blows()) blow_cloth(body, around, h);
     predict(kernels, cloth, cloth_step(body, h));
-    damp_links(body, TimeScheme(h, body.earlier_step));
+    damp_links(body, TimeScheme(h, body.history.earlier_step));
     follow_models(body, around);
 }
 
 void solve_cloth(Body& body) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
-    ClothBatches& batches = body.plan.batches;
-    ClothContacts& contacts = body.cloth_contacts;
+    ClothBatches& batches = body.cloth.batches;
+    ClothContacts& contacts = body.cloth.contacts;
     // Before the chains, which need it for their shape, and after them, which leave an error in it.
-    body.volume.given = 0;
-    if (body.volume.held) solve_volume(body, batches.scale);
+    body.cloth.volume.given = 0;
+    if (body.cloth.volume.held) solve_volume(body, batches.scale);
     solve_colours(body, [&](const ChainBatch& batch, const ClothChains& chains, float* rows) {
         float* const at = body.cloth.at.data();
         const ClothSurfaces surfaces{contacts.normals.data(), contacts.pulls.data()};
-        if (body.joined) {
+        if (body.plan.joined) {
             kernels.solve_joined(
                 at, {body.cloth.tether_diagonal.data(), body.cloth.tether_off.data(), surfaces, contacts.touches()},
                 chains, batch, rows);
@@ -445,9 +453,9 @@ void solve_cloth(Body& body) {
             kernels.solve(at, chains, batch, rows);
         }
     });
-    if (body.volume.held) solve_volume(body, batches.scale);
+    if (body.cloth.volume.held) solve_volume(body, batches.scale);
     if (contacts.touches()) note_places(body);
-    if (body.attachments.empty()) {
+    if (body.constraints.attachments.empty()) {
         reach_limits(body);
     } else {
         kernels.limit_pulling(body.cloth.at.data(), limits_of(batches), static_cast<uint32_t>(batches.limited.size()),
@@ -465,30 +473,30 @@ void project_cloth(Body& body) {
 
 void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
-    ClothState& cloth = body.cloth;
-    const TimeScheme scheme(h, body.earlier_step);
+    Cloth& cloth = body.cloth;
+    const TimeScheme scheme(h, body.history.earlier_step);
     const bool collides = gphys::collides(body, around);
-    if (!body.attachments.empty()) give_pulls(body, around, scheme.step(body.settings.damping), h);
+    if (!body.constraints.attachments.empty()) give_pulls(body, around, scheme.step(body.settings.damping), h);
     if (collides) leave_planes(body);
     const ClothStep step = cloth_step(body, h);
     const double gain = sum_of_blocks(cloth, [&](const ClothMotion& block) { return kernels.finish(block, step); });
     cloth.velocity.swap(cloth.velocity_before);
     if (collides) count_contacts(body, around, scheme.next / h);
     const bool captured = capture_limits(body, around, scheme);
-    if (body.cloth_contacts.sunk && collides && !cloth.held) keep_calm(body, gain * cloth.average_mass);
-    cloth.balance.closed = cloth.balance.closed && !(collides && body.cloth_contacts.pushed);
+    if (body.cloth.contacts.sunk && collides && !cloth.held) keep_calm(body, gain * cloth.average_mass);
+    cloth.balance.closed = cloth.balance.closed && !(collides && body.cloth.contacts.pushed);
     const bool accounted = is_accounted_for(body, collides);
     const double before = cloth.balance.stored;
     if (cloth.balance.closed && !accounted) {
         cloth.balance.stored = stored_energy(kernels, body);
         cloth.balance.gain = (gain + cloth.balance.stored - before) * cloth.average_mass;
-        if (cloth.balance.gain > 0 && !body.joined) take_back(body, cloth.balance.gain);
+        if (cloth.balance.gain > 0 && !body.plan.joined) take_back(body, cloth.balance.gain);
     }
-    body.touched = captured;
+    body.contacts.touched = captured;
     if (collides) {
-        body.touched = captured || body.cloth_contacts.touches();
+        body.contacts.touched = captured || body.cloth.contacts.touches();
         turn_velocities(body, around, h);
-        if (body.cloth_contacts.pushed) ease_links(body);
+        if (body.cloth.contacts.pushed) ease_links(body);
     }
     if (cloth.most_strain > 0) {
         if (collides) note_places(body);
@@ -502,9 +510,9 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
     }
     if (collides) {
         catch_escaped(body, around, gravity, h);
-        if (body.cloth_contacts.sunk) leave_solids(body, h);
+        if (body.cloth.contacts.sunk) leave_solids(body, h);
     }
-    if (cloth.balance.closed && !accounted && !body.joined && !body.cloth_contacts.sunk) {
+    if (cloth.balance.closed && !accounted && !body.plan.joined && !body.cloth.contacts.sunk) {
         // Walls and friction only take energy, but what they push out of them is raised.
         const double stored = stored_energy(kernels, body);
         const double all =
@@ -513,13 +521,13 @@ void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, doub
         cloth.balance.stored = stored;
     }
     cloth.balance.current = cloth.balance.closed && !collides && (accounted || cloth.most_strain == 0);
-    body.earlier_step = body.touched ? 0 : h;
+    body.history.earlier_step = body.contacts.touched ? 0 : h;
 }
 
 void end_cloth_substep(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const bool collides = gphys::collides(body, around);
-    body.cloth_contacts.given = body.cloth_contacts.turning = {};
-    if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.earlier_step));
+    body.cloth.contacts.given = body.cloth.contacts.turning = {};
+    if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
     solve_cloth(body);
     finish_cloth(body, around, gravity, h);
 }

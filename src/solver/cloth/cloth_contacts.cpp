@@ -55,7 +55,7 @@ uint32_t deepest(const Neighbour& n, Vec3 at, double& depth) {
 
 /// From the centre of its ball.
 float squared_from_ball(const Body& body, uint32_t p) {
-    const float *ball = &body.cloth_contacts.balls[4 * size_t{p}], *at = &body.cloth.at[4 * size_t{p}];
+    const float *ball = &body.cloth.contacts.balls[4 * size_t{p}], *at = &body.cloth.at[4 * size_t{p}];
     const float x = at[0] - ball[0], y = at[1] - ball[1], z = at[2] - ball[2];
     return x * x + y * y + z * z;
 }
@@ -64,8 +64,8 @@ float squared_from_ball(const Body& body, uint32_t p) {
 template <class Is>
 uint32_t list_moving(Body& body, Is&& is) {
     uint32_t count = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (is(p) && !body.pinned(p)) body.cloth_contacts.escaped[count++] = p;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (is(p) && !body.particles.pinned(p)) body.cloth.contacts.escaped[count++] = p;
     }
     return count;
 }
@@ -95,19 +95,19 @@ int32_t push_out(Neighbour& n, float* at) {
 }  // namespace
 
 void reserve_cloth_contacts(Body& body) {
-    ClothContacts& contacts = body.cloth_contacts;
-    contacts.neighbours.reserve(body.size());
-    contacts.touching.reserve(body.size());
-    contacts.escaped.resize(body.size());
-    contacts.place.resize(body.size());
-    body.cloth.search_balls.reserve(4 * size_t{body.size()});
+    ClothContacts& contacts = body.cloth.contacts;
+    contacts.neighbours.reserve(body.particles.size());
+    contacts.touching.reserve(body.particles.size());
+    contacts.escaped.resize(body.particles.size());
+    contacts.place.resize(body.particles.size());
+    body.cloth.search_balls.reserve(4 * size_t{body.particles.size()});
     for (Vector<float>* values : {&contacts.balls, &contacts.normals, &contacts.pulls}) {
         values->resize(body.cloth.at.size());
     }
 }
 
 void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity) {
-    ClothContacts& contacts = body.cloth_contacts;
+    ClothContacts& contacts = body.cloth.contacts;
     std::fill(contacts.normals.begin(), contacts.normals.end(), 0.0f);
     contacts.sunk = false;
     find_moving_colliders(body, around);
@@ -131,7 +131,7 @@ void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity)
 }
 
 void look_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
-    const ClothContacts& contacts = body.cloth_contacts;
+    const ClothContacts& contacts = body.cloth.contacts;
     const double fall = h * length(gravity);
     const uint32_t count = list_moving(body, [&](uint32_t p) {
         const double way = h * (length(get(&body.cloth.velocity[4 * size_t{p}])) + fall);
@@ -146,7 +146,7 @@ namespace {
 /// With which it comes to its contact plane, where it began the substep at `place` beside it and would end it at
 /// `predicted`: what it has won until there by falling, and not by falling on behind the contact plane. 0 if it is too
 /// slow to bounce.
-double impact_speed(const Neighbour& n, const ClothState& cloth, Vec3 place, double predicted, double quiet) {
+double impact_speed(const Neighbour& n, const Cloth& cloth, Vec3 place, double predicted, double quiet) {
     const ContactPlane& plane = n.planes[n.touching];
     const size_t i = 4 * size_t{n.particle};
     const double drop = std::max(0.0, dot(plane.normal, place) - plane.offset);
@@ -161,10 +161,10 @@ double impact_speed(const Neighbour& n, const ClothState& cloth, Vec3 place, dou
 }  // namespace
 
 void touch_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
-    ClothState& cloth = body.cloth;
+    Cloth& cloth = body.cloth;
     const BodySettings& settings = body.settings;
     const double h = scheme.h, rate = 1 / h, drag = scheme.drag(body.settings.damping);
-    ClothContacts& contacts = body.cloth_contacts;
+    ClothContacts& contacts = body.cloth.contacts;
     contacts.touching.clear();
     contacts.pushed = false;
     advance_moving_colliders(body, around);
@@ -238,7 +238,7 @@ void slow_down(Neighbour& n, const ClothContacts& contacts, const BodySettings& 
 }  // namespace
 
 void note_places(Body& body) {
-    ClothContacts& contacts = body.cloth_contacts;
+    ClothContacts& contacts = body.cloth.contacts;
     for (const uint32_t number : contacts.touching) {
         Neighbour& n = contacts.neighbours[number];
         n.chained = get(&body.cloth.at[4 * size_t{n.particle}]);
@@ -246,8 +246,8 @@ void note_places(Body& body) {
 }
 
 void leave_planes(Body& body) {
-    ClothState& cloth = body.cloth;
-    ClothContacts& contacts = body.cloth_contacts;
+    Cloth& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth.contacts;
     contacts.touching.clear();
     for (uint32_t number = 0; number < contacts.neighbours.size(); ++number) {
         Neighbour& n = contacts.neighbours[number];
@@ -286,19 +286,19 @@ void lose(Neighbour& n, Body& body, const CollisionContext& around, Vec3 velocit
         n.getting = plane.model;
     }
     const size_t i = 4 * size_t{n.particle};
-    const Vec3 turning = cross(get(&body.cloth.at[i]) - plane.normal * body.radius[n.particle], velocity);
+    const Vec3 turning = cross(get(&body.cloth.at[i]) - plane.normal * body.particles.radius[n.particle], velocity);
     n.given += velocity;
     n.turning += turning;
-    body.cloth_contacts.given += velocity * body.cloth.acceleration[i + 3];
-    body.cloth_contacts.turning += turning * body.cloth.acceleration[i + 3];
+    body.cloth.contacts.given += velocity * body.cloth.acceleration[i + 3];
+    body.cloth.contacts.turning += turning * body.cloth.acceleration[i + 3];
 }
 
 }  // namespace
 
 /// Links, limits and contact planes have changed a velocity from the predicted one; what contact planes did they get.
 void count_contacts(Body& body, const CollisionContext& around, double rate) {
-    for (const uint32_t number : body.cloth_contacts.touching) {
-        Neighbour& n = body.cloth_contacts.neighbours[number];
+    for (const uint32_t number : body.cloth.contacts.touching) {
+        Neighbour& n = body.cloth.contacts.neighbours[number];
         const Vec3 velocity = get(&body.cloth.velocity[4 * size_t{n.particle}]);
         const Vec3 pulled = n.moved * rate;
         lose(n, body, around, n.chained_touching ? n.coming + pulled - velocity : pulled);
@@ -306,13 +306,13 @@ void count_contacts(Body& body, const CollisionContext& around, double rate) {
 }
 
 void turn_velocities(Body& body, const CollisionContext& around, double h) {
-    ClothState& cloth = body.cloth;
+    Cloth& cloth = body.cloth;
     const double rate = 1 / h;
-    for (const uint32_t number : body.cloth_contacts.touching) {
-        Neighbour& n = body.cloth_contacts.neighbours[number];
+    for (const uint32_t number : body.cloth.contacts.touching) {
+        Neighbour& n = body.cloth.contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         float* velocity = &cloth.velocity[i];
-        const Vec3 start = get(&cloth.start[i]), place = place_on_plane(n, body.cloth_contacts, start);
+        const Vec3 start = get(&cloth.start[i]), place = place_on_plane(n, body.cloth.contacts, start);
         const Vec3 of_plane = (place - start) * rate;
         if (get(&cloth.at[i]) == place && body.settings.restitution * n.approach == 0) {
             lose(n, body, around, get(velocity) - of_plane);
@@ -329,14 +329,14 @@ void turn_velocities(Body& body, const CollisionContext& around, double h) {
 }
 
 void stop_taken_back(Body& body, const CollisionContext& around, double h) {
-    ClothState& cloth = body.cloth;
-    for (const uint32_t number : body.cloth_contacts.touching) {
-        Neighbour& n = body.cloth_contacts.neighbours[number];
+    Cloth& cloth = body.cloth;
+    for (const uint32_t number : body.cloth.contacts.touching) {
+        Neighbour& n = body.cloth.contacts.neighbours[number];
         const size_t i = 4 * size_t{n.particle};
         const Vec3 back = get(&cloth.at[i]) - n.chained, start = get(&cloth.start[i]);
         const Vec3 velocity = get(&cloth.velocity[i]);
         const double square = length_squared(back);
-        const double against = dot((place_on_plane(n, body.cloth_contacts, start) - start) / h - velocity, back);
+        const double against = dot((place_on_plane(n, body.cloth.contacts, start) - start) / h - velocity, back);
         if (against <= 0 || square == 0) continue;
         const Vec3 slowed = velocity + back * std::min(1 / h, against / square);
         lose(n, body, around, velocity - slowed);
@@ -345,9 +345,9 @@ void stop_taken_back(Body& body, const CollisionContext& around, double h) {
 }
 
 bool is_held(const Body& body, uint32_t particle) {
-    const uint32_t place = body.cloth_contacts.place[particle];
-    if (place == ClothContacts::nowhere || body.cloth_contacts.sunk) return false;
-    const Neighbour& n = body.cloth_contacts.neighbours[place];
+    const uint32_t place = body.cloth.contacts.place[particle];
+    if (place == ClothContacts::nowhere || body.cloth.contacts.sunk) return false;
+    const Neighbour& n = body.cloth.contacts.neighbours[place];
     return n.touching >= 0 && n.held && !is_pushed(n);
 }
 
@@ -360,15 +360,15 @@ void shift(Body& body, uint32_t particle, Vec3 way, bool collides) {
 void ease_links(Body& body) {
     // In parts of the length: what nobody sees is left alone.
     constexpr double slack = 5e-3;
-    ClothState& cloth = body.cloth;
-    ClothContacts& contacts = body.cloth_contacts;
+    Cloth& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth.contacts;
     const auto touches = [&](uint32_t p) {
         const uint32_t place = contacts.place[p];
         return place != ClothContacts::nowhere && contacts.neighbours[place].touching >= 0;
     };
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        const DistanceConstraint& link = body.constraints[slot];
-        if (!body.constraint_ids.live(slot) || link.compliance > 0 || !touches(link.a) || !touches(link.b)) continue;
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        const DistanceConstraint& link = body.constraints.by_slot[slot];
+        if (!body.constraints.ids.live(slot) || link.compliance > 0 || !touches(link.a) || !touches(link.b)) continue;
         const float *a = &cloth.at[4 * size_t{link.a}], *b = &cloth.at[4 * size_t{link.b}];
         const Vec3 along = get(b) - get(a);
         const double length = gphys::length(along), error = length - link.rest, mobility = double{a[3]} + b[3];
@@ -381,25 +381,25 @@ void ease_links(Body& body) {
 }
 
 void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
-    ClothState& cloth = body.cloth;
-    ClothContacts& contacts = body.cloth_contacts;
+    Cloth& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth.contacts;
     contacts.sunk = false;
     const uint32_t count =
         list_moving(body, [&](uint32_t p) { return squared_from_ball(body, p) >= contacts.balls[4 * size_t{p} + 3]; });
     if (count == 0) return;
-    Aabb all{body.position[contacts.escaped[0]], body.position[contacts.escaped[0]]};
+    Aabb all{body.particles.position[contacts.escaped[0]], body.particles.position[contacts.escaped[0]]};
     double longest = 0, radius = 0;
     all = {Vec3{infinity, infinity, infinity}, Vec3{-infinity, -infinity, -infinity}};
     for (uint32_t k = 0; k < count; ++k) {
         const uint32_t p = contacts.escaped[k];
         const size_t i = 4 * size_t{p};
-        body.start[p] = cloth.origin + get(&cloth.start[i]);
-        body.position[p] = cloth.origin + get(&cloth.at[i]);
-        body.velocity[p] = get(&cloth.velocity[i]);
-        all.min = min(all.min, min(body.start[p], body.position[p]));
-        all.max = max(all.max, max(body.start[p], body.position[p]));
-        longest = std::max(longest, length_squared(body.position[p] - body.start[p]));
-        radius = std::max(radius, body.radius[p]);
+        body.history.start[p] = cloth.origin + get(&cloth.start[i]);
+        body.particles.position[p] = cloth.origin + get(&cloth.at[i]);
+        body.particles.velocity[p] = get(&cloth.velocity[i]);
+        all.min = min(all.min, min(body.history.start[p], body.particles.position[p]));
+        all.max = max(all.max, max(body.history.start[p], body.particles.position[p]));
+        longest = std::max(longest, length_squared(body.particles.position[p] - body.history.start[p]));
+        radius = std::max(radius, body.particles.radius[p]);
     }
     const double room = 2 * radius + std::sqrt(longest);
     const Collider collider(around, body,
@@ -407,21 +407,22 @@ void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, dou
     for (uint32_t k = 0; k < count && !collider.idle(); ++k) {
         const uint32_t p = contacts.escaped[k];
         const size_t i = 4 * size_t{p};
-        body.held[p] = 0;
-        const Vec3 at = body.position[p];
-        collider.slide(body, p, body.start[p], at - body.start[p], around.begin, quiet_speed(gravity, h));
-        if (body.held[p]) {
-            put(&cloth.at[i], body.position[p] - cloth.origin);
-            put(&cloth.velocity[i], body.velocity[p]);
+        body.contacts.held[p] = 0;
+        const Vec3 at = body.particles.position[p];
+        collider.slide(body, p, body.history.start[p], at - body.history.start[p], around.begin,
+                       quiet_speed(gravity, h));
+        if (body.contacts.held[p]) {
+            put(&cloth.at[i], body.particles.position[p] - cloth.origin);
+            put(&cloth.velocity[i], body.particles.velocity[p]);
         }
     }
     ContactSearch(around, body, gravity, around.step_time * (1 - around.end) + h).look(contacts.escaped.data(), count);
 }
 
 void stay_outside(Body& body, uint32_t particle) {
-    const uint32_t place = body.cloth_contacts.place[particle];
+    const uint32_t place = body.cloth.contacts.place[particle];
     if (place != ClothContacts::nowhere) {
-        push_out(body.cloth_contacts.neighbours[place], &body.cloth.at[4 * size_t{particle}]);
+        push_out(body.cloth.contacts.neighbours[place], &body.cloth.at[4 * size_t{particle}]);
     }
 }
 
@@ -431,15 +432,15 @@ void finish_neighbour(Neighbour& n, Body& body, const CollisionContext& around) 
     for (uint32_t i = 0; i < n.plane_count; ++i) {
         const ContactPlane& plane = n.planes[i];
         if (n.touched >> i & 1) {
-            record_touch(body, n.particle, *around.scene, plane.model, at - plane.normal * body.radius[n.particle],
-                         plane.normal);
+            record_touch(body, n.particle, *around.scene, plane.model,
+                         at - plane.normal * body.particles.radius[n.particle], plane.normal);
         }
     }
 }
 
 void record_touches(Body& body, const CollisionContext& around) {
-    for (const uint32_t place : body.cloth_contacts.place) {
-        if (place != ClothContacts::nowhere) finish_neighbour(body.cloth_contacts.neighbours[place], body, around);
+    for (const uint32_t place : body.cloth.contacts.place) {
+        if (place != ClothContacts::nowhere) finish_neighbour(body.cloth.contacts.neighbours[place], body, around);
     }
 }
 

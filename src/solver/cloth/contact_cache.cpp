@@ -12,15 +12,15 @@ namespace gphys {
 namespace {
 
 Aabb places_of(const Body& body) {
-    Aabb box{body.position[0], body.position[0]};
-    for (const Vec3 at : body.position) box = {min(box.min, at), max(box.max, at)};
+    Aabb box{body.particles.position[0], body.particles.position[0]};
+    for (const Vec3 at : body.particles.position) box = {min(box.min, at), max(box.max, at)};
     return box;
 }
 
 /// What balls reach: each is as large as a link, or as its particle, and beyond it there is the particle's radius.
 Box around_balls(const Body& body) {
-    const double reach = std::max(body.plan.batches.link_length, body.largest_radius);
-    const double room = 2 * (reach + body.largest_radius);
+    const double reach = std::max(body.cloth.batches.link_length, body.particles.largest_radius);
+    const double room = 2 * (reach + body.particles.largest_radius);
     const Aabb box = places_of(body);
     return bounds(Aabb{box.min - Vec3{room, room, room}, box.max + Vec3{room, room, room}});
 }
@@ -41,9 +41,9 @@ bool keeps_origin(const Body& body, const Aabb& box) {
 
 Reuse reuse_contacts(Body& body, const CollisionContext& around) {
     Vector<float>& search_balls = body.cloth.search_balls;
-    const ClothContacts& contacts = body.cloth_contacts;
+    const ClothContacts& contacts = body.cloth.contacts;
     if (search_balls.empty() || !contacts.moving_colliders.empty()) {
-        search_balls.assign(4 * size_t{body.size()}, ClothState::no_ball);
+        search_balls.assign(4 * size_t{body.particles.size()}, Cloth::no_ball);
         return Reuse::nothing;
     }
     const bool same = contacts.kept && contacts.neighbourhood == neighbourhood(body, *around.scene);
@@ -51,7 +51,7 @@ Reuse reuse_contacts(Body& body, const CollisionContext& around) {
 }
 
 void keep_planes(Body& body, const CollisionContext& around) {
-    ClothContacts& contacts = body.cloth_contacts;
+    ClothContacts& contacts = body.cloth.contacts;
     const bool has_planes = std::any_of(contacts.neighbours.begin(), contacts.neighbours.end(),
                                         [](const Neighbour& n) { return n.plane_count > 0; });
     if (!has_planes || !contacts.moving_colliders.empty()) {

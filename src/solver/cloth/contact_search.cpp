@@ -6,7 +6,7 @@ namespace {
 /// How far cloth stays off: as `skin`, and 2^-21 of its coordinates, which is 4 times the rounding of
 /// float32.
 double clearance(const Body& body, uint32_t p, Vec3 at) {
-    return skin(body.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
+    return skin(body.particles.radius[p], body.cloth.origin + at) + 0x1p-21 * max_component(abs(at));
 }
 
 Box around(const Aabb& places, double room, Vec3 origin) {
@@ -39,11 +39,13 @@ void ContactSearch::search_from_balls(const uint32_t* particles, uint32_t count)
 }
 
 /// A particle looks no further than to its neighbours, which a step seldom takes it, so that few parts are near.
-double ContactSearch::farthest(uint32_t p) const { return std::max(body_.plan.batches.link_length, body_.radius[p]); }
+double ContactSearch::farthest(uint32_t p) const {
+    return std::max(body_.cloth.batches.link_length, body_.particles.radius[p]);
+}
 
 /// Those that follow the first one within a box of eight times the size of what it may see.
 uint32_t ContactSearch::count_together(const uint32_t* particles, uint32_t count) const {
-    const double size = 16 * (body_.radius[particles[0]] + farthest(particles[0]));
+    const double size = 16 * (body_.particles.radius[particles[0]] + farthest(particles[0]));
     Aabb places{place_of(particles[0]), place_of(particles[0])};
     uint32_t together = 1;
     for (; together < std::min(count, most_points); ++together) {
@@ -61,7 +63,7 @@ bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t p = particles[i];
         places = {min(places.min, place_of(p)), max(places.max, place_of(p))};
-        range = std::max(range, body_.radius[p] + farthest(p));
+        range = std::max(range, body_.particles.radius[p] + farthest(p));
     }
     if (!find_colliders_near(places, range)) return false;
     for (uint32_t i = 0; i < count; ++i) reach_[i] = reach(particles[i]);
@@ -73,7 +75,7 @@ bool ContactSearch::search_together(const uint32_t* particles, uint32_t count) {
 /// Among too much it sees less far, and at last as far as is swept in each substep anyway.
 void ContactSearch::search_alone(uint32_t p) {
     const Vec3 at = place_of(p);
-    const bool follows_all = find_colliders_near({at, at}, body_.radius[p] + farthest(p));
+    const bool follows_all = find_colliders_near({at, at}, body_.particles.radius[p] + farthest(p));
     reach_[0] = reach(p);
     bool complete = collect(&p, 1);
     for (int halvings = 0; !complete && halvings < 3; ++halvings) {
@@ -88,7 +90,7 @@ void ContactSearch::search_alone(uint32_t p) {
 bool ContactSearch::find_colliders_near(const Aabb& places, double range) {
     collider_count_ = 0;
     bool all = true;
-    const Vector<MovingCollider>& moving_colliders = body_.cloth_contacts.moving_colliders;
+    const Vector<MovingCollider>& moving_colliders = body_.cloth.contacts.moving_colliders;
     if (moving_colliders.empty()) return true;
     const Box box = around(places, range, body_.cloth.origin);
     for (uint32_t i = 0; i < moving_colliders.size(); ++i) {
@@ -107,7 +109,7 @@ double ContactSearch::wanted_reach(uint32_t p) const {
     const Vec3 at = place_of(p), velocity = get(&body_.cloth.velocity[4 * size_t{p}]);
     double pushed = 0;
     for (uint32_t i = 0; i < collider_count_; ++i) {
-        pushed = std::max(pushed, body_.cloth_contacts.moving_colliders[near_colliders_[i]].travel(at));
+        pushed = std::max(pushed, body_.cloth.contacts.moving_colliders[near_colliders_[i]].travel(at));
     }
     return std::min(1.5 * (time_ * (length(velocity) + time_ * length(gravity_)) + pushed), farthest(p));
 }
@@ -121,10 +123,10 @@ double ContactSearch::reach(uint32_t p) {
 /// What it reaches; of models that move, if they may come as near in the rest of the step.
 void ContactSearch::place_balls(uint32_t p, uint32_t point) {
     const Vec3 origin = body_.cloth.origin, at = place_of(p);
-    const double range = body_.radius[p] + reach_[point];
+    const double range = body_.particles.radius[p] + reach_[point];
     balls_[point] = {origin + at, range};
     for (uint32_t m = 0; m < collider_count_; ++m) {
-        const MovingCollider& moving_collider = body_.cloth_contacts.moving_colliders[near_colliders_[m]];
+        const MovingCollider& moving_collider = body_.cloth.contacts.moving_colliders[near_colliders_[m]];
         moving_balls_[m][point] = {origin + moving_collider.from_end.inverse_apply(at),
                                    moving_collider.range(range, at)};
     }
@@ -133,7 +135,7 @@ void ContactSearch::place_balls(uint32_t p, uint32_t point) {
 /// Models that the balls touch. False if there is too much.
 bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
     const Vec3 origin = body_.cloth.origin;
-    const Vector<MovingCollider>& moving_colliders = body_.cloth_contacts.moving_colliders;
+    const Vector<MovingCollider>& moving_colliders = body_.cloth.contacts.moving_colliders;
     parts_.clear(count);
     Aabb places{place_of(particles[0]), place_of(particles[0])};
     double farthest = 0;
@@ -156,7 +158,7 @@ bool ContactSearch::collect(const uint32_t* particles, uint32_t count) {
 
 /// The ball and the contact planes of a particle from what was collected around it.
 void ContactSearch::settle(uint32_t p, uint32_t point) {
-    ClothContacts& contacts = body_.cloth_contacts;
+    ClothContacts& contacts = body_.cloth.contacts;
     Neighbour found{};
     found.particle = p;
     found.touching = -1;
@@ -172,7 +174,7 @@ void ContactSearch::settle(uint32_t p, uint32_t point) {
         // It searches for contacts again after each substep.
         reach = 0;
         contacts.sunk = true;
-        body_.cloth.search_balls[4 * size_t{p} + 3] = ClothState::no_ball;
+        body_.cloth.search_balls[4 * size_t{p} + 3] = Cloth::no_ball;
     }
     if (!again_) put(&body_.cloth.at[4 * size_t{p}], get(ball));
     ball[3] = static_cast<float>(reach * reach);
@@ -212,15 +214,15 @@ double ContactSearch::push_out(float* ball, Neighbour& found) const {
 /// is no room limit the reach.
 void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour& found) {
     const Vec3 origin = body_.cloth.origin;
-    const double off = body_.radius[p] + clearance(body_, p, at);
+    const double off = body_.particles.radius[p] + clearance(body_, p, at);
     for (ClosestFeature part; found.plane_count < Neighbour::most_planes && parts_.take_nearest(part);) {
         // Coplanar triangles share a contact plane: half of the clearance, or of the radius and it, is room for their
         // rounding. What moves in another way will not stay behind.
-        const double height = dot(part.normal, part.closest) + (off - body_.radius[p]) / 2;
+        const double height = dot(part.normal, part.closest) + (off - body_.particles.radius[p]) / 2;
         parts_.cull_behind(part.normal, height, part.tag);
         if (part.tag != ContactPlane::unmoved) {
             // From the end of the step back to the time of the rigid_motion.
-            const RigidMotion& rigid_motion = body_.cloth_contacts.moving_colliders[part.tag].from_end;
+            const RigidMotion& rigid_motion = body_.cloth.contacts.moving_colliders[part.tag].from_end;
             part.closest = origin + rigid_motion.apply(part.closest - origin);
             part.normal = rigid_motion.rotation * part.normal;
         }
@@ -239,7 +241,7 @@ void ContactSearch::choose_planes(uint32_t p, Vec3 at, double& reach, Neighbour&
 /// How near a part so far away now comes to the place until the end of the step, at least.
 double ContactSearch::nearest_in_step(uint32_t moving_collider, double distance, Vec3 at) const {
     if (moving_collider == ContactPlane::unmoved) return distance;
-    const MovingCollider& moving = body_.cloth_contacts.moving_colliders[moving_collider];
+    const MovingCollider& moving = body_.cloth.contacts.moving_colliders[moving_collider];
     return distance - moving.travel(at) - (moving.turn + moving.bulge) * std::fabs(distance);
 }
 

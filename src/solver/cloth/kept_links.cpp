@@ -18,7 +18,8 @@ struct Joint {
 /// The rigid links of a body by particle.
 class RigidLinks {
 public:
-    RigidLinks(const Body& body, std::pmr::memory_resource* memory) : begin_(body.size() + 1, 0, memory), at_(memory) {
+    RigidLinks(const Body& body, std::pmr::memory_resource* memory)
+        : begin_(body.particles.size() + 1, 0, memory), at_(memory) {
         const Plan& plan = body.plan;
         const auto each = [&](auto&& visit) {
             for (const Chain& chain : plan.chains) {
@@ -30,14 +31,15 @@ public:
             }
         };
         each([&](uint32_t a, uint32_t b, double) { ++begin_[a + 1], ++begin_[b + 1]; });
-        for (uint32_t p = 0; p < body.size(); ++p) begin_[p + 1] += begin_[p];
+        for (uint32_t p = 0; p < body.particles.size(); ++p) begin_[p + 1] += begin_[p];
         at_.resize(begin_.back());
         Vector<uint32_t> next(begin_.begin(), begin_.end() - 1, memory);
         each([&](uint32_t a, uint32_t b, double rest) {
             at_[next[a]++] = {b, rest};
             at_[next[b]++] = {a, rest};
         });
-        for (uint32_t p = 0; p < body.size(); ++p) std::sort(at_.begin() + begin_[p], at_.begin() + begin_[p + 1]);
+        for (uint32_t p = 0; p < body.particles.size(); ++p)
+            std::sort(at_.begin() + begin_[p], at_.begin() + begin_[p + 1]);
     }
 
     /// Whether it crosses another one in a cell with both diagonals: of the three pairs of links without a common
@@ -81,13 +83,13 @@ private:
 
 void list_kept_links(Body& body) {
     constexpr uint32_t lanes = 8;
-    ClothBatches& batches = body.plan.batches;
+    ClothBatches& batches = body.cloth.batches;
     KeptLinks& kept = batches.kept;
     std::pmr::memory_resource* memory = kept.links.get_allocator().resource();
     const RigidLinks rigid(body, memory);
     kept.links.clear();
     kept.by_place.assign(batches.rest.size(), KeptLinks::none);
-    kept.begin.assign(body.size() + 1, 0);
+    kept.begin.assign(body.particles.size() + 1, 0);
     for (ChainBatch& batch : batches.chains) {
         batch.kept = 0;
         for (uint32_t i = 0; i < lanes * batch.link_count; ++i) {
@@ -104,7 +106,7 @@ void list_kept_links(Body& body) {
             ++kept.begin[a + 1], ++kept.begin[b + 1];
         }
     }
-    for (uint32_t p = 0; p < body.size(); ++p) kept.begin[p + 1] += kept.begin[p];
+    for (uint32_t p = 0; p < body.particles.size(); ++p) kept.begin[p + 1] += kept.begin[p];
     kept.at.resize(kept.begin.back());
     Vector<uint32_t> next(kept.begin.begin(), kept.begin.end() - 1, memory);
     for (uint32_t i = 0; i < kept.links.size(); ++i) {

@@ -16,7 +16,7 @@ RigidMotion rigid_motion(const Transform& from, const Transform& to, Vec3 origin
 void find_moving_colliders(Body& body, const CollisionContext& around) {
     // Half a radian: ranges are then less than three times what they are for a model that does not turn.
     constexpr double most_turn = 0.5;
-    Vector<MovingCollider>& moving_colliders = body.cloth_contacts.moving_colliders;
+    Vector<MovingCollider>& moving_colliders = body.cloth.contacts.moving_colliders;
     moving_colliders.clear();
     for (const PlacedModel& before : *around.moved) {
         if (!(around.scene->layers(before.model) & body.settings.layers)) continue;
@@ -41,7 +41,7 @@ void find_moving_colliders(Body& body, const CollisionContext& around) {
 
 void advance_moving_colliders(Body& body, const CollisionContext& around) {
     const Vec3 origin = body.cloth.origin;
-    for (MovingCollider& moving_collider : body.cloth_contacts.moving_colliders) {
+    for (MovingCollider& moving_collider : body.cloth.contacts.moving_colliders) {
         if (!moving_collider.is_rigid) continue;
         const gphys_transform& after = around.scene->world(moving_collider.model);
         const Transform begin = interpolate(moving_collider.before, after, around.begin);

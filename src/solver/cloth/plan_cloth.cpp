@@ -49,9 +49,10 @@ bool pack_chains(const Plan& plan, uint32_t first, uint32_t last, uint32_t nowhe
 /// Limits on one particle act one after the other, those on different ones side by side: first
 /// the nearest anchor of every particle, then the second nearest, and so on.
 void pack_limits(const Body& body, ClothBatches& batches) {
-    const uint32_t nowhere = body.size();
-    const Vector<ReachLimit>& limits = body.plan.reach_limits;
-    Vector<uint32_t> rank(limits.size(), batches.limited.get_allocator()), count(body.size(), 0, rank.get_allocator());
+    const uint32_t nowhere = body.particles.size();
+    const Vector<ReachLimit>& limits = body.cloth.reach_limits;
+    Vector<uint32_t> rank(limits.size(), batches.limited.get_allocator()),
+        count(body.particles.size(), 0, rank.get_allocator());
     uint32_t ranks = 0;
     for (size_t i = 0; i < limits.size(); ++i) {
         rank[i] = count[limits[i].particle]++;
@@ -77,8 +78,8 @@ void pack_limits(const Body& body, ClothBatches& batches) {
 
 /// Which chains move what is attached to models.
 void mark_attached(const Body& body, ClothBatches& batches) {
-    Vector<uint8_t> attached(body.size() + size_t{batches.spare}, 0, batches.limited.get_allocator());
-    for (const Attachment& attachment : body.attachments) attached[attachment.particle] = 1;
+    Vector<uint8_t> attached(body.particles.size() + size_t{batches.spare}, 0, batches.limited.get_allocator());
+    for (const Attachment& attachment : body.constraints.attachments) attached[attachment.particle] = 1;
     for (ChainBatch& batch : batches.chains) {
         const uint32_t* first = &batches.particles[lanes * size_t{batch.first_particle}];
         batch.attached =
@@ -90,7 +91,7 @@ void mark_attached(const Body& body, ClothBatches& batches) {
 
 void pack_cloth_chains(Body& body) {
     const Plan& plan = body.plan;
-    ClothBatches& batches = body.plan.batches;
+    ClothBatches& batches = body.cloth.batches;
     batches.chains.clear();
     batches.colours.clear();
     batches.particles.clear();
@@ -98,7 +99,7 @@ void pack_cloth_chains(Body& body) {
     batches.compliance.clear();
     batches.damped.clear();
     batches.limits.clear();
-    const uint32_t nowhere = body.size();
+    const uint32_t nowhere = body.particles.size();
     batches.longest = 0;
     batches.spare = 2;
     for (size_t colour = 0; colour + 1 < plan.colours.size(); ++colour) {
@@ -126,8 +127,8 @@ void pack_cloth_chains(Body& body) {
 }
 
 void pack_pins(Body& body) {
-    pack_limits(body, body.plan.batches);
-    mark_attached(body, body.plan.batches);
+    pack_limits(body, body.cloth.batches);
+    mark_attached(body, body.cloth.batches);
 }
 
 }  // namespace gphys

@@ -15,23 +15,23 @@ constexpr double slack = 1e-6;
 
 struct Neighbours {
     explicit Neighbours(const Body& body, std::pmr::memory_resource* memory)
-        : begin(body.size() + 1, 0, memory), slot(memory) {
-        const uint32_t slots = body.constraint_ids.slots();
+        : begin(body.particles.size() + 1, 0, memory), slot(memory) {
+        const uint32_t slots = body.constraints.ids.slots();
         const auto is_rigid = [&](uint32_t s) {
-            return body.constraint_ids.live(s) && body.constraints[s].compliance == 0;
+            return body.constraints.ids.live(s) && body.constraints.by_slot[s].compliance == 0;
         };
         for (uint32_t s = 0; s < slots; ++s) {
             if (!is_rigid(s)) continue;
-            ++begin[body.constraints[s].a + 1];
-            ++begin[body.constraints[s].b + 1];
+            ++begin[body.constraints.by_slot[s].a + 1];
+            ++begin[body.constraints.by_slot[s].b + 1];
         }
         for (size_t p = 1; p < begin.size(); ++p) begin[p] += begin[p - 1];
         slot.resize(begin.back());
         Vector<uint32_t> next(begin.begin(), begin.end() - 1, memory);
         for (uint32_t s = 0; s < slots; ++s) {
             if (!is_rigid(s)) continue;
-            slot[next[body.constraints[s].a]++] = s;
-            slot[next[body.constraints[s].b]++] = s;
+            slot[next[body.constraints.by_slot[s].a]++] = s;
+            slot[next[body.constraints.by_slot[s].b]++] = s;
         }
     }
 
@@ -55,18 +55,17 @@ struct Way {
 
 /// Dijkstra from all pins at once; each particle keeps the first few that reach it.
 void plan_reach_limits(Body& body) {
-    Plan& plan = body.plan;
-    plan.reach_limits.clear();
-    std::pmr::memory_resource* memory = plan.reach_limits.get_allocator().resource();
+    body.cloth.reach_limits.clear();
+    std::pmr::memory_resource* memory = body.cloth.reach_limits.get_allocator().resource();
     const Neighbours neighbours(body, memory);
     struct Reached {
         uint32_t count = 0;
         uint32_t anchors[most_anchors];
     };
-    Vector<Reached> reached(body.size(), memory);
+    Vector<Reached> reached(body.particles.size(), memory);
     std::priority_queue<Way, Vector<Way>> ways{std::less<Way>(), Vector<Way>(memory)};
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p) && neighbours.begin[p] != neighbours.begin[p + 1]) ways.push({0, p, p});
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p) && neighbours.begin[p] != neighbours.begin[p + 1]) ways.push({0, p, p});
     }
     while (!ways.empty()) {
         const Way way = ways.top();
@@ -76,14 +75,15 @@ void plan_reach_limits(Body& body) {
         const uint32_t* end = here.anchors + here.count;
         if (std::find(static_cast<const uint32_t*>(here.anchors), end, way.anchor) != end) continue;
         here.anchors[here.count++] = way.anchor;
-        if (!body.pinned(way.particle)) {
-            const bool flat = !body.rest_position.empty();
+        if (!body.particles.pinned(way.particle)) {
+            const bool flat = !body.cloth.rest_position.empty();
             const double straight =
-                flat ? distance(body.rest_position[way.particle], body.rest_position[way.anchor]) : way.length;
-            plan.reach_limits.push_back({way.particle, way.anchor, std::min(straight, way.length) * (1 + slack)});
+                flat ? distance(body.cloth.rest_position[way.particle], body.cloth.rest_position[way.anchor])
+                     : way.length;
+            body.cloth.reach_limits.push_back({way.particle, way.anchor, std::min(straight, way.length) * (1 + slack)});
         }
         for (uint32_t i = neighbours.begin[way.particle]; i < neighbours.begin[way.particle + 1]; ++i) {
-            const DistanceConstraint& edge = body.constraints[neighbours.slot[i]];
+            const DistanceConstraint& edge = body.constraints.by_slot[neighbours.slot[i]];
             const uint32_t other = edge.a == way.particle ? edge.b : edge.a;
             if (reached[other].count < most_anchors) ways.push({way.length + edge.rest, other, way.anchor});
         }

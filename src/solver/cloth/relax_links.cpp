@@ -32,15 +32,15 @@ constexpr double held_part = 0.1;
 constexpr double rounding = 0x1p-23;
 
 /// How much too long or, if it does not only pull, too short, in metres; else 0.
-double error_of(const ClothState& cloth, const KeptLinks::Link& link) {
+double error_of(const Cloth& cloth, const KeptLinks::Link& link) {
     const double error = distance(get(&cloth.at[4 * size_t{link.a}]), get(&cloth.at[4 * size_t{link.b}])) - link.rest;
     return link.limit ? std::max(0.0, error) : error;
 }
 
-bool yields(const ClothState& cloth, const KeptLinks::Link& link) { return link.brace && cloth.braces_yield; }
+bool yields(const Cloth& cloth, const KeptLinks::Link& link) { return link.brace && cloth.braces_yield; }
 
 /// In `strained`; returns the largest strain.
-double find_strained(const ClothBatches& batches, ClothState& cloth, uint32_t& count) {
+double find_strained(const ClothBatches& batches, Cloth& cloth, uint32_t& count) {
     const ClothKernels& kernels = cloth_kernels(chosen_isa());
     const ClothChains chains{batches.particles.data(), batches.rest.data(), batches.softness.data(), nullptr};
     const float part = static_cast<float>(relaxed_part * cloth.most_strain);
@@ -73,7 +73,7 @@ double move(Body& body, uint32_t particle, Vec3 way, bool collides) {
 
 /// The speed at which the ends make the error larger, as far as it has made the error in a substep. Only of a body that
 /// touches something, as the time scheme of second order would go on with what has been stopped.
-void stop_straining(ClothState& cloth, const KeptLinks::Link& link, Vec3 direction, double error, double h) {
+void stop_straining(Cloth& cloth, const KeptLinks::Link& link, Vec3 direction, double error, double h) {
     float *a = &cloth.velocity[4 * size_t{link.a}], *b = &cloth.velocity[4 * size_t{link.b}];
     const double weight_a = cloth.at[4 * size_t{link.a} + 3], weight_b = cloth.at[4 * size_t{link.b} + 3];
     const double rate = dot(get(b) - get(a), direction), most = std::fabs(error) / h;
@@ -95,7 +95,7 @@ bool relax(Body& body, const KeptLinks::Link& link, bool collides, double h, dou
     if (std::fabs(error) < relaxed_part * body.cloth.most_strain * link.rest) return false;
     if (length == 0 || weight == 0 || (link.limit && error < 0)) return false;
     const Vec3 correction = along * (error / (length * weight));
-    if (body.touched) stop_straining(body.cloth, link, along / length, error, h);
+    if (body.contacts.touched) stop_straining(body.cloth, link, along / length, error, h);
     lost += move(body, link.a, correction * weight_a, collides);
     lost += move(body, link.b, correction * -weight_b, collides);
     return true;
@@ -103,8 +103,8 @@ bool relax(Body& body, const KeptLinks::Link& link, bool collides, double h, dou
 
 /// A pass over `strained`, after which that holds the links at all particles that it has moved.
 void relax_listed(Body& body, uint32_t& count, bool collides, double h, double& lost) {
-    const KeptLinks& kept = body.plan.batches.kept;
-    ClothState& cloth = body.cloth;
+    const KeptLinks& kept = body.cloth.batches.kept;
+    Cloth& cloth = body.cloth;
     uint32_t waiting = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const KeptLinks::Link& link = kept.links[cloth.strained[i]];
@@ -128,13 +128,13 @@ void relax_listed(Body& body, uint32_t& count, bool collides, double h, double& 
 }  // namespace
 
 double relax_links(Body& body, bool collides, double h) {
-    ClothState& cloth = body.cloth;
+    Cloth& cloth = body.cloth;
     double lost = 0;
     uint32_t passes = 0, count = 0;
-    const size_t all = body.plan.batches.kept.links.size();
+    const size_t all = body.cloth.batches.kept.links.size();
     size_t work = cloth.braces_yield ? most_work * all : most_passes * all;
     while (passes < most_passes) {
-        const double largest = find_strained(body.plan.batches, cloth, count);
+        const double largest = find_strained(body.cloth.batches, cloth, count);
         if (count == 0 || largest <= cloth.most_strain - rounding) break;
         for (; passes < most_passes && count > 0; ++passes) {
             if (work < count) return lost;

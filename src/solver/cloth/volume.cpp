@@ -10,8 +10,9 @@ namespace {
 template <class At>
 double six_volumes(const Body& body, At&& at) {
     double sum = 0;
-    for (size_t i = 0; i < body.triangles.size(); i += 3) {
-        sum += dot(at(body.triangles[i]), cross(at(body.triangles[i + 1]), at(body.triangles[i + 2])));
+    for (size_t i = 0; i < body.cloth.triangles.size(); i += 3) {
+        sum +=
+            dot(at(body.cloth.triangles[i]), cross(at(body.cloth.triangles[i + 1]), at(body.cloth.triangles[i + 2])));
     }
     return sum;
 }
@@ -21,10 +22,10 @@ void add(float* to, Vec3 v) {
 }
 
 void find_gradient(Body& body) {
-    Vector<Vec3>& gradient = body.volume.gradient;
+    Vector<Vec3>& gradient = body.cloth.volume.gradient;
     std::fill(gradient.begin(), gradient.end(), Vec3{});
-    for (size_t i = 0; i < body.triangles.size(); i += 3) {
-        const uint32_t* corner = &body.triangles[i];
+    for (size_t i = 0; i < body.cloth.triangles.size(); i += 3) {
+        const uint32_t* corner = &body.cloth.triangles[i];
         Vec3 at[3];
         for (int k = 0; k < 3; ++k) at[k] = get(&body.cloth.at[4 * size_t{corner[k]}]);
         for (int k = 0; k < 3; ++k) gradient[corner[k]] += cross(at[(k + 1) % 3], at[(k + 2) % 3]) / 6;
@@ -35,10 +36,11 @@ void find_gradient(Body& body) {
 
 bool encloses_volume(const Body& body) {
     using Side = std::pair<uint32_t, uint32_t>;
-    Vector<Side> sides(body.position.get_allocator().resource());
-    sides.reserve(body.triangles.size());
-    for (size_t i = 0; i < body.triangles.size(); i += 3) {
-        for (size_t k = 0; k < 3; ++k) sides.emplace_back(body.triangles[i + k], body.triangles[i + (k + 1) % 3]);
+    Vector<Side> sides(body.particles.position.get_allocator().resource());
+    sides.reserve(body.cloth.triangles.size());
+    for (size_t i = 0; i < body.cloth.triangles.size(); i += 3) {
+        for (size_t k = 0; k < 3; ++k)
+            sides.emplace_back(body.cloth.triangles[i + k], body.cloth.triangles[i + (k + 1) % 3]);
     }
     std::sort(sides.begin(), sides.end());
     if (std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
@@ -49,8 +51,8 @@ bool encloses_volume(const Body& body) {
 
 double volume_of(const Body& body) {
     // Relative to a particle: far from the origin the products would cancel.
-    const Vec3 origin = body.position[0];
-    return six_volumes(body, [&](uint32_t p) { return body.position[p] - origin; }) / 6;
+    const Vec3 origin = body.particles.position[0];
+    return six_volumes(body, [&](uint32_t p) { return body.particles.position[p] - origin; }) / 6;
 }
 
 double cloth_volume(const Body& body) {
@@ -58,17 +60,17 @@ double cloth_volume(const Body& body) {
 }
 
 double stored_in_volume(const Body& body, double volume) {
-    const double missing = body.volume.rest - volume;
-    return body.volume.compliance > 0 ? missing * missing / (2 * body.volume.compliance) : 0;
+    const double missing = body.cloth.volume.rest - volume;
+    return body.cloth.volume.compliance > 0 ? missing * missing / (2 * body.cloth.volume.compliance) : 0;
 }
 
 void solve_volume(Body& body, double scale) {
     // Volume grows with the third power of what is added to it: from a change of more than a tenth the
     // gradient would be no guide.
     constexpr double most_change = 0.1;
-    Volume& volume = body.volume;
-    ClothState& cloth = body.cloth;
-    ClothContacts& contacts = body.cloth_contacts;
+    Volume& volume = body.cloth.volume;
+    Cloth& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth.contacts;
     const double now = cloth_volume(body), softness = volume.compliance * scale;
     const double most = most_change * std::max(std::fabs(now), most_change * volume.rest);
     const double wanted = std::clamp(volume.rest - now - softness * volume.given, -most, most);
@@ -82,11 +84,12 @@ void solve_volume(Body& body, double scale) {
         return off < 0 ? out - normal * dot(out, normal) : out;
     };
     double mobility = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) mobility += cloth.at[4 * size_t{p} + 3] * length_squared(way(p));
+    for (uint32_t p = 0; p < body.particles.size(); ++p)
+        mobility += cloth.at[4 * size_t{p} + 3] * length_squared(way(p));
     if (mobility == 0) return;
     const double push = wanted / (mobility + softness);
-    const bool is_noted = contacts.touches() || !body.attachments.empty();
-    for (uint32_t p = 0; p < body.size(); ++p) {
+    const bool is_noted = contacts.touches() || !body.constraints.attachments.empty();
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
         float* at = &cloth.at[4 * size_t{p}];
         add(at, way(p) * (push * at[3]));
         if (is_noted) add(&contacts.pulls[4 * size_t{p}], volume.gradient[p] * push);

@@ -64,12 +64,12 @@ double energy_beside(const Moments& body) {
 
 /// visit(particle, relative mass, number of its first float), in order.
 template <class Visit>
-void each_particle(const ClothState& cloth, Visit&& visit) {
+void each_particle(const Cloth& cloth, Visit&& visit) {
     for (size_t i = 0; i < 4 * size_t{cloth.particles}; i += 4) visit(i, double{cloth.acceleration[i + 3]});
 }
 
 /// The rigid motion stays, and this part of all other motion.
-void slow_beside(ClothState& cloth, const Rigid& rigid, double kept) {
+void slow_beside(Cloth& cloth, const Rigid& rigid, double kept) {
     each_particle(cloth, [&](size_t i, double) {
         const Vec3 common = rigid.at(get(&cloth.at[i]));
         put(&cloth.velocity[i], common + (get(&cloth.velocity[i]) - common) * kept);
@@ -81,7 +81,7 @@ double part_without(double energy, double of) { return energy < of ? std::sqrt(1
 }  // namespace
 
 void keep_momentum(Body& body, double h, double stored) {
-    ClothState& cloth = body.cloth;
+    Cloth& cloth = body.cloth;
     Moments before, after;
     Vec3 force, torque_before, torque_after;
     double work = 0;
@@ -99,7 +99,7 @@ void keep_momentum(Body& body, double h, double stored) {
     const double z = body.settings.damping * h;
     const Decay decay = gphys::decay(z);
     const double acting = z > 0 ? h * (decay.lost / z) : h;  // seconds
-    const ClothContacts& contacts = body.cloth_contacts;
+    const ClothContacts& contacts = body.cloth.contacts;
     const Vec3 momentum = before.momentum * decay.kept + force * acting - contacts.given;
     const Vec3 spin = before.own_spin() * decay.kept + (torque_before + torque_after) * (acting / 2) -
                       (contacts.turning - cross(after.centre(), contacts.given));

@@ -12,7 +12,7 @@ Collider::Collider(const CollisionContext& around, const Body& body, const Box& 
     : around_(around),
       body_(body),
       tally_(tally),
-      most_push_(body.plan.method == GPHYS_SOLVE_FREE && !body.joined
+      most_push_(body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined
                      ? infinity
                      : leaving_speed * around.step_time * (around.end - around.begin)) {
     Box box = paths;
@@ -59,7 +59,7 @@ void Collider::meet_listed(const Near& near, const Sphere& moving, Vec3 displace
 
 void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gphys_model_id ignored,
                              Impact& first) const {
-    const Sphere moving{from, body_.radius[particle]};
+    const Sphere moving{from, body_.particles.radius[particle]};
     first = {};
     if (listed_) {
         for (uint32_t i = 0; i < count_; ++i) {
@@ -78,7 +78,7 @@ void Collider::sweep_unmoved(uint32_t particle, Vec3 from, Vec3 displacement, gp
 bool Collider::sweep_others(uint32_t particle, Vec3 from, Vec3 displacement, double time, gphys_model_id ignored,
                             Impact& first) const {
     sweep_unmoved(particle, from, displacement, ignored, first);
-    meet_moving({from, body_.radius[particle]}, displacement, time, ignored, first);
+    meet_moving({from, body_.particles.radius[particle]}, displacement, time, ignored, first);
     return first.model != 0;
 }
 
@@ -91,7 +91,7 @@ Vec3 Collider::way_out(const Body& body, uint32_t particle, gphys_model_id model
     impact.model = model;
     impact.moves = has_moved(around_, model);
     impact.time = around_.end;
-    return way_out(body, particle, body.position[particle], impact);
+    return way_out(body, particle, body.particles.position[particle], impact);
 }
 
 Vec3 Collider::way_out(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
@@ -102,14 +102,15 @@ Vec3 Collider::way_out(const Body& body, uint32_t particle, Vec3 at, const Impac
     Vec3 point, normal;
     double distance = 0;
     if (!around_.scene->closest_point_model(impact.model, seen, point, normal, distance)) return {};
-    const Vec3 out = normal * std::max(0.0, body.radius[particle] - distance + skin(body.radius[particle], at));
+    const Vec3 out =
+        normal * std::max(0.0, body.particles.radius[particle] - distance + skin(body.particles.radius[particle], at));
     return impact.moves ? then.rotation * transpose_times(now.rotation, out) : out;
 }
 
 double Collider::stop_short(const Body& body, uint32_t particle, Vec3 from, Vec3 displacement,
                             const Impact& impact) const {
     const double approach = -dot(displacement, impact.normal);
-    const double room = skin(body.radius[particle], from);
+    const double room = skin(body.particles.radius[particle], from);
     return approach * impact.t > largest_gap(room) ? impact.t - room / approach : 0;
 }
 
@@ -120,20 +121,20 @@ namespace {
 constexpr uint32_t count_bits = 4, count_mask = (1 << count_bits) - 1;
 static_assert(touches_per_particle <= count_mask);
 
-uint32_t touches_of(const Body& body, uint32_t particle) { return body.touch_count[particle] & count_mask; }
+uint32_t touches_of(const Body& body, uint32_t particle) { return body.contacts.touch_count[particle] & count_mask; }
 
 }  // namespace
 
 void begin_touches(Body& body, uint32_t first, uint32_t end) {
-    if (body.touch_count.empty()) return;
-    uint8_t* const counts = body.touch_count.data();  // which, as bytes, might be anything's
+    if (body.contacts.touch_count.empty()) return;
+    uint8_t* const counts = body.contacts.touch_count.data();  // which, as bytes, might be anything's
     for (uint32_t p = first; p < end; ++p) counts[p] = static_cast<uint8_t>(counts[p] << count_bits);
 }
 
 void end_touches(Body& body, uint32_t first, uint32_t end) {
-    if (body.touch_count.empty()) return;
-    uint8_t* const counts = body.touch_count.data();
-    Touch* const touches = body.touches.data();
+    if (body.contacts.touch_count.empty()) return;
+    uint8_t* const counts = body.contacts.touch_count.data();
+    Touch* const touches = body.contacts.touches.data();
     for (uint32_t p = first; p < end; ++p) {
         const uint32_t now = counts[p] & count_mask, before = counts[p] >> count_bits;
         for (uint32_t i = now; i < before; ++i) touches[size_t{p} * touches_per_particle + i] = {};
@@ -148,12 +149,12 @@ void clear_touches(Body& body) {
 
 uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point,
                       Vec3 normal) {
-    Touch* const touches = &body.touches[size_t{particle} * touches_per_particle];
+    Touch* const touches = &body.contacts.touches[size_t{particle} * touches_per_particle];
     const uint32_t count = touches_of(body, particle);
     uint32_t place = 0;
     while (place < count && touches[place].model != model) ++place;
     if (place == touches_per_particle) return touches_per_particle - 1;
-    if (place == count) ++body.touch_count[particle];
+    if (place == count) ++body.contacts.touch_count[particle];
     touches[place] = {model, scene.tag(model), narrow(point), narrow(normal)};
     return place;
 }
@@ -161,7 +162,7 @@ uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_m
 void Collider::note(Body& body, uint32_t particle, gphys_model_id model, Vec3 point, Vec3 normal) const {
     tally_.touched = true;
     const uint32_t touch = record_touch(body, particle, *around_.scene, model, point, normal);
-    body.held[particle] = static_cast<uint8_t>(touch + 1);
+    body.contacts.held[particle] = static_cast<uint8_t>(touch + 1);
 }
 
 void Collider::record(Body& body, uint32_t particle, const Impact& impact) const {
@@ -187,63 +188,63 @@ namespace {
 double choose_friction(Body& body, uint32_t particle, const Impact& impact, double restitution) {
     const BodySettings& settings = body.settings;
     if (!settings.sticks()) return settings.friction;
-    const Vec3 relative = body.velocity[particle] - impact.surface_velocity;
+    const Vec3 relative = body.particles.velocity[particle] - impact.surface_velocity;
     const double approach = -dot(relative, impact.normal), given = (1 + restitution) * approach;
     if (approach <= 0) return settings.friction;  // of nothing
     const double sideways = length(relative + impact.normal * approach);
-    const double friction = body.stuck[particle] && sideways <= settings.static_friction * given
+    const double friction = body.contacts.stuck[particle] && sideways <= settings.static_friction * given
                                 ? settings.static_friction
                                 : settings.friction;
-    body.stuck[particle] = sideways <= friction * given;
+    body.contacts.stuck[particle] = sideways <= friction * given;
     return friction;
 }
 
 }  // namespace
 
 bool rests(const Body& body, uint32_t p, Vec3 velocity, Vec3 gravity) {
-    const double acceleration = length(gravity + body.force[p] * body.inverse_mass[p]);
-    return length_squared(velocity) <= 8 * acceleration * skin(body.radius[p], body.position[p]);
+    const double acceleration = length(gravity + body.particles.force[p] * body.particles.inverse_mass[p]);
+    return length_squared(velocity) <= 8 * acceleration * skin(body.particles.radius[p], body.particles.position[p]);
 }
 
 void begin_friction(Body& body, Vec3 gravity, uint32_t first, uint32_t end) {
-    if (!body.settings.sticks() || body.stuck.empty()) return;
-    std::fill(body.held.begin() + first, body.held.begin() + end, uint8_t{0});
+    if (!body.settings.sticks() || body.contacts.stuck.empty()) return;
+    std::fill(body.contacts.held.begin() + first, body.contacts.held.begin() + end, uint8_t{0});
     for (uint32_t p = first; p < end; ++p) {
-        if (rests(body, p, body.velocity[p], gravity)) body.stuck[p] = 1;
+        if (rests(body, p, body.particles.velocity[p], gravity)) body.contacts.stuck[p] = 1;
     }
 }
 
 void end_friction(Body& body, uint32_t first, uint32_t end) {
-    if (!body.settings.sticks() || body.stuck.empty()) return;
-    for (uint32_t p = first; p < end; ++p) body.stuck[p] = body.stuck[p] && body.held[p];
+    if (!body.settings.sticks() || body.contacts.stuck.empty()) return;
+    for (uint32_t p = first; p < end; ++p) body.contacts.stuck[p] = body.contacts.stuck[p] && body.contacts.held[p];
 }
 
 void Collider::bounce(Body& body, uint32_t particle, const Impact& impact, double restitution) const {
     const double friction = choose_friction(body, particle, impact, restitution);
-    Vec3& velocity = body.velocity[particle];
+    Vec3& velocity = body.particles.velocity[particle];
     const Vec3 before = velocity;
     velocity = after_impact(velocity, impact, restitution, friction);
     const Impact there = impact.moves ? carried(impact) : impact;
-    give(tally_.impulses, around_, impact.model, there.center - there.normal * body.radius[particle],
-         (before - velocity) * body.mass[particle]);
+    give(tally_.impulses, around_, impact.model, there.center - there.normal * body.particles.radius[particle],
+         (before - velocity) * body.particles.mass[particle]);
 }
 
 bool Collider::holds(Body& body, uint32_t particle, uint32_t obstacle, Vec3 displacement, Vec3 velocity) const {
     if (obstacle >= count_ || !near_[obstacle].is_flat) return false;
     const Near& near = near_[obstacle];
-    const Vec3 at = body.position[particle];
-    const double radius = body.radius[particle];
+    const Vec3 at = body.particles.position[particle];
+    const double radius = body.particles.radius[particle];
     Hit hit;
     if (near.flat.sweep({at, radius}, displacement, hit) != TriState::yes) return false;
     const double into = -dot(displacement, hit.normal);
     if (into * hit.t > largest_gap(skin(radius, at))) return false;
     const BodySettings& settings = body.settings;
-    const bool stuck = settings.sticks() && body.stuck[particle];
+    const bool stuck = settings.sticks() && body.contacts.stuck[particle];
     const double hold = (stuck ? settings.static_friction : settings.friction) * into;
     if (length_squared(displacement + hit.normal * into) > hold * hold) return false;
     note(body, particle, near.model, hit.point, hit.normal);
-    if (settings.sticks()) body.stuck[particle] = 1;
-    give(tally_.impulses, around_, near.model, hit.point, velocity * body.mass[particle]);
+    if (settings.sticks()) body.contacts.stuck[particle] = 1;
+    give(tally_.impulses, around_, near.model, hit.point, velocity * body.particles.mass[particle]);
     return true;
 }
 
@@ -254,11 +255,11 @@ void Collider::press(Body& body, uint32_t first, uint32_t count, uint32_t obstac
     double mass = 0;
     Vec3 middle;
     for (uint32_t p = first; p < first + count; ++p) {
-        const Vec3 point = face.point({body.position[p], body.radius[p]}, displacement);
+        const Vec3 point = face.point({body.particles.position[p], body.particles.radius[p]}, displacement);
         note(body, p, near.model, point, face.normal);
-        if (body.settings.sticks()) body.stuck[p] = 1;
-        mass += body.mass[p];
-        middle += point * body.mass[p];
+        if (body.settings.sticks()) body.contacts.stuck[p] = 1;
+        mass += body.particles.mass[p];
+        middle += point * body.particles.mass[p];
     }
     give(tally_.impulses, around_, near.model, middle / mass, velocity * mass);
 }
@@ -269,14 +270,14 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         record(body, particle, impact);
         slide(body, particle, from, displacement, time, quiet, impact);
     } else {
-        body.position[particle] = from + displacement;
+        body.particles.position[particle] = from + displacement;
     }
 }
 
 void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement, double time, double quiet,
                      Impact impact) const {
     Vec3 at = from;
-    const Vec3& velocity = body.velocity[particle];
+    const Vec3& velocity = body.particles.velocity[particle];
     for (int contact = 1;; ++contact) {
         gphys_model_id within = 0;  // what is left at its own pace, and does not stop the particle meanwhile
         if (impact.inside) {
@@ -286,9 +287,9 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
                 at += out;
             } else {
                 within = impact.model;
-                body.sunk = true;
+                body.contacts.sunk = true;
                 impact.normal = out / depth;
-                impact.point = at + out - impact.normal * body.radius[particle];
+                impact.point = at + out - impact.normal * body.particles.radius[particle];
                 record(body, particle, impact);
             }
         } else if (impact.moves && time < around_.end) {
@@ -305,9 +306,9 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
             time += (around_.end - time) * t;
         }
         const double approach = -dot(velocity - impact.surface_velocity, impact.normal);
-        const bool was_stuck = body.settings.sticks() && body.stuck[particle];
+        const bool was_stuck = body.settings.sticks() && body.contacts.stuck[particle];
         bounce(body, particle, impact, approach > quiet ? body.settings.restitution : 0);
-        const bool stays = was_stuck && body.stuck[particle];
+        const bool stays = was_stuck && body.contacts.stuck[particle];
         // What is left of the path goes along the surface, shortened by friction.
         const double into = -dot(displacement, impact.normal);
         if (into > 0) {
@@ -327,29 +328,29 @@ void Collider::slide(Body& body, uint32_t particle, Vec3 from, Vec3 displacement
         }
         record(body, particle, impact);
     }
-    body.position[particle] = at;
-    keep_in_range(body.position[particle], body.velocity[particle]);
+    body.particles.position[particle] = at;
+    keep_in_range(body.particles.position[particle], body.particles.velocity[particle]);
 }
 
 Box swept_box(const Body& body, const Vector<Vec3>& from, const Vector<Vec3>& to, double margin) {
     Aabb all{from[0], from[0]};
     double longest = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
         all.min = min(all.min, min(from[p], to[p]));
         all.max = max(all.max, max(from[p], to[p]));
         longest = std::max(longest, length_squared(to[p] - from[p]));
     }
-    const double room = 2 * body.largest_radius + std::sqrt(longest) + margin;
+    const double room = 2 * body.particles.largest_radius + std::sqrt(longest) + margin;
     return bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}});
 }
 
 void Collider::shift(Body& body, uint32_t particle, Vec3 way) const {
-    const Touch* touch = &body.touches[size_t{particle} * touches_per_particle];
+    const Touch* touch = &body.contacts.touches[size_t{particle} * touches_per_particle];
     for (uint32_t i = 0; i < touches_of(body, particle); ++i) {
         const Vec3 normal = widen(touch[i].normal);
         way += normal * std::max(0.0, -dot(way, normal));
     }
-    Vec3& at = body.position[particle];
+    Vec3& at = body.particles.position[particle];
     Impact impact;
     const bool free = !sweep(particle, at, way, around_.end, impact);
     if (!impact.inside) at += free ? way : way * stop_short(body, particle, at, way, impact);
@@ -359,17 +360,18 @@ namespace {
 
 double longest_link(const Body& body) {
     double longest = 0;
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        if (!body.constraint_ids.live(slot)) continue;
-        const DistanceConstraint& link = body.constraints[slot];
-        longest = std::max({longest, link.rest, distance(body.position[link.a], body.position[link.b])});
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        if (!body.constraints.ids.live(slot)) continue;
+        const DistanceConstraint& link = body.constraints.by_slot[slot];
+        longest =
+            std::max({longest, link.rest, distance(body.particles.position[link.a], body.particles.position[link.b])});
     }
     return longest;
 }
 
 uint32_t most_links_of_a_particle(const Body& body) {
     uint32_t most = 0;
-    for (const Links& links : body.links) most = std::max(most, links.degree);
+    for (const Links& links : body.constraints.links) most = std::max(most, links.degree);
     return most;
 }
 
@@ -377,12 +379,12 @@ uint32_t most_links_of_a_particle(const Body& body) {
 void ease_links_between_contacts(const Collider& collider, Body& body) {
     // Below this strain, which nobody sees, things that lie are left alone.
     constexpr double slack = 1e-4;
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        const DistanceConstraint& link = body.constraints[slot];
-        if (!body.held[link.a] || !body.held[link.b] || !body.constraint_ids.live(slot)) continue;
-        const Vec3 along = body.position[link.b] - body.position[link.a];
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        const DistanceConstraint& link = body.constraints.by_slot[slot];
+        if (!body.contacts.held[link.a] || !body.contacts.held[link.b] || !body.constraints.ids.live(slot)) continue;
+        const Vec3 along = body.particles.position[link.b] - body.particles.position[link.a];
         const double length = gphys::length(along), error = excess(body, link);
-        const double wa = body.inverse_mass[link.a], wb = body.inverse_mass[link.b];
+        const double wa = body.particles.inverse_mass[link.a], wb = body.particles.inverse_mass[link.b];
         if (link.compliance > 0 || std::fabs(error) <= slack * link.rest || length == 0 || wa + wb == 0) continue;
         const Vec3 correction = along * (error / (length * (wa + wb)));
         collider.shift(body, link.a, correction * wa);
@@ -394,57 +396,59 @@ void ease_links_between_contacts(const Collider& collider, Body& body) {
 /// pulled it with before they were solved again has gone into its velocity, and come from there.
 void give_through_held(Body& body, const CollisionContext& around, const SolvedAgain& again) {
     const auto give_to_holder = [&](uint32_t p, Vec3 impulse) {
-        if (!body.held[p] || body.pinned(p)) return;
-        const Touch& touch = body.touches[size_t{p} * touches_per_particle + body.held[p] - 1];
-        give(body, around, touch.model, body.position[p] - widen(touch.normal) * body.radius[p], impulse);
+        if (!body.contacts.held[p] || body.particles.pinned(p)) return;
+        const Touch& touch = body.contacts.touches[size_t{p} * touches_per_particle + body.contacts.held[p] - 1];
+        give(body, around, touch.model, body.particles.position[p] - widen(touch.normal) * body.particles.radius[p],
+             impulse);
     };
     const double to_impulse = again.step * again.step * again.rate;
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            if (!body.held[a] && !body.held[b]) continue;
-            const Vec3 pull = link_direction(body, a, b) * (body.plan.tension[chain.first_link + i] * to_impulse);
+            if (!body.contacts.held[a] && !body.contacts.held[b]) continue;
+            const Vec3 pull = link_direction(body, a, b) * (body.rope.tension[chain.first_link + i] * to_impulse);
             give_to_holder(a, pull);
             give_to_holder(b, -pull);
         }
     }
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        give_to_holder(p, (body.predicted[p] - body.solved[p]) * (body.mass[p] * again.rate));
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        give_to_holder(p, (body.history.predicted[p] - body.rope.solved[p]) * (body.particles.mass[p] * again.rate));
     }
 }
 
 }  // namespace
 
 void collide(Body& body, const CollisionContext& around, double quiet) {
-    body.touched = body.sunk = false;
+    body.contacts.touched = body.contacts.sunk = false;
     if (!around.scene || body.settings.layers == 0) return;
-    const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
+    const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     if (collider.idle()) return;
-    std::fill(body.held.begin(), body.held.end(), uint8_t{0});
-    body.solved = body.position;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (!body.pinned(p))
-            collider.slide(body, p, body.start[p], body.position[p] - body.start[p], around.begin, quiet);
+    std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
+    body.rope.solved = body.particles.position;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (!body.particles.pinned(p))
+            collider.slide(body, p, body.history.start[p], body.particles.position[p] - body.history.start[p],
+                           around.begin, quiet);
     }
 }
 
 void ease_contacts(Body& body, const CollisionContext& around) {
     // Each link that meets at a particle moves it by less than the longest is long.
     const double way = most_links_of_a_particle(body) * longest_link(body);
-    const Collider collider(around, body, swept_box(body, body.position, body.position, way));
+    const Collider collider(around, body, swept_box(body, body.particles.position, body.particles.position, way));
     ease_links_between_contacts(collider, body);
-    body.start = body.position;
+    body.history.start = body.particles.position;
 }
 
 void collide_again(Body& body, const CollisionContext& around, double quiet, const SolvedAgain& again) {
     give_through_held(body, around, again);
-    const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p) || body.held[p]) continue;
-        const Vec3 way = body.position[p] - body.start[p];
-        body.velocity[p] += way * again.rate;
-        collider.slide(body, p, body.start[p], way, around.end, quiet);
+    const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p) || body.contacts.held[p]) continue;
+        const Vec3 way = body.particles.position[p] - body.history.start[p];
+        body.particles.velocity[p] += way * again.rate;
+        collider.slide(body, p, body.history.start[p], way, around.end, quiet);
     }
 }
 

@@ -80,7 +80,7 @@ class Collider {
 public:
     /// The box holds every path that will be asked for, but for those of what models strike that move.
     Collider(const CollisionContext& around, Body& body, const Box& paths)
-        : Collider(around, body, paths, {body.impulses, body.touched}) {}
+        : Collider(around, body, paths, {body.contacts.impulses, body.contacts.touched}) {}
     /// The tally gets what would otherwise be the body's.
     Collider(const CollisionContext& around, const Body& body, const Box& paths, const ImpulseAccumulator& tally);
 
@@ -210,8 +210,8 @@ bool rests(const Body& body, uint32_t particle, Vec3 velocity, Vec3 gravity);
 /// Around the substep of a body that is not cloth, or some of its particles: which of them static friction may hold.
 void begin_friction(Body& body, Vec3 gravity, uint32_t first, uint32_t end);
 void end_friction(Body& body, uint32_t first, uint32_t end);
-inline void begin_friction(Body& body, Vec3 gravity) { begin_friction(body, gravity, 0, body.size()); }
-inline void end_friction(Body& body) { end_friction(body, 0, body.size()); }
+inline void begin_friction(Body& body, Vec3 gravity) { begin_friction(body, gravity, 0, body.particles.size()); }
+inline void end_friction(Body& body) { end_friction(body, 0, body.particles.size()); }
 
 /// After collide, if something was touched: before the links follow what the contacts have done, while the
 /// particles that touch something stay where they are, ...
@@ -230,8 +230,8 @@ inline double quiet_speed(Vec3 gravity, double h) { return 2 * h * length(gravit
 /// At the beginning and at the end of a step, of some of the particles or of all; both at once.
 void begin_touches(Body& body, uint32_t first, uint32_t end);
 void end_touches(Body& body, uint32_t first, uint32_t end);
-inline void begin_touches(Body& body) { begin_touches(body, 0, body.size()); }
-inline void end_touches(Body& body) { end_touches(body, 0, body.size()); }
+inline void begin_touches(Body& body) { begin_touches(body, 0, body.particles.size()); }
+inline void end_touches(Body& body) { end_touches(body, 0, body.particles.size()); }
 void clear_touches(Body& body);
 /// Returns its place in the touches of the particle; the last if others fill them all.
 uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);

@@ -25,20 +25,20 @@ Vec3 place_of(const CollisionContext& around, gphys_model_id model) {
 }  // namespace
 
 void reserve_impulses(Body& body, size_t models_near) {
-    const size_t wanted = models_near + body.attachments.size() + spare_impulses;
+    const size_t wanted = models_near + body.constraints.attachments.size() + spare_impulses;
     // Twice as many, so that no step allocates because one model more has come near.
     const auto reserve = [&](Vector<ModelImpulse>& sums) {
         if (sums.capacity() < wanted) sums.reserve(2 * wanted);
     };
-    reserve(body.impulses);
-    for (FlightPart& part : body.parts) reserve(part.impulses);
+    reserve(body.contacts.impulses);
+    for (FlightPart& part : body.contacts.parts) reserve(part.impulses);
 }
 
 void add_parts(Body& body) {
-    for (FlightPart& part : body.parts) {
-        body.touched = body.touched || part.touched;
+    for (FlightPart& part : body.contacts.parts) {
+        body.contacts.touched = body.contacts.touched || part.touched;
         for (const ModelImpulse& given : part.impulses) {
-            ModelImpulse* const sum = sum_for(body.impulses, given.model, given.tag);
+            ModelImpulse* const sum = sum_for(body.contacts.impulses, given.model, given.tag);
             if (!sum) continue;
             sum->linear += given.linear;
             sum->angular += given.angular;
@@ -57,23 +57,23 @@ void give(Vector<ModelImpulse>& sums, const CollisionContext& around, gphys_mode
 }
 
 void give(Body& body, const CollisionContext& around, gphys_model_id model, Vec3 point, Vec3 impulse, Vec3 moment) {
-    give(body.impulses, around, model, point, impulse, moment);
+    give(body.contacts.impulses, around, model, point, impulse, moment);
 }
 
 void give_anchor(Body& body, const CollisionContext& around, uint32_t particle, Vec3 impulse) {
     if (!around.scene) return;
-    if (const Attachment* attachment = find_attachment(body, particle)) {
-        give(body, around, attachment->model, body.position[particle], impulse);
+    if (const Attachment* attachment = find_attachment(body.constraints, particle)) {
+        give(body, around, attachment->model, body.particles.position[particle], impulse);
     }
 }
 
 void give_attached(Body& body, const CollisionContext& around, double sign, Vec3 gravity, double seconds) {
     if (!around.scene) return;
-    for (const Attachment& attachment : body.attachments) {
+    for (const Attachment& attachment : body.constraints.attachments) {
         const uint32_t p = attachment.particle;
-        const Vec3 momentum = body.velocity[p] * body.mass[p];
-        const Vec3 pressed = (gravity * body.mass[p] + body.force[p]) * seconds;
-        give(body, around, attachment.model, body.position[p], momentum * sign + pressed);
+        const Vec3 momentum = body.particles.velocity[p] * body.particles.mass[p];
+        const Vec3 pressed = (gravity * body.particles.mass[p] + body.particles.force[p]) * seconds;
+        give(body, around, attachment.model, body.particles.position[p], momentum * sign + pressed);
     }
 }
 

@@ -51,8 +51,8 @@ private:
 /// stay where they were to go, and draw along what is around them.
 void keep_aims(Body& body) {
     constexpr double much = 0.02;
-    ClothState& cloth = body.cloth;
-    ClothContacts& contacts = body.cloth_contacts;
+    Cloth& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth.contacts;
     const auto swap_with_aim = [&](Neighbour& n) {
         float* const at = &cloth.at[4 * size_t{n.particle}];
         const Vec3 aim = n.aim;
@@ -63,9 +63,9 @@ void keep_aims(Body& body) {
     for (Neighbour& n : contacts.neighbours) {
         if (n.depth > 0) swap_with_aim(n);
     }
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        const DistanceConstraint& link = body.constraints[slot];
-        if (!body.constraint_ids.live(slot) || link.compliance > 0) continue;
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        const DistanceConstraint& link = body.constraints.by_slot[slot];
+        if (!body.constraints.ids.live(slot) || link.compliance > 0) continue;
         const float *a = &cloth.at[4 * size_t{link.a}], *b = &cloth.at[4 * size_t{link.b}];
         const double stretch = distance(get(a), get(b)) - link.rest;
         if ((link.limit ? stretch : std::fabs(stretch)) <= much * link.rest) continue;
@@ -91,50 +91,51 @@ double average_link(const Plan& plan) {
 }  // namespace
 
 bool begin_leaving(Body& body, const CollisionContext& around) {
-    const Collider collider(around, body, swept_box(body, body.position, body.position, 0));
+    const Collider collider(around, body, swept_box(body, body.particles.position, body.particles.position, 0));
     WaysOut ways(within_links(collider.most_push(), average_link(body.plan)));
-    body.start = body.position;
+    body.history.start = body.particles.position;
     // visit(particle, normal, depth)
     const auto each_within = [&](auto&& visit) {
-        for (uint32_t p = 0; p < body.size(); ++p) {
-            if (body.pinned(p) || !body.held[p]) continue;
-            const Vec3 out =
-                collider.way_out(body, p, body.touches[size_t{p} * touches_per_particle + body.held[p] - 1].model);
+        for (uint32_t p = 0; p < body.particles.size(); ++p) {
+            if (body.particles.pinned(p) || !body.contacts.held[p]) continue;
+            const Vec3 out = collider.way_out(
+                body, p, body.contacts.touches[size_t{p} * touches_per_particle + body.contacts.held[p] - 1].model);
             const double depth = length(out);
             if (depth > 0) visit(p, out / depth, depth);
         }
     };
     each_within([&](uint32_t, Vec3 normal, double) { ways.add(normal); });
-    each_within([&](uint32_t p, Vec3 normal, double depth) { body.position[p] += ways.way(normal, depth); });
+    each_within([&](uint32_t p, Vec3 normal, double depth) { body.particles.position[p] += ways.way(normal, depth); });
     return ways.any();
 }
 
 void end_leaving(Body& body, const CollisionContext& around, bool lengths_found) {
     if (!lengths_found) {
-        body.position = body.start;
+        body.particles.position = body.history.start;
         return;
     }
     // Those at the border may have been pushed across it.
-    for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p], body.start[p]);
+    for (uint32_t p = 0; p < body.particles.size(); ++p)
+        keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
     if (!collides(body, around)) return;
     // Others that links draw along stop at what is in their way.
-    const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p) || (body.sunk && body.held[p])) continue;
-        const Vec3 way = body.position[p] - body.start[p];
+    const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p) || (body.contacts.sunk && body.contacts.held[p])) continue;
+        const Vec3 way = body.particles.position[p] - body.history.start[p];
         Impact impact;
-        if (!collider.sweep(p, body.start[p], way, around.end, impact)) continue;
-        const double t = impact.inside ? 0 : collider.stop_short(body, p, body.start[p], way, impact);
-        body.position[p] = body.start[p] + way * t;
+        if (!collider.sweep(p, body.history.start[p], way, around.end, impact)) continue;
+        const double t = impact.inside ? 0 : collider.stop_short(body, p, body.history.start[p], way, impact);
+        body.particles.position[p] = body.history.start[p] + way * t;
     }
 }
 
 void leave_solids(Body& body, double h) {
     // One leaves some hundredths of what the particles have been moved by.
     constexpr int sweeps = 2;
-    ClothState& cloth = body.cloth;
-    ClothContacts& contacts = body.cloth_contacts;
-    WaysOut ways(within_links(leaving_speed * h, body.plan.batches.link_length));
+    Cloth& cloth = body.cloth;
+    ClothContacts& contacts = body.cloth.contacts;
+    WaysOut ways(within_links(leaving_speed * h, body.cloth.batches.link_length));
     const auto each_sunk = [&](auto&& visit) {
         for (Neighbour& n : contacts.neighbours) {
             if (n.depth > 0) visit(n, &cloth.at[4 * size_t{n.particle}], n.planes[n.sunk_most].normal);

@@ -176,7 +176,7 @@ void Collider::meet_moving(const Sphere& moving, Vec3 displacement, double time,
 }
 
 Vec3 Collider::beside(const Body& body, uint32_t particle, Vec3 at, const Impact& impact) const {
-    Vec3 way = impact.center + impact.normal * skin(body.radius[particle], at) - at;
+    Vec3 way = impact.center + impact.normal * skin(body.particles.radius[particle], at) - at;
     for (int contact = 0; contact < 3; ++contact) {  // as many as make a corner
         Impact stopped;
         sweep_unmoved(particle, at, way, 0, stopped);

@@ -37,24 +37,27 @@ constexpr double deep = 0.5;
 bool touches_others(const Body& body) { return body.settings.self_collision || body.settings.body_layers != 0; }
 
 Vec3 place_of(const Body& body, uint32_t p) {
-    return is_graph(body) ? body.cloth.origin + get(&body.cloth.at[4 * size_t{p}]) : body.position[p];
+    return is_graph(body) ? body.cloth.origin + get(&body.cloth.at[4 * size_t{p}]) : body.particles.position[p];
 }
 Vec3 velocity_of(const Body& body, uint32_t p) {
-    return is_graph(body) ? get(&body.cloth.velocity[4 * size_t{p}]) : body.velocity[p];
+    return is_graph(body) ? get(&body.cloth.velocity[4 * size_t{p}]) : body.particles.velocity[p];
 }
 
 bool linked(const Body& body, uint32_t a, uint32_t b) {
-    const auto begin = body.linked.begin() + body.linked_begin[a], end = body.linked.begin() + body.linked_begin[a + 1];
+    const auto begin = body.contacts.self.linked.begin() + body.contacts.self.linked_begin[a],
+               end = body.contacts.self.linked.begin() + body.contacts.self.linked_begin[a + 1];
     return std::binary_search(begin, end, b);
 }
 
-bool moves_freely(const Body& body) { return body.plan.method == GPHYS_SOLVE_FREE && !body.joined; }
+bool moves_freely(const Body& body) { return body.plan.method == GPHYS_SOLVE_FREE && !body.plan.joined; }
 
 /// Of one body. Where links hold particles within touch of each other they do not collide.
 bool collide_within(const Body& body, uint32_t a, uint32_t b) {
     if (!body.settings.self_collision) return false;
     if (body.plan.method == GPHYS_SOLVE_FREE) return true;
-    return distance(body.placed[a], body.placed[b]) > body.radius[a] + body.radius[b] && !linked(body, a, b);
+    return distance(body.contacts.self.placed[a], body.contacts.self.placed[b]) >
+               body.particles.radius[a] + body.particles.radius[b] &&
+           !linked(body, a, b);
 }
 
 /// The key of a cell: different cells may share one, which costs time, not truth.
@@ -105,21 +108,23 @@ double time_of_touch(Vec3 from, Vec3 to, double reach) {
 }  // namespace
 
 void list_linked(Body& body) {
-    const uint32_t n = body.size();
-    body.linked_begin.clear();  // which says that there is no list, should memory run out
-    body.linked.resize(2 * size_t{body.constraint_ids.size()});
-    body.linked_begin.assign(size_t{n} + 1, 0);
-    for (uint32_t p = 0; p < n; ++p) body.linked_begin[p + 1] = body.linked_begin[p] + body.links[p].degree;
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        if (!body.constraint_ids.live(slot)) continue;
-        const DistanceConstraint& c = body.constraints[slot];
-        body.linked[body.linked_begin[c.a]++] = c.b;
-        body.linked[body.linked_begin[c.b]++] = c.a;
+    const uint32_t n = body.particles.size();
+    body.contacts.self.linked_begin.clear();  // which says that there is no list, should memory run out
+    body.contacts.self.linked.resize(2 * size_t{body.constraints.ids.size()});
+    body.contacts.self.linked_begin.assign(size_t{n} + 1, 0);
+    for (uint32_t p = 0; p < n; ++p)
+        body.contacts.self.linked_begin[p + 1] = body.contacts.self.linked_begin[p] + body.constraints.links[p].degree;
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        if (!body.constraints.ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints.by_slot[slot];
+        body.contacts.self.linked[body.contacts.self.linked_begin[c.a]++] = c.b;
+        body.contacts.self.linked[body.contacts.self.linked_begin[c.b]++] = c.a;
     }
-    for (uint32_t p = n; p > 0; --p) body.linked_begin[p] = body.linked_begin[p - 1];
-    body.linked_begin[0] = 0;
+    for (uint32_t p = n; p > 0; --p) body.contacts.self.linked_begin[p] = body.contacts.self.linked_begin[p - 1];
+    body.contacts.self.linked_begin[0] = 0;
     for (uint32_t p = 0; p < n; ++p) {
-        std::sort(body.linked.begin() + body.linked_begin[p], body.linked.begin() + body.linked_begin[p + 1]);
+        std::sort(body.contacts.self.linked.begin() + body.contacts.self.linked_begin[p],
+                  body.contacts.self.linked.begin() + body.contacts.self.linked_begin[p + 1]);
     }
 }
 
@@ -131,12 +136,12 @@ void ParticleContacts::reserve(const Vector<Body>& bodies, Vector<Island>& islan
         island.touching_count = 0;
         for (uint32_t i = 0; i < island.body_count; ++i) {
             const Body& body = bodies[island_bodies[island.first_body + i]];
-            if (touches_others(body)) island.touching_count += body.size();
+            if (touches_others(body)) island.touching_count += body.particles.size();
         }
         total += island.touching_count;
     }
     // Which bodies are near each other changes from step to step; room is for all that may be.
-    for (const Body& body : bodies) most += touches_others(body) ? body.size() : 0;
+    for (const Body& body : bodies) most += touches_others(body) ? body.particles.size() : 0;
     particles_.resize(most);
     pairs_.resize(size_t{most} * pairs_per_particle);
     contacts_.resize(size_t{most} * contacts_per_particle);
@@ -171,14 +176,15 @@ void ParticleContacts::begin(const Island& island, const Vector<Body>& bodies, c
     for (uint32_t i = 0; i < island.body_count; ++i) {
         const Body& body = bodies[slots[i]];
         if (!touches_others(body)) continue;
-        for (uint32_t p = 0; p < body.size(); ++p, ++next) {
+        for (uint32_t p = 0; p < body.particles.size(); ++p, ++next) {
             *next = {};
             next->body = slots[i];
             next->number = p;
-            next->radius = body.radius[p];
+            next->radius = body.particles.radius[p];
             next->margin = -1;  // in no list yet
             next->at = place_of(body, p);
-            if (!body.touches.empty()) next->touches = &body.touches[size_t{p} * touches_per_particle];
+            if (!body.contacts.touches.empty())
+                next->touches = &body.contacts.touches[size_t{p} * touches_per_particle];
         }
     }
     *range.pair_count = *range.contact_count = 0;
@@ -191,7 +197,7 @@ void ParticleContacts::gather(const Range& range, const Vector<Body>& bodies) co
         p.before = p.at;
         p.at = p.arrived = place_of(body, p.number);
         p.velocity = p.arrived_velocity = velocity_of(body, p.number);
-        p.inverse_mass = body.inverse_mass[p.number];
+        p.inverse_mass = body.particles.inverse_mass[p.number];
     }
 }
 
@@ -417,9 +423,9 @@ void push_predicted(const Particle* first, const Particle* end, Body& body) {
             put(at, get(at) + way);
             return;
         }
-        body.position[p] += way;
-        body.predicted[p] += way;
-        if (body.plan.limited) body.flying[p] = 0;
+        body.particles.position[p] += way;
+        body.history.predicted[p] += way;
+        if (body.plan.limited) body.rope.flying[p] = 0;
     });
 }
 
@@ -438,17 +444,18 @@ void push_arrived(const Particle* first, const Particle* end, Body& body, const 
     double longest = 0;
     each_moved(first, end, [&](uint32_t, Vec3 way) { longest = std::max(longest, length_squared(way)); });
     if (longest > 0 && collides(body, around)) {
-        const Collider collider(around, body, swept_box(body, body.position, body.position, std::sqrt(longest)));
+        const Collider collider(around, body,
+                                swept_box(body, body.particles.position, body.particles.position, std::sqrt(longest)));
         if (!collider.idle()) {
             each_moved(first, end, [&](uint32_t p, Vec3 way) {
-                collider.slide(body, p, body.position[p], way, around.end, quiet);
+                collider.slide(body, p, body.particles.position[p], way, around.end, quiet);
             });
             return;
         }
     }
     each_moved(first, end, [&](uint32_t p, Vec3 way) {
-        body.position[p] += way;
-        keep_in_range(body.position[p], body.velocity[p]);
+        body.particles.position[p] += way;
+        keep_in_range(body.particles.position[p], body.particles.velocity[p]);
     });
 }
 
@@ -461,8 +468,8 @@ void ParticleContacts::each_body(const Island& island, Vector<Body>& bodies, con
     for (uint32_t i = 0; i < island.body_count; ++i) {
         Body& body = bodies[slots[i]];
         if (!touches_others(body)) continue;
-        visit(body, first, first + body.size());
-        first += body.size();
+        visit(body, first, first + body.particles.size());
+        first += body.particles.size();
     }
 }
 
@@ -487,10 +494,11 @@ void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const ui
     const Found contacts = part_contacts(island, bodies, quiet, h);
     const Range range = this->range(island);
     for (uint32_t i = 0; i < *range.pair_count; ++i) {
-        for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b}) bodies[range.particles[p].body].near = true;
+        for (const uint32_t p : {range.pairs[i].a, range.pairs[i].b})
+            bodies[range.particles[p].body].contacts.near = true;
     }
     each_body(island, bodies, slots, [&](Body& body, const Particle* first, const Particle* end) {
-        if (body.near) body.cloth.balance.closed = false;  // others do work
+        if (body.contacts.near) body.cloth.balance.closed = false;  // others do work
         if (!contacts.any) return;
         if (!moves_freely(body)) {
             push_predicted(first, end, body);
@@ -498,7 +506,8 @@ void ParticleContacts::part(const Island& island, Vector<Body>& bodies, const ui
         }
         // Where many pairs overlap deeply no velocity follows from the parting, or it would shoot them apart. Those
         // that approach each other are stopped when velocities are turned.
-        if (!contacts.deep) each_moved(first, end, [&](uint32_t p, Vec3 way) { body.velocity[p] += way / h; });
+        if (!contacts.deep)
+            each_moved(first, end, [&](uint32_t p, Vec3 way) { body.particles.velocity[p] += way / h; });
         push_arrived(first, end, body, around, quiet);
     });
 }
@@ -521,14 +530,14 @@ void ParticleContacts::turn(const Island& island, Vector<Body>& bodies, const ui
             if (is_graph(body)) {
                 put(&body.cloth.velocity[4 * size_t{p->number}], p->velocity);
             } else {
-                body.velocity[p->number] = p->velocity;
+                body.particles.velocity[p->number] = p->velocity;
             }
         }
-        if (!body.near) return;
+        if (!body.contacts.near) return;
         // Motion is not smooth near others: the time scheme must not look back.
-        body.near = false;
-        body.touched = true;
-        body.earlier_step = 0;
+        body.contacts.near = false;
+        body.contacts.touched = true;
+        body.history.earlier_step = 0;
     });
 }
 

@@ -9,47 +9,50 @@ namespace {
 /// Whether nothing from outside can have done work, and what is needed to tell has not been changed by contacts.
 bool is_closed(const Body& body) {
     return is_graph(body) ? body.cloth.balance.closed
-                          : body.attachments.empty() && body.length_changes.empty() && !body.touched && !body.near &&
-                                !body.plan.damped;
+                          : body.constraints.attachments.empty() && body.constraints.length_changes.empty() &&
+                                !body.contacts.touched && !body.contacts.near && !body.plan.damped;
 }
 
 /// Joules beyond those that forces gave.
 double gain_of(const Body& body, Vec3 gravity) {
     if (is_graph(body)) return body.cloth.balance.gain;
     double gain = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        const Vec3 now = body.velocity[p], before = body.start_velocity[p];
-        const Vec3 falling = gravity + body.force[p] * body.inverse_mass[p];
-        gain += body.mass[p] * (dot(now - before, now + before) / 2 - dot(falling, body.position[p] - body.start[p]));
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
+        const Vec3 now = body.particles.velocity[p], before = body.history.start_velocity[p];
+        const Vec3 falling = gravity + body.particles.force[p] * body.particles.inverse_mass[p];
+        gain += body.particles.mass[p] * (dot(now - before, now + before) / 2 -
+                                          dot(falling, body.particles.position[p] - body.history.start[p]));
     }
     return gain;
 }
 
 bool is_held(const Body& body) {
-    return std::find(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) != body.inverse_mass.end();
+    return std::find(body.particles.inverse_mass.begin(), body.particles.inverse_mass.end(), 0.0) !=
+           body.particles.inverse_mass.end();
 }
 
 Motion motion_of(const Body& body) {
     if (is_graph(body)) return motion_of_cloth(body);
     Motion sum;
-    for (uint32_t p = 0; p < body.size(); ++p) sum.add(body.mass[p], body.velocity[p]);
+    for (uint32_t p = 0; p < body.particles.size(); ++p) sum.add(body.particles.mass[p], body.particles.velocity[p]);
     return sum;
 }
 
 double inner_energy(Body& body, Vec3 drift) {
     if (is_graph(body)) return inner_energy_of_cloth(body, drift);
     double energy = 0;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (!body.pinned(p)) energy += body.mass[p] * length_squared(body.velocity[p] - drift) / 2;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (!body.particles.pinned(p))
+            energy += body.particles.mass[p] * length_squared(body.particles.velocity[p] - drift) / 2;
     }
     return energy;
 }
 
 void slow(Body& body, Vec3 drift, double kept) {
     if (is_graph(body)) return slow_cloth(body, drift, kept);
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (!body.pinned(p)) body.velocity[p] = drift + (body.velocity[p] - drift) * kept;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (!body.particles.pinned(p)) body.particles.velocity[p] = drift + (body.particles.velocity[p] - drift) * kept;
     }
 }
 

@@ -42,9 +42,9 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
                         double h) {
     const auto begin = std::lower_bound(joined.all_tethers.begin(), joined.all_tethers.end(), Tether{slot, 0, 0, 0});
     const auto end = std::lower_bound(begin, joined.all_tethers.end(), Tether{slot + 1, 0, 0, 0});
-    Vector<float>& pulls = body.cloth_contacts.pulls;
+    Vector<float>& pulls = body.cloth.contacts.pulls;
     const bool collides = gphys::collides(body, around);
-    if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.earlier_step));
+    if (collides) touch_planes(body, around, gravity, TimeScheme(h, body.history.earlier_step));
     const auto moves = [&](const Tether& tether) { return body.cloth.at[4 * size_t{tether.particle} + 3] > 0; };
     for (auto tether = begin; tether != end; ++tether) {
         hang_on(body, *tether, joined.all_systems[tether->system]);
@@ -52,7 +52,7 @@ void sweep_joined_cloth(const Joined& joined, Body& body, uint32_t slot, const C
         if (moves(*tether)) std::fill_n(&pulls[4 * size_t{tether->particle}], 3, 0.0f);
     }
     solve_cloth(body);
-    const double step = TimeScheme(h, body.earlier_step).step(body.settings.damping);
+    const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
     for (auto tether = begin; tether != end; ++tether) {
         if (!moves(*tether)) continue;
         const float* pull = &pulls[4 * size_t{tether->particle}];
@@ -73,16 +73,16 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
         collide(body, around, quiet);
-        touched = touched || body.touched;
+        touched = touched || body.contacts.touched;
     });
     if (!touched) return;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        if (body.touched) {
+        if (body.contacts.touched) {
             ease_contacts(body, around);
             hold_touching(body);
         } else {
-            body.start = body.position;
+            body.history.start = body.particles.position;
         }
     });
     gather_systems(joined, h);
@@ -90,16 +90,17 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        const TimeScheme scheme(h, body.earlier_step);
+        const TimeScheme scheme(h, body.history.earlier_step);
         const SolvedAgain again{scheme.step(body.settings.damping), scheme.next / h};
-        if (body.touched) let_go_touching(body);
-        for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p], body.start[p]);
+        if (body.contacts.touched) let_go_touching(body);
+        for (uint32_t p = 0; p < body.particles.size(); ++p)
+            keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
         if (collides(body, around)) {
-            if (!body.touched) std::fill(body.held.begin(), body.held.end(), uint8_t{0});
+            if (!body.contacts.touched) std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
             collide_again(body, around, quiet, again);
         } else {
-            for (uint32_t p = 0; p < body.size(); ++p)
-                body.velocity[p] += (body.position[p] - body.start[p]) * again.rate;
+            for (uint32_t p = 0; p < body.particles.size(); ++p)
+                body.particles.velocity[p] += (body.particles.position[p] - body.history.start[p]) * again.rate;
         }
     });
 }
@@ -109,7 +110,7 @@ void collide_joined(const Joined& joined, const CollisionContext& around, double
 void reserve_joined_cloth(Body& body) {
     body.cloth.tether_diagonal.resize(body.cloth.at.size());
     body.cloth.tether_off.resize(body.cloth.at.size());
-    for (Vector<float>* values : {&body.cloth_contacts.normals, &body.cloth_contacts.pulls}) {
+    for (Vector<float>* values : {&body.cloth.contacts.normals, &body.cloth.contacts.pulls}) {
         values->resize(body.cloth.at.size());
     }
 }
@@ -117,7 +118,7 @@ void reserve_joined_cloth(Body& body) {
 void begin_joined_cloth(Body& body) {
     std::fill(body.cloth.tether_diagonal.begin(), body.cloth.tether_diagonal.end(), 1.0f);
     std::fill(body.cloth.tether_off.begin(), body.cloth.tether_off.end(), 0.0f);
-    std::fill(body.cloth_contacts.normals.begin(), body.cloth_contacts.normals.end(), 0.0f);
+    std::fill(body.cloth.contacts.normals.begin(), body.cloth.contacts.normals.end(), 0.0f);
 }
 
 void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
@@ -126,7 +127,7 @@ void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gra
             predict_cloth(body, around, h);
         } else {
             begin_friction(body, gravity);
-            begin_chains(body, around, gravity, TimeScheme(h, body.earlier_step));
+            begin_chains(body, around, gravity, TimeScheme(h, body.history.earlier_step));
         }
     });
 }
@@ -138,14 +139,14 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
     bool leaving = false;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        body.sunk = body.sunk && begin_leaving(body, around);
-        leaving = leaving || body.sunk;
+        body.contacts.sunk = body.contacts.sunk && begin_leaving(body, around);
+        leaving = leaving || body.contacts.sunk;
     });
     if (!leaving) return;
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        if (!body.sunk) body.start = body.position;
-        body.predicted = body.position;
+        if (!body.contacts.sunk) body.history.start = body.particles.position;
+        body.history.predicted = body.particles.position;
     });
     gather_systems(joined, h);
     const bool found = solve_systems(joined);
@@ -157,7 +158,7 @@ void leave_solids_joined(const Joined& joined, const CollisionContext& around, d
 /// Once the systems are solved.
 void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h) {
     bool interrupted = false;  // then tensions of before are not known
-    each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.earlier_step == 0; });
+    each_body(joined, [&](const Body& body, uint32_t) { interrupted = interrupted || body.history.earlier_step == 0; });
     each_body(joined, [&](Body& body, uint32_t slot) {
         if (is_graph(body)) sweep_joined_cloth(joined, body, slot, around, gravity, h);
     });
@@ -165,7 +166,7 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
     each_system(joined, [&](const JointSystem& system) { system.scatter_tensions(joined.bodies, joined.joints); });
     each_body(joined, [&](Body& body, uint32_t) {
         if (is_graph(body)) return;
-        const TimeScheme scheme(h, body.earlier_step);
+        const TimeScheme scheme(h, body.history.earlier_step);
         finish_chains(body, scheme);
         if (body.plan.limited) captured = capture(body, around, scheme) || captured;
     });
@@ -175,9 +176,10 @@ void finish_joined(const Joined& joined, const CollisionContext& around, Vec3 gr
         if (is_graph(body)) {
             finish_cloth(body, around, gravity, h);
         } else {
-            if (!body.attachments.empty()) give_tensions(body, around, TimeScheme(h, body.earlier_step));
+            if (!body.constraints.attachments.empty())
+                give_tensions(body, around, TimeScheme(h, body.history.earlier_step));
             end_friction(body);
-            body.earlier_step = body.touched || captured ? 0 : h;
+            body.history.earlier_step = body.contacts.touched || captured ? 0 : h;
         }
     });
     if (!interrupted) keep_joined_energy(joined, gravity);
@@ -222,10 +224,10 @@ void move_joined(const Joined& joined, const CollisionContext& around, Vec3 grav
     // The time schemes of all look back as far, or momentum would come and go between them.
     bool interrupted = false, touched = false;
     each_body(joined, [&](const Body& body, uint32_t) {
-        interrupted = interrupted || body.earlier_step == 0;
-        touched = touched || body.touched;
+        interrupted = interrupted || body.history.earlier_step == 0;
+        touched = touched || body.contacts.touched;
     });
-    if (interrupted) each_body(joined, [&](Body& body, uint32_t) { body.earlier_step = 0; });
+    if (interrupted) each_body(joined, [&](Body& body, uint32_t) { body.history.earlier_step = 0; });
     if (interrupted && !touched) {
         start_slowly(around, h, move_once);
     } else {

@@ -30,7 +30,7 @@ constexpr int most_yielding_iterations = 300;
 
 constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-Vec3 cloth_position(const ClothState& cloth, uint32_t particle) {
+Vec3 cloth_position(const Cloth& cloth, uint32_t particle) {
     const float* at = &cloth.at[4 * size_t{particle}];
     return cloth.origin + Vec3{at[0], at[1], at[2]};
 }
@@ -122,15 +122,15 @@ void JointSystem::plan() {
 void JointSystem::gather(const Vector<Body>& bodies, const Vector<Joint>& joints, double h) {
     for (Node& node : nodes_) {
         const Body& body = bodies[node.body];
-        const double step = TimeScheme(h, body.earlier_step).step(body.settings.damping);
-        node.free = !body.pinned(node.particle);
-        node.weight = body.mass[node.particle] / (step * step);
+        const double step = TimeScheme(h, body.history.earlier_step).step(body.settings.damping);
+        node.free = !body.particles.pinned(node.particle);
+        node.weight = body.particles.mass[node.particle] / (step * step);
         if (node.of_graph) {
             node.position = node.predicted = node.before = cloth_position(body.cloth, node.particle);
         } else {
-            node.position = body.position[node.particle];
-            node.predicted = body.predicted[node.particle];
-            node.before = body.start[node.particle];
+            node.position = body.particles.position[node.particle];
+            node.predicted = body.history.predicted[node.particle];
+            node.before = body.history.start[node.particle];
         }
     }
     for (Link& link : links_) {
@@ -140,11 +140,11 @@ void JointSystem::gather(const Vector<Body>& bodies, const Vector<Joint>& joints
             link.compliance = joint.compliance;
             link.tension = link.axis == along ? joint.tension.x : joint.tension[link.axis];
         } else {
-            const Plan& plan = bodies[link.source_body].plan;
-            link.rest = plan.damped_rest[link.source];
-            link.compliance = plan.damped_compliance[link.source];
-            link.limit = plan.limit[link.source] != 0;
-            link.tension = plan.tension[link.source];
+            const Body& body = bodies[link.source_body];
+            link.rest = body.rope.damped_rest[link.source];
+            link.compliance = body.rope.damped_compliance[link.source];
+            link.limit = body.plan.limit[link.source] != 0;
+            link.tension = body.rope.tension[link.source];
         }
     }
     stored_before_ = stored();
@@ -167,7 +167,7 @@ void JointSystem::scatter(Vector<Body>& bodies) const {
                     static_cast<float>(std::clamp(at[k], -far_range, far_range));
             }
         } else {
-            body.position[node.particle] = node.position;
+            body.particles.position[node.particle] = node.position;
         }
     }
 }
@@ -177,7 +177,7 @@ void JointSystem::scatter_tensions(Vector<Body>& bodies, Vector<Joint>& joints) 
         // What is no number is no guess for the next solution.
         const double found = is_finite(link.tension) ? link.tension : 0;
         if (link.source_body != of_joint) {
-            bodies[link.source_body].plan.tension[link.source] = found;
+            bodies[link.source_body].rope.tension[link.source] = found;
         } else {
             Vec3& tension = joints[link.source].tension;
             (link.axis == along ? tension.x : tension[link.axis]) = found;

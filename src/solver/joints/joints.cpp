@@ -13,7 +13,7 @@ gphys_status Solver::join(gphys_body_id body_a, uint32_t particle_a, gphys_body_
     Body &a = edit(body_a), &b = edit(body_b);
     interrupt(a);
     interrupt(b);
-    if (rest < 0) rest = distance(a.position[particle_a], b.position[particle_b]);
+    if (rest < 0) rest = distance(a.particles.position[particle_a], b.particles.position[particle_b]);
     if (rest < rope_shortest) rest = 0;
     out = state_.joint_ids.add();
     const uint32_t slot = IdTable::slot_of(out);

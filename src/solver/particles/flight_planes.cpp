@@ -7,13 +7,13 @@ void FlightPlanes::begin(const Body& body, const CollisionContext& step, uint32_
     first_ = first;
     count_ = count;
     usable_ = scene_ != nullptr;
-    Aabb all{body.position[first], body.position[first]};
+    Aabb all{body.particles.position[first], body.particles.position[first]};
     for (uint32_t i = 0; i < count; ++i) {
-        balls_[i] = {body.position[first + i], has_not_looked, 0};
-        all = {min(all.min, body.position[first + i]), max(all.max, body.position[first + i])};
+        balls_[i] = {body.particles.position[first + i], has_not_looked, 0};
+        all = {min(all.min, body.particles.position[first + i]), max(all.max, body.particles.position[first + i])};
     }
     // Those that look around come no further than their radius, and touch what is as near again.
-    const double room = 3 * body.largest_radius;
+    const double room = 3 * body.particles.largest_radius;
     const Box box = bounds(Aabb{all.min - Vec3{room, room, room}, all.max + Vec3{room, room, room}});
     for (const PlacedModel& before : *step.moved) {
         Box way;
@@ -29,7 +29,7 @@ void FlightPlanes::look(const Body& body, uint32_t particle) {
     for (; together < ClosestFeatures::most_points && particle + together < first_ + count_; ++together) {
         const Ball& next = ball(particle + together);
         places = {min(places.min, next.center), max(places.max, next.center)};
-        const double size = 16 * body.largest_radius;
+        const double size = 16 * body.particles.largest_radius;
         if (next.sight != has_not_looked || max_component(places.max - places.min) > size) break;
     }
     if (search_together(body, particle, together)) return;
@@ -44,7 +44,7 @@ bool FlightPlanes::search_together(const Body& body, uint32_t particle, uint32_t
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const Vec3 at = ball(particle + i).center;
-        probes_[i] = {at, 2 * body.radius[particle + i]};
+        probes_[i] = {at, 2 * body.particles.radius[particle + i]};
         places = {min(places.min, at), max(places.max, at)};
         farthest = std::max(farthest, probes_[i].radius);
     }
@@ -60,7 +60,7 @@ bool FlightPlanes::search_together(const Body& body, uint32_t particle, uint32_t
 
 void FlightPlanes::settle(const Body& body, uint32_t p, uint32_t point) {
     Ball& ball = this->ball(p);
-    const double radius = body.radius[p], gap = skin(radius, ball.center);
+    const double radius = body.particles.radius[p], gap = skin(radius, ball.center);
     ball.count = 0;
     ball.sight = clear;
     parts_.select_point(point);
@@ -78,10 +78,12 @@ void FlightPlanes::settle(const Body& body, uint32_t p, uint32_t point) {
 }
 
 bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacement, double reach, Impact& impact) {
-    if (!usable_ || reach > body.radius[p]) return false;
+    if (!usable_ || reach > body.particles.radius[p]) return false;
     if (ball(p).sight == has_not_looked) look(body, p);
     const Ball& ball = this->ball(p);
-    const auto in_ball = [&](Vec3 at) { return length_squared(at - ball.center) < body.radius[p] * body.radius[p]; };
+    const auto in_ball = [&](Vec3 at) {
+        return length_squared(at - ball.center) < body.particles.radius[p] * body.particles.radius[p];
+    };
     if (ball.sight == blocked || !in_ball(from) || !in_ball(from + displacement)) return false;
     impact = {};
     for (uint32_t i = 0; i < ball.count; ++i) {
@@ -91,7 +93,7 @@ bool FlightPlanes::sweep(const Body& body, uint32_t p, Vec3 from, Vec3 displacem
         if (approach <= gap) continue;
         const double t = gap / approach;
         const Vec3 center = from + displacement * t;
-        keep_first(impact, {t, plane.model, false, false, 0, center, center - plane.normal * body.radius[p],
+        keep_first(impact, {t, plane.model, false, false, 0, center, center - plane.normal * body.particles.radius[p],
                             plane.normal, Vec3{}});
     }
     return true;

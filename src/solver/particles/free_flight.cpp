@@ -50,8 +50,8 @@ public:
 
 private:
     Flight flight_of(uint32_t p) const {
-        if (!body_.forced) return {gravity_, body_.settings.damping};
-        return {gravity_ + body_.force[p] * body_.inverse_mass[p], body_.settings.damping};
+        if (!body_.particles.forced) return {gravity_, body_.settings.damping};
+        return {gravity_ + body_.particles.force[p] * body_.particles.inverse_mass[p], body_.settings.damping};
     }
     /// Where particles may touch something, and where they rest.
     void list_obstacles(const Collider& collider, const Aabb& region);
@@ -85,24 +85,25 @@ private:
 
 void FreeFlight::fly_freely(uint32_t p) {
     const Flight flight = flight_of(p);
-    body_.position[p] += flight.displacement(body_.velocity[p], whole_);
-    body_.velocity[p] = flight.velocity(body_.velocity[p], whole_);
-    keep_in_range(body_.position[p], body_.velocity[p]);
+    body_.particles.position[p] += flight.displacement(body_.particles.velocity[p], whole_);
+    body_.particles.velocity[p] = flight.velocity(body_.particles.velocity[p], whole_);
+    keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
 }
 
 bool FreeFlight::meets(const Collider& collider, uint32_t p, Vec3 displacement, Impact& impact) {
     // As far as it comes in the rest of the step, and half as far again.
     const double rest = around_.step_time * (1 - around_.begin);
-    const double reach = 1.5 * rest * (length(body_.velocity[p]) + rest * length(flight_of(p).acceleration));
-    if (planes_ && planes_->sweep(body_, p, body_.position[p], displacement, reach, impact)) return impact.model != 0;
-    return collider.sweep(p, body_.position[p], displacement, around_.begin, impact);
+    const double reach = 1.5 * rest * (length(body_.particles.velocity[p]) + rest * length(flight_of(p).acceleration));
+    if (planes_ && planes_->sweep(body_, p, body_.particles.position[p], displacement, reach, impact))
+        return impact.model != 0;
+    return collider.sweep(p, body_.particles.position[p], displacement, around_.begin, impact);
 }
 
 void FreeFlight::fly_among(const Collider& collider, uint32_t p) {
     const Flight flight = flight_of(p);
     const double damping = body_.settings.damping, restitution = body_.settings.restitution;
-    Vec3& at = body_.position[p];
-    Vec3& velocity = body_.velocity[p];
+    Vec3& at = body_.particles.position[p];
+    Vec3& velocity = body_.particles.velocity[p];
     const double quiet = length(flight.acceleration) * 2 * h_;
     double left = h_;
     FlightTime ahead = whole_;
@@ -161,12 +162,12 @@ FlightBounds FreeFlight::bound(const FlightGroups& groups, uint32_t first, uint3
     FlightBounds bounds;
     kernels_.bound(groups, bounds);
     for (uint32_t p = first + groups.count * flight_group; p < first + count; ++p) {
-        const Vec3 way = flight_of(p).displacement(body_.velocity[p], whole_);
+        const Vec3 way = flight_of(p).displacement(body_.particles.velocity[p], whole_);
         for (int k = 0; k < 3; ++k) {
-            const double from = body_.position[p][k], to = from + way[k];
+            const double from = body_.particles.position[p][k], to = from + way[k];
             bounds.low[k] = std::min({bounds.low[k], from, to});
             bounds.high[k] = std::max({bounds.high[k], from, to});
-            bounds.fastest[k] = std::max(bounds.fastest[k], std::fabs(body_.velocity[p][k]));
+            bounds.fastest[k] = std::max(bounds.fastest[k], std::fabs(body_.particles.velocity[p][k]));
             bounds.furthest[k] = std::max(bounds.furthest[k], std::fabs(way[k]));
         }
     }
@@ -175,8 +176,8 @@ FlightBounds FreeFlight::bound(const FlightGroups& groups, uint32_t first, uint3
 
 void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region) {
     constexpr Aabb nowhere{{1, 1, 1}, {-1, -1, -1}};
-    const bool alike = !body_.forced && body_.smallest_radius == body_.largest_radius;
-    const double radius = body_.largest_radius;
+    const bool alike = !body_.particles.forced && body_.particles.smallest_radius == body_.particles.largest_radius;
+    const double radius = body_.particles.largest_radius;
     // The skin that a particle has at least, wherever it is in the region.
     Vec3 nearest;
     for (int k = 0; k < 3; ++k) nearest[k] = std::max({0.0, region.min[k], -region.max[k]});
@@ -194,25 +195,25 @@ void FreeFlight::list_obstacles(const Collider& collider, const Aabb& region) {
 }
 
 void FreeFlight::fly_one(const Collider* collider, uint32_t p, uint32_t obstacle) {
-    if (body_.pinned(p)) return;
+    if (body_.particles.pinned(p)) return;
     if (!collider) return fly_freely(p);
-    if (body_.velocity[p] == Vec3{} && lies_still(*collider, p, obstacle)) return;
+    if (body_.particles.velocity[p] == Vec3{} && lies_still(*collider, p, obstacle)) return;
     fly_among(*collider, p);
-    keep_in_range(body_.position[p], body_.velocity[p]);
+    keep_in_range(body_.particles.position[p], body_.particles.velocity[p]);
 }
 
 void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint32_t count) {
     around_ = around;
     follow_models(body_, around.end, h_, first, first + count);
     begin_friction(body_, gravity_, first, first + count);
-    if (body_.forced) {
+    if (body_.particles.forced) {
         for (uint32_t i = 0; i < count; ++i) put(acceleration_ + size_t{3} * i, flight_of(first + i).acceleration);
     }
     const FlightGroups groups{count / flight_group,
-                              &body_.position[first].x,
-                              &body_.velocity[first].x,
+                              &body_.particles.position[first].x,
+                              &body_.particles.velocity[first].x,
                               acceleration_,
-                              body_.forced ? flight_numbers : 0,
+                              body_.particles.forced ? flight_numbers : 0,
                               whole_.kept,
                               whole_.reach,
                               whole_.fall};
@@ -223,7 +224,8 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     std::optional<Collider> collider;
     if (collides(body_, around_)) {
         // As far again as a path is long, and as a bounce turns back.
-        const double room = 2 * body_.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
+        const double room =
+            2 * body_.particles.largest_radius + length(get(bounds.furthest)) + length(get(bounds.fastest)) * h_;
         const Vec3 reach{room, room, room};
         collider.emplace(around_, body_, gphys::bounds(Aabb{region.min - reach, region.max + reach}), tally_);
         if (collider->idle()) {
@@ -235,7 +237,8 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
     // What is not to be moved by eight, or not known to be clear, is looked at one by one.
     std::fill_n(touching_, groups.count, known_ ? uint8_t{0} : uint8_t{0xff});
     for (uint32_t i = 0; i < count; ++i) {
-        if (body_.pinned(first + i)) touching_[i / flight_group] |= static_cast<uint8_t>(1 << i % flight_group);
+        if (body_.particles.pinned(first + i))
+            touching_[i / flight_group] |= static_cast<uint8_t>(1 << i % flight_group);
     }
     std::fill_n(obstacle_of_, count, several_obstacles);
     kernels_.fly(groups, obstacles_, known_ ? obstacle_count_ : 0, {touching_, obstacle_of_, resting_on_});
@@ -259,9 +262,9 @@ void FreeFlight::fly_block(const CollisionContext& around, uint32_t first, uint3
 }  // namespace
 
 void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
-    FreeFlight flight(body, {body.impulses, body.touched}, gravity, h, nullptr);
-    for (uint32_t first = 0; first < body.size(); first += block_size) {
-        const uint32_t count = std::min(block_size, body.size() - first);
+    FreeFlight flight(body, {body.contacts.impulses, body.contacts.touched}, gravity, h, nullptr);
+    for (uint32_t first = 0; first < body.particles.size(); first += block_size) {
+        const uint32_t count = std::min(block_size, body.particles.size() - first);
         flight.begin_block(around, first, count);
         flight.fly_block(around, first, count);
     }
@@ -269,13 +272,19 @@ void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
 
 Extent extent_of(Body& body, uint32_t first, uint32_t end) {
     constexpr double nothing[flight_numbers] = {};
-    const FlightGroups groups{
-        (end - first) / flight_group, &body.position[first].x, &body.velocity[first].x, nothing, 0, 1, 0, 0};
+    const FlightGroups groups{(end - first) / flight_group,
+                              &body.particles.position[first].x,
+                              &body.particles.velocity[first].x,
+                              nothing,
+                              0,
+                              1,
+                              0,
+                              0};
     FlightBounds bounds;
     flight_kernels(chosen_isa()).bound(groups, bounds);
     Extent extent{{get(bounds.low), get(bounds.high)}, get(bounds.fastest)};
     for (uint32_t p = first + groups.count * flight_group; p < end; ++p) {
-        extent.add({{body.position[p], body.position[p]}, abs(body.velocity[p])});
+        extent.add({{body.particles.position[p], body.particles.position[p]}, abs(body.particles.velocity[p])});
     }
     return extent;
 }

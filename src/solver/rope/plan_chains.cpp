@@ -16,14 +16,14 @@ uint32_t other_end(const DistanceConstraint& constraint, uint32_t particle) {
 /// pass(slot, next particle) along the chain. What remains are rings, and what is between them.
 template <class Begin, class Pass>
 void walk_chains(const Body& body, Begin&& begin, Pass&& pass) {
-    Vector<Links> left(body.links, body.links.get_allocator());
-    for (uint32_t end = 0; end < body.size(); ++end) {
+    Vector<Links> left(body.constraints.links, body.constraints.links.get_allocator());
+    for (uint32_t end = 0; end < body.particles.size(); ++end) {
         if (left[end].degree != 1) continue;
         begin(end);
         for (uint32_t particle = end; left[particle].degree == 1;) {
             const uint32_t slot = left[particle].slots;
             left[particle] = {};
-            particle = other_end(body.constraints[slot], particle);
+            particle = other_end(body.constraints.by_slot[slot], particle);
             --left[particle].degree;
             left[particle].slots ^= slot;
             pass(slot, particle);
@@ -64,7 +64,7 @@ void describe_links(const Body& body, Plan& plan) {
     plan.damping.resize(count);
     plan.limit.resize(count);
     for (size_t link = 0; link < count; ++link) {
-        const DistanceConstraint& constraint = body.constraints[plan.slots[link]];
+        const DistanceConstraint& constraint = body.constraints.by_slot[plan.slots[link]];
         plan.rest[link] = constraint.rest;
         plan.compliance[link] = constraint.compliance;
         plan.damping[link] = constraint.damping;
@@ -82,10 +82,10 @@ uint32_t longest_chain(const Plan& plan) {
 
 /// In trees, walking inward from all ends passes every constraint.
 gphys_solve_method method_of(const Body& body) {
-    const uint32_t constraint_count = body.constraint_ids.size();
-    if (body.volume.held) return GPHYS_SOLVE_GRAPH;
+    const uint32_t constraint_count = body.constraints.ids.size();
+    if (body.cloth.volume.held) return GPHYS_SOLVE_GRAPH;
     if (constraint_count == 0) return GPHYS_SOLVE_FREE;
-    for (const Links& links : body.links) {
+    for (const Links& links : body.constraints.links) {
         if (links.degree > most_branches) return GPHYS_SOLVE_GRAPH;
     }
     uint32_t passed = 0;
@@ -100,9 +100,9 @@ void describe_direct_links(Body& body) {
     Plan& plan = body.plan;
     describe_links(body, plan);
     for (double& rest : plan.rest) rest = rest < rope_shortest ? 0 : rest;
-    plan.damped_rest = plan.rest;
-    plan.damped_compliance = plan.compliance;
-    plan.target = plan.rest;
+    body.rope.damped_rest = plan.rest;
+    body.rope.damped_compliance = plan.compliance;
+    body.rope.target = plan.rest;
 }
 
 }  // namespace
@@ -114,9 +114,9 @@ void plan_direct_chains(Body& body) {
         body, [&](uint32_t end) { begin_chain(plan, end); },
         [&](uint32_t slot, uint32_t particle) { add_link(plan, slot, particle); });
     describe_direct_links(body);
-    plan.direct_rows.resize(longest_chain(plan) + 1);
-    plan.earlier_tension.assign(plan.rest.size(), 0.0);
-    plan.tension.assign(plan.rest.size(), 0.0);
+    body.rope.rows.resize(longest_chain(plan) + 1);
+    body.rope.earlier_tension.assign(plan.rest.size(), 0.0);
+    body.rope.tension.assign(plan.rest.size(), 0.0);
 }
 
 namespace {
@@ -125,7 +125,7 @@ namespace {
 class StraightLines {
 public:
     StraightLines(const Body& body, std::pmr::memory_resource* memory)
-        : body_(body), next_(2 * size_t{body.constraint_ids.slots()}, none, memory) {
+        : body_(body), next_(2 * size_t{body.constraints.ids.slots()}, none, memory) {
         pair_up(memory);
     }
 
@@ -150,11 +150,12 @@ private:
     static constexpr double most_ratio = 1.75;
 
     size_t index(uint32_t slot, uint32_t particle) const {
-        return 2 * size_t{slot} + (body_.constraints[slot].b == particle);
+        return 2 * size_t{slot} + (body_.constraints.by_slot[slot].b == particle);
     }
 
     Vec3 direction(uint32_t slot, uint32_t from) const {
-        const Vec3 along = body_.position[other_end(body_.constraints[slot], from)] - body_.position[from];
+        const Vec3 along =
+            body_.particles.position[other_end(body_.constraints.by_slot[slot], from)] - body_.particles.position[from];
         return along == Vec3{} ? along : normalized(along);
     }
 
@@ -164,20 +165,21 @@ private:
     }
 
     void pair_up(std::pmr::memory_resource* memory) {
-        Vector<uint32_t> begin(body_.size() + 1, 0, memory);
-        for (uint32_t p = 0; p < body_.size(); ++p) begin[p + 1] = begin[p] + body_.links[p].degree;
+        Vector<uint32_t> begin(body_.particles.size() + 1, 0, memory);
+        for (uint32_t p = 0; p < body_.particles.size(); ++p)
+            begin[p + 1] = begin[p] + body_.constraints.links[p].degree;
         Vector<uint32_t> at(begin.back(), memory), filled(begin.begin(), begin.end() - 1, memory);
-        for (uint32_t slot = 0; slot < body_.constraint_ids.slots(); ++slot) {
-            if (!body_.constraint_ids.live(slot)) continue;
-            at[filled[body_.constraints[slot].a]++] = slot;
-            at[filled[body_.constraints[slot].b]++] = slot;
+        for (uint32_t slot = 0; slot < body_.constraints.ids.slots(); ++slot) {
+            if (!body_.constraints.ids.live(slot)) continue;
+            at[filled[body_.constraints.by_slot[slot].a]++] = slot;
+            at[filled[body_.constraints.by_slot[slot].b]++] = slot;
         }
         Vector<Pair> pairs(memory);
-        for (uint32_t p = 0; p < body_.size(); ++p) {
+        for (uint32_t p = 0; p < body_.particles.size(); ++p) {
             pairs.clear();
             for (uint32_t i = begin[p]; i < begin[p + 1]; ++i) {
                 for (uint32_t j = i + 1; j < begin[p + 1]; ++j) {
-                    if (!same_kind(body_.constraints[at[i]], body_.constraints[at[j]])) continue;
+                    if (!same_kind(body_.constraints.by_slot[at[i]], body_.constraints.by_slot[at[j]])) continue;
                     const double straightness = dot(direction(at[i], p), direction(at[j], p));
                     if (straightness <= least_straight) pairs.push_back({straightness, p, at[i], at[j]});
                 }
@@ -201,24 +203,24 @@ private:
 /// there, for a chain passes no particle twice; what is left of it becomes another line.
 void collect_lines(const Body& body, Plan& lines, std::pmr::memory_resource* memory) {
     const StraightLines straight(body, memory);
-    Vector<uint8_t> used(body.constraint_ids.slots(), 0, memory);
-    Vector<uint32_t> seen(body.size(), none, memory);  // the line that passed a particle last
-    for (uint32_t seed = 0; seed < body.constraint_ids.slots(); ++seed) {
-        while (body.constraint_ids.live(seed) && !used[seed]) {
+    Vector<uint8_t> used(body.constraints.ids.slots(), 0, memory);
+    Vector<uint32_t> seen(body.particles.size(), none, memory);  // the line that passed a particle last
+    for (uint32_t seed = 0; seed < body.constraints.ids.slots(); ++seed) {
+        while (body.constraints.ids.live(seed) && !used[seed]) {
             // Back to where the line begins, ...
-            uint32_t slot = seed, start = body.constraints[seed].a;
+            uint32_t slot = seed, start = body.constraints.by_slot[seed].a;
             for (;;) {
                 const uint32_t before = straight.next(slot, start);
                 if (before == none || before == seed || used[before]) break;
                 slot = before;
-                start = other_end(body.constraints[slot], start);
+                start = other_end(body.constraints.by_slot[slot], start);
             }
             // ... and along it.
             const uint32_t line = static_cast<uint32_t>(lines.chains.size());
             begin_chain(lines, start);
             seen[start] = line;
             for (uint32_t particle = start; slot != none && !used[slot];) {
-                particle = other_end(body.constraints[slot], particle);
+                particle = other_end(body.constraints.by_slot[slot], particle);
                 if (seen[particle] == line) break;
                 seen[particle] = line;
                 used[slot] = 1;
@@ -244,7 +246,7 @@ uint32_t free_colour(const Plan& lines, const Chain& chain, const Vector<uint64_
 template <class OfKind>
 uint32_t colour_lines(const Body& body, const Plan& lines, const Vector<uint32_t>& turn, OfKind&& of_kind,
                       uint32_t first_colour, Vector<uint32_t>& colours) {
-    Vector<uint64_t> masks(body.size(), 0, colours.get_allocator());
+    Vector<uint64_t> masks(body.particles.size(), 0, colours.get_allocator());
     uint32_t colour_count = first_colour;
     for (bool waiting = true; waiting;) {
         waiting = false;
@@ -320,8 +322,9 @@ namespace {
 /// What the links of a plan are like.
 void note_kinds(Body& body) {
     Plan& plan = body.plan;
-    plan.branched = plan.method == GPHYS_SOLVE_DIRECT &&
-                    std::any_of(body.links.begin(), body.links.end(), [](Links links) { return links.degree > 2; });
+    plan.branched =
+        plan.method == GPHYS_SOLVE_DIRECT && std::any_of(body.constraints.links.begin(), body.constraints.links.end(),
+                                                         [](Links links) { return links.degree > 2; });
     plan.damped = std::any_of(plan.damping.begin(), plan.damping.end(), [](double damping) { return damping > 0; });
     plan.limited = std::find(plan.limit.begin(), plan.limit.end(), 1u) != plan.limit.end();
 }
@@ -332,9 +335,9 @@ void complete_plan(Body& body) {
     Plan& plan = body.plan;
     if (!plan.chains_current) return;
     if (plan.method == GPHYS_SOLVE_DIRECT) {
-        Vector<double> tension = std::move(plan.tension);
+        Vector<double> tension = std::move(body.rope.tension);
         plan_direct_chains(body);
-        plan.tension = std::move(tension);
+        body.rope.tension = std::move(tension);
     }
     if (plan.method == GPHYS_SOLVE_GRAPH) describe_links(body, plan);
     note_kinds(body);
@@ -361,7 +364,7 @@ void update_plan(Body& body) {
         plan.described = true;
     }
     if (!plan.reach_current) {
-        plan.reach_limits.clear();
+        body.cloth.reach_limits.clear();
         plan.pins_packed = false;
         if (plan.method == GPHYS_SOLVE_GRAPH) plan_reach_limits(body);
         plan.reach_current = true;

@@ -1,12 +1,43 @@
 // What ropes have in common that are solved one by one (rope_direct.cpp) and side by side (rope_lanes.cpp).
 #pragma once
 
-#include "solver/plan.h"
+#include "foundation/math.h"
+#include "foundation/memory.h"
 
 namespace gphys {
 
 struct Body;
+struct Chain;
 class RopeContacts;
+
+/// What elimination along a rope leaves for substitution, per particle.
+struct DirectRow {
+    double next[4][4];  // times the unknowns of the next particle and link
+    double value[4];
+};
+
+/// Of chains that are solved directly.
+struct Rope {
+    explicit Rope(std::pmr::memory_resource* memory)
+        : damped_rest(memory),
+          damped_compliance(memory),
+          target(memory),
+          tension(memory),
+          earlier_tension(memory),
+          rows(memory),
+          solved(memory),
+          flying(memory) {}
+
+    // By link of the plan:
+    Vector<double> damped_rest, damped_compliance;  // in the substep under way, see damping.h
+    Vector<double> target;                          // the length it shall have
+    Vector<double> tension;                         // newtons, of the last substep
+    Vector<double> earlier_tension;                 // of the one before
+
+    Vector<DirectRow> rows;  // room for the longest chain
+    Vector<Vec3> solved;     // the positions that the links had found when they met models
+    Vector<uint8_t> flying;  // by particle, if there are limits: whether none of its links was taut at the start
+};
 
 /// Whether its first substep is made in parts, after an interruption.
 bool starts_again(const Body& body);

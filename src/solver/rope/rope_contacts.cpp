@@ -19,16 +19,18 @@ constexpr uint32_t many_parts = 64;
 
 double friction_of(const Body& body, uint32_t p) {
     const BodySettings& settings = body.settings;
-    return settings.sticks() && body.stuck[p] ? settings.static_friction : settings.friction;
+    return settings.sticks() && body.contacts.stuck[p] ? settings.static_friction : settings.friction;
 }
 
 /// Along a plane, from where the particle was.
 Vec3 slid(const RopeContact& contact, const Body& body, uint32_t p) {
-    const Vec3 way = body.position[p] - body.start[p];
+    const Vec3 way = body.particles.position[p] - body.history.start[p];
     return way - contact.normal * dot(way, contact.normal);
 }
 
-double clearance(const Body& body, uint32_t p, Vec3 at) { return body.radius[p] + skin(body.radius[p], at); }
+double clearance(const Body& body, uint32_t p, Vec3 at) {
+    return body.particles.radius[p] + skin(body.particles.radius[p], at);
+}
 
 /// stiffness * (1 - n n^T) or stiffness * n n^T
 void add_across(ContactTerm& term, Vec3 n, double k) {
@@ -49,12 +51,12 @@ void RopeContacts::reserve(uint32_t particles) {
 
 /// Models that the balls around some particles touch. False if there is too much.
 bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
-    Aabb places{body.start[first], body.start[first]};
+    Aabb places{body.history.start[first], body.history.start[first]};
     double farthest = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t p = first + i;
-        probes_[i] = {body.start[p], clearance(body, p, body.start[p]) + balls_[p].reach};
-        places = {min(places.min, body.start[p]), max(places.max, body.start[p])};
+        probes_[i] = {body.history.start[p], clearance(body, p, body.history.start[p]) + balls_[p].reach};
+        places = {min(places.min, body.history.start[p]), max(places.max, body.history.start[p])};
         farthest = std::max(farthest, probes_[i].radius);
     }
     const Vec3 room{farthest, farthest, farthest};
@@ -76,7 +78,7 @@ bool RopeContacts::collect(const Body& body, uint32_t first, uint32_t count) {
 /// The ball and the contacts of a particle from what was collected around it.
 void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
     first_[p] = static_cast<uint32_t>(contacts_.size());
-    const Vec3 at = body.start[p];
+    const Vec3 at = body.history.start[p];
     const double off = clearance(body, p, at);
     double& reach = balls_[p].reach;
     for (int halvings = 0; parts_.select_point(point) > many_parts && halvings < 3; ++halvings) {
@@ -93,7 +95,8 @@ void RopeContacts::settle(const Body& body, uint32_t p, uint32_t point) {
         contacts_.push_back(contact);
         // Coplanar triangles share a plane.
         if (part.is_triangle) {
-            parts_.cull_behind(part.normal, contact.outside - body.radius[p] - skin(body.radius[p], at) / 2, 0);
+            parts_.cull_behind(part.normal,
+                               contact.outside - body.particles.radius[p] - skin(body.particles.radius[p], at) / 2, 0);
         }
     }
     if (count < most_parts) return;
@@ -105,14 +108,14 @@ void RopeContacts::look(const Body& body, const CollisionContext& around, Vec3 g
     contacts_.clear();
     scene_ = around.scene;
     const double rest = std::max(h, around.step_time * (1 - around.begin)), fall = rest * length(gravity);
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        balls_[p] = {body.start[p], 1.5 * rest * (length(body.start_velocity[p]) + fall)};
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        balls_[p] = {body.history.start[p], 1.5 * rest * (length(body.history.start_velocity[p]) + fall)};
     }
-    for (uint32_t first = 0, count; first < body.size(); first += count) {
-        Aabb places{body.start[first], body.start[first]};
-        const double size = 8 * (clearance(body, first, body.start[first]) + balls_[first].reach);
-        for (count = 1; count < ClosestFeatures::most_points && first + count < body.size(); ++count) {
-            const Vec3 at = body.start[first + count];
+    for (uint32_t first = 0, count; first < body.particles.size(); first += count) {
+        Aabb places{body.history.start[first], body.history.start[first]};
+        const double size = 8 * (clearance(body, first, body.history.start[first]) + balls_[first].reach);
+        for (count = 1; count < ClosestFeatures::most_points && first + count < body.particles.size(); ++count) {
+            const Vec3 at = body.history.start[first + count];
             places = {min(places.min, at), max(places.max, at)};
             if (max_component(places.max - places.min) > size) break;
         }
@@ -134,7 +137,7 @@ void RopeContacts::look(const Body& body, const CollisionContext& around, Vec3 g
             balls_[p].reach = 0;
         }
     }
-    first_[body.size()] = static_cast<uint32_t>(contacts_.size());
+    first_[body.particles.size()] = static_cast<uint32_t>(contacts_.size());
     looked_ = true;
 }
 
@@ -147,29 +150,29 @@ void RopeContacts::place_plane(RopeContact& contact, const Body& body, uint32_t 
 }
 
 void RopeContacts::allow_within_skin(RopeContact& contact, const Body& body, uint32_t p) const {
-    const double missing = contact.outside - dot(contact.normal, body.start[p]);
-    const double allowed = std::clamp(missing, 0.0, skin(body.radius[p], body.start[p]));
+    const double missing = contact.outside - dot(contact.normal, body.history.start[p]);
+    const double allowed = std::clamp(missing, 0.0, skin(body.particles.radius[p], body.history.start[p]));
     contact.offset = contact.outside - allowed;
     contact.depth = missing - allowed;
 }
 
 bool RopeContacts::begin(Body& body, const CollisionContext& around, Vec3 gravity, double h) {
     const auto stays = [&] {
-        for (uint32_t p = 0; p < body.size(); ++p) {
-            if (!body.pinned(p) && !in_ball(body, p)) return false;
+        for (uint32_t p = 0; p < body.particles.size(); ++p) {
+            if (!body.particles.pinned(p) && !in_ball(body, p)) return false;
         }
         return true;
     };
     if (!looked_ || !stays()) look(body, around, gravity, h);
     active_ = !contacts_.empty();
     const double most_push = leaving_speed * around.step_time * (around.end - around.begin);
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
         bool sunk = false;
         each(p, [&](RopeContact& contact) {
-            if (!contact.is_fixed) place_plane(contact, body, p, body.start[p]);
+            if (!contact.is_fixed) place_plane(contact, body, p, body.history.start[p]);
             allow_within_skin(contact, body, p);
-            contact.approach = -dot(contact.normal, body.velocity[p]);
+            contact.approach = -dot(contact.normal, body.particles.velocity[p]);
             contact.iterations = 0;
             contact.force = {};
             sunk = sunk || contact.depth > most_push;
@@ -189,7 +192,7 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
         contact.stiffness = stiffness * mass;
         const Vec3 n = contact.normal, way = slid(contact, body, p);
         add_along(term, n, contact.stiffness);
-        term.force += n * (contact.stiffness * (contact.offset - dot(n, body.position[p])));
+        term.force += n * (contact.stiffness * (contact.offset - dot(n, body.particles.position[p])));
         const double hold = friction_of(body, p) * contact.pressed, length = gphys::length(way);
         if (hold == 0) return;
         // Across its way what slides is held by this, as friction turns with it.
@@ -210,8 +213,8 @@ ContactTerm RopeContacts::term(const Body& body, uint32_t p, double mass) {
 }
 
 bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, int iteration) const {
-    const Vec3 at = body.position[p];
-    const double gap = dot(contact.normal, at) - contact.offset, room = skin(body.radius[p], at);
+    const Vec3 at = body.particles.position[p];
+    const double gap = dot(contact.normal, at) - contact.offset, room = skin(body.particles.radius[p], at);
     const double friction = friction_of(body, p);
     bool settled = true;
     if (contact.state == RopeContact::apart) {
@@ -231,9 +234,9 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
             settled = false;
         } else if (before == 0) {
             // To stop what is fast would take pressures that are not there.
-            const Vec3 speed = body.start_velocity[p];
+            const Vec3 speed = body.history.start_velocity[p];
             const Vec3 along = speed - contact.normal * dot(speed, contact.normal);
-            const bool slow = length_squared(along) <= 4 * length_squared(body.velocity[p] - speed);
+            const bool slow = length_squared(along) <= 4 * length_squared(body.particles.velocity[p] - speed);
             contact.state = slow || length == 0 ? RopeContact::sticks : RopeContact::slides;
             if (!slow && length > 0) contact.way = way / length;
         } else if (hold > 0 && contact.iterations < most_tries) {
@@ -262,8 +265,8 @@ bool RopeContacts::update(RopeContact& contact, const Body& body, uint32_t p, in
 
 bool RopeContacts::update(const Body& body, int iteration) {
     bool settled = true;
-    for (uint32_t p = 0; p < body.size() && active_; ++p) {
-        if (body.pinned(p)) continue;
+    for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
+        if (body.particles.pinned(p)) continue;
         each(p, [&](RopeContact& contact) { settled = update(contact, body, p, iteration) && settled; });
     }
     return settled;
@@ -271,17 +274,17 @@ bool RopeContacts::update(const Body& body, int iteration) {
 
 void RopeContacts::keep_out(Body& body) const {
     constexpr int most_passes = 8;
-    for (uint32_t p = 0; p < body.size() && active_; ++p) {
-        if (body.pinned(p)) continue;
-        const double room = skin(body.radius[p], body.position[p]) / 8;
+    for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
+        if (body.particles.pinned(p)) continue;
+        const double room = skin(body.particles.radius[p], body.particles.position[p]) / 8;
         bool out = false;
         for (int pass = 0; pass < most_passes && !out; ++pass) {
             out = true;
             for (uint32_t i = first_[p]; i < first_[p + 1]; ++i) {
                 const RopeContact& contact = contacts_[i];
-                const double depth = contact.offset - dot(contact.normal, body.position[p]);
+                const double depth = contact.offset - dot(contact.normal, body.particles.position[p]);
                 if (depth <= room) continue;
-                body.position[p] += contact.normal * depth;
+                body.particles.position[p] += contact.normal * depth;
                 out = false;
             }
         }
@@ -289,16 +292,17 @@ void RopeContacts::keep_out(Body& body) const {
 }
 
 void RopeContacts::sweep_escaped(Body& body, const CollisionContext& around, double quiet) {
-    const auto escaped = [&](uint32_t p) { return !body.pinned(p) && !in_ball(body, p); };
+    const auto escaped = [&](uint32_t p) { return !body.particles.pinned(p) && !in_ball(body, p); };
     bool any = false;
-    for (uint32_t p = 0; p < body.size(); ++p) any = any || escaped(p);
+    for (uint32_t p = 0; p < body.particles.size(); ++p) any = any || escaped(p);
     if (!any) return;
     looked_ = false;
-    const Collider collider(around, body, swept_box(body, body.start, body.position, 0));
+    const Collider collider(around, body, swept_box(body, body.history.start, body.particles.position, 0));
     if (collider.idle()) return;
-    for (uint32_t p = 0; p < body.size(); ++p) {
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
         if (escaped(p)) {
-            collider.slide(body, p, body.start[p], body.position[p] - body.start[p], around.begin, quiet);
+            collider.slide(body, p, body.history.start[p], body.particles.position[p] - body.history.start[p],
+                           around.begin, quiet);
         }
     }
 }
@@ -309,16 +313,16 @@ namespace {
 /// is what their momentum shows, however far the iterations have come.
 void find_pushes(Body& body, double step) {
     const Plan& plan = body.plan;
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        body.solved[p] = (body.position[p] - body.predicted[p]) * body.mass[p];
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        body.rope.solved[p] = (body.particles.position[p] - body.history.predicted[p]) * body.particles.mass[p];
     }
     for (const Chain& chain : plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = plan.particles[chain.first_particle + i],
                            b = plan.particles[chain.first_particle + i + 1];
-            const Vec3 pull = link_direction(body, a, b) * (plan.tension[chain.first_link + i] * step * step);
-            body.solved[a] -= pull;
-            body.solved[b] += pull;
+            const Vec3 pull = link_direction(body, a, b) * (body.rope.tension[chain.first_link + i] * step * step);
+            body.rope.solved[a] -= pull;
+            body.rope.solved[b] += pull;
         }
     }
 }
@@ -326,20 +330,20 @@ void find_pushes(Body& body, double step) {
 }  // namespace
 
 void RopeContacts::finish(Body& body, const CollisionContext& around, double quiet, const TimeScheme& scheme) {
-    body.touched = body.sunk = false;
-    std::fill(body.held.begin(), body.held.end(), uint8_t{0});
+    body.contacts.touched = body.contacts.sunk = false;
+    std::fill(body.contacts.held.begin(), body.contacts.held.end(), uint8_t{0});
     const BodySettings& settings = body.settings;
     const double rate = scheme.next / scheme.h;  // by which a correction of the position has changed the velocity
     if (active_) find_pushes(body, scheme.step(settings.damping));
-    for (uint32_t p = 0; p < body.size() && active_; ++p) {
-        if (body.pinned(p)) continue;
+    for (uint32_t p = 0; p < body.particles.size() && active_; ++p) {
+        if (body.particles.pinned(p)) continue;
         bool sticks = false;
         const RopeContact* most = nullptr;
-        Vec3 rest = body.solved[p];
+        Vec3 rest = body.rope.solved[p];
         each(p, [&](RopeContact& contact) {
             // One that the iterations have left out, and that has kept it out afterwards.
-            const double gap = dot(contact.normal, body.position[p]) - contact.offset;
-            if (contact.force == Vec3{} && gap <= skin(body.radius[p], body.position[p]) / 8) {
+            const double gap = dot(contact.normal, body.particles.position[p]) - contact.offset;
+            if (contact.force == Vec3{} && gap <= skin(body.particles.radius[p], body.particles.position[p]) / 8) {
                 contact.force = contact.normal * std::max(0.0, dot(contact.normal, rest));
             }
             rest -= contact.force;
@@ -347,7 +351,7 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
         });
         each(p, [&](RopeContact& contact) {
             if (contact.force == Vec3{}) return;
-            Vec3& velocity = body.velocity[p];
+            Vec3& velocity = body.particles.velocity[p];
             const Vec3 before = velocity;
             // What brings it out of a model is no speed, and with what is left of its approach it does not go on.
             velocity -= contact.normal * (std::max(0.0, contact.depth) * rate);
@@ -359,15 +363,16 @@ void RopeContacts::finish(Body& body, const CollisionContext& around, double qui
                 const double speed = length(along), taken = friction_of(body, p) * given;
                 velocity -= speed > taken ? along * (taken / speed) : along;
             }
-            const Vec3 point = body.position[p] - contact.normal * body.radius[p];
+            const Vec3 point = body.particles.position[p] - contact.normal * body.particles.radius[p];
             give(body, around, contact.model, point,
-                 (contact.force + (&contact == most ? rest : Vec3{})) * -rate - (velocity - before) * body.mass[p]);
-            body.touched = true;
-            body.held[p] =
+                 (contact.force + (&contact == most ? rest : Vec3{})) * -rate -
+                     (velocity - before) * body.particles.mass[p]);
+            body.contacts.touched = true;
+            body.contacts.held[p] =
                 static_cast<uint8_t>(record_touch(body, p, *around.scene, contact.model, point, contact.normal) + 1);
             sticks = sticks || contact.state == RopeContact::sticks;
         });
-        if (settings.sticks()) body.stuck[p] = sticks;
+        if (settings.sticks()) body.contacts.stuck[p] = sticks;
     }
     sweep_escaped(body, around, quiet);
 }

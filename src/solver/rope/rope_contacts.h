@@ -79,7 +79,7 @@ private:
         for (uint32_t i = first_[particle]; i < first_[particle + 1]; ++i) visit(contacts_[i]);
     }
     bool in_ball(const Body& body, uint32_t p) const {
-        return length_squared(body.position[p] - balls_[p].center) < balls_[p].reach * balls_[p].reach;
+        return length_squared(body.particles.position[p] - balls_[p].center) < balls_[p].reach * balls_[p].reach;
     }
     void look(const Body& body, const CollisionContext& around, Vec3 gravity, double h);
     bool collect(const Body& body, uint32_t first, uint32_t count);

@@ -60,20 +60,20 @@ struct ChainView {
     Link link(uint32_t i) const {
         const Plan& plan = body.plan;
         const uint32_t a = particle(i), b = particle(i + 1), index = chain.first_link + i;
-        const double inverse_masses = body.inverse_mass[a] + body.inverse_mass[b];
+        const double inverse_masses = body.particles.inverse_mass[a] + body.particles.inverse_mass[b];
         Link out;
         out.acts = inverse_masses > 0;
         if (!out.acts) return out;
-        const Vec3 along = body.position[b] - body.position[a];
+        const Vec3 along = body.particles.position[b] - body.particles.position[a];
         const double length = gphys::length(along);
         // Coincident particles part along a fixed axis: any direction is as good.
         out.direction = length > 0 ? along / length : Vec3{1, 0, 0};
-        out.error = length - plan.target[index];
-        if (plan.limit[index] && plan.tension[index] * inverse_masses + out.error <= 0) return Link{};
-        out.softness = plan.damped_compliance[index] * inverse_step_squared + rope_regularisation * inverse_masses;
+        out.error = length - body.rope.target[index];
+        if (plan.limit[index] && body.rope.tension[index] * inverse_masses + out.error <= 0) return Link{};
+        out.softness = body.rope.damped_compliance[index] * inverse_step_squared + rope_regularisation * inverse_masses;
         // A link that is short at the moment must not become infinitely stiff sideways.
-        const double scale = std::max({length, plan.target[index], rope_shortest});
-        if (plan.tension[index] > 0) out.stiffness = plan.tension[index] / scale;
+        const double scale = std::max({length, body.rope.target[index], rope_shortest});
+        if (body.rope.tension[index] > 0) out.stiffness = body.rope.tension[index] / scale;
         return out;
     }
 };
@@ -118,7 +118,7 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
         const uint32_t p = view.particle(i);
         const Link leaving = i < view.chain.link_count ? view.link(i) : Link{};
-        const bool free = !body.pinned(p);
+        const bool free = !body.particles.pinned(p);
         DirectRow& row = rows[i];
 
         // The rows of this particle and of the link that arrives at it.
@@ -126,11 +126,11 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
         Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
         Vec3 force;
         if (free) {
-            const double m = body.mass[p];
+            const double m = body.particles.mass[p];
             x = x * m + arriving.geometric(x) + leaving.geometric(x);
             y = y * m + arriving.geometric(y) + leaving.geometric(y);
             z = z * m + arriving.geometric(z) + leaving.geometric(z);
-            force = (body.predicted[p] - body.position[p]) * m;
+            force = (body.history.predicted[p] - body.particles.position[p]) * m;
             if (contacts && contacts->any(p)) {
                 const ContactTerm term = contacts->term(body, p, m + arriving.stiffness + leaving.stiffness);
                 x += term.x, y += term.y, z += term.z;
@@ -162,7 +162,7 @@ void eliminate(const ChainView& view, DirectRow* rows, RopeContacts* contacts) {
 
         row.value[0] = force.x, row.value[1] = force.y, row.value[2] = force.z, row.value[3] = violation;
         factors.solve(row.value[0], row.value[1], row.value[2], row.value[3]);
-        const bool next_free = i < view.chain.link_count && !body.pinned(view.particle(i + 1));
+        const bool next_free = i < view.chain.link_count && !body.particles.pinned(view.particle(i + 1));
         for (int c = 0; c < 4; ++c) {
             Vec3 coupling;
             if (free && leaving.acts) {
@@ -194,8 +194,9 @@ double step_fraction(const ChainView& view, const DirectRow* rows) {
     double reach = 0, longest = 0;
     for (uint32_t i = 0; i <= view.chain.link_count; ++i) {
         if (i < view.chain.link_count) {
-            reach += distance(view.body.position[view.particle(i)], view.body.position[view.particle(i + 1)]) +
-                     view.body.plan.target[view.chain.first_link + i];
+            reach += distance(view.body.particles.position[view.particle(i)],
+                              view.body.particles.position[view.particle(i + 1)]) +
+                     view.body.rope.target[view.chain.first_link + i];
         }
         const double* value = rows[i].value;
         longest = std::max({longest, std::fabs(value[0]), std::fabs(value[1]), std::fabs(value[2])});
@@ -206,14 +207,14 @@ double step_fraction(const ChainView& view, const DirectRow* rows) {
 /// By how many metres a link is longer than its tension says.
 double misfit(const ChainView& view, uint32_t i) {
     const Link link = view.link(i);
-    return link.acts ? std::fabs(link.error - link.softness * view.body.plan.tension[view.chain.first_link + i]) : 0;
+    return link.acts ? std::fabs(link.error - link.softness * view.body.rope.tension[view.chain.first_link + i]) : 0;
 }
 
 bool is_settled(const ChainView& view) {
     for (uint32_t i = 0; i < view.chain.link_count; ++i) {
         const uint32_t index = view.chain.first_link + i;
-        if (!view.link(i).acts && view.body.plan.tension[index] != 0) return false;
-        if (misfit(view, i) > settled * view.body.plan.target[index]) return false;
+        if (!view.link(i).acts && view.body.rope.tension[index] != 0) return false;
+        if (misfit(view, i) > settled * view.body.rope.target[index]) return false;
     }
     return true;
 }
@@ -221,7 +222,7 @@ bool is_settled(const ChainView& view) {
 /// A link without a length has no part of it to be off by.
 bool is_found(const ChainView& view) {
     for (uint32_t i = 0; i < view.chain.link_count; ++i) {
-        const double target = view.body.plan.target[view.chain.first_link + i];
+        const double target = view.body.rope.target[view.chain.first_link + i];
         if (target > 0 && misfit(view, i) > rope_lost * target) return false;
     }
     return true;
@@ -230,7 +231,7 @@ bool is_found(const ChainView& view) {
 /// Whether the lengths of all links have been found.
 bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* contacts) {
     const ChainView view{body, chain, 1 / (step * step)};
-    DirectRow* rows = body.plan.direct_rows.data();
+    DirectRow* rows = body.rope.rows.data();
     set_targets(body, chain);
     const int iterations = body.plan.limited ? most_limited_iterations
                            : contacts        ? most_touching_iterations
@@ -242,8 +243,8 @@ bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* cont
         for (uint32_t i = 0; i <= chain.link_count; ++i) {
             const double* value = rows[i].value;
             const uint32_t p = view.particle(i);
-            if (!body.pinned(p)) body.position[p] += Vec3{value[0], value[1], value[2]} * fraction;
-            if (i > 0) body.plan.tension[chain.first_link + i - 1] = value[3];
+            if (!body.particles.pinned(p)) body.particles.position[p] += Vec3{value[0], value[1], value[2]} * fraction;
+            if (i > 0) body.rope.tension[chain.first_link + i - 1] = value[3];
         }
         const bool contacts_settled = !contacts || contacts->update(body, iteration);
         if (iteration > 0 && contacts_settled && is_settled(view)) return true;
@@ -255,9 +256,9 @@ bool solve_chain(Body& body, const Chain& chain, double step, RopeContacts* cont
 
 void set_targets(Body& body, const Chain& chain) {
     Plan& plan = body.plan;
-    const double* const rest = plan.damped_rest.data() + chain.first_link;
-    double* const target = plan.target.data() + chain.first_link;
-    const auto at = [&](uint32_t i) { return body.position[plan.particles[chain.first_particle + i]]; };
+    const double* const rest = body.rope.damped_rest.data() + chain.first_link;
+    double* const target = body.rope.target.data() + chain.first_link;
+    const auto at = [&](uint32_t i) { return body.particles.position[plan.particles[chain.first_particle + i]]; };
     uint32_t pin = chain.link_count + 1;  // the last one passed; none yet
     double total = 0;
     bool rigid = true;
@@ -267,7 +268,7 @@ void set_targets(Body& body, const Chain& chain) {
             total += rest[i - 1];
             rigid = rigid && plan.compliance[chain.first_link + i - 1] == 0;
         }
-        if (!body.pinned(plan.particles[chain.first_particle + i])) continue;
+        if (!body.particles.pinned(plan.particles[chain.first_particle + i])) continue;
         if (pin < i && rigid) {
             const double span = distance(at(pin), at(i));
             for (uint32_t j = pin; j < i && span > total; ++j) {
@@ -285,10 +286,10 @@ bool solve_directly(Body& body, double step) { return solve_touching(body, step,
 bool solve_touching(Body& body, double step, RopeContacts* contacts) {
     // Tensions are kept in newtons, so that they are a good first guess whatever the next step is,
     // and are times step^2 while they are solved for.
-    for (double& tension : body.plan.tension) tension *= step * step;
+    for (double& tension : body.rope.tension) tension *= step * step;
     bool found = true;
     for (const Chain& chain : body.plan.chains) found = solve_chain(body, chain, step, contacts) && found;
-    for (double& tension : body.plan.tension) {
+    for (double& tension : body.rope.tension) {
         tension /= step * step;
         if (!is_finite(tension)) tension = 0;  // and no guess for the next solution
     }

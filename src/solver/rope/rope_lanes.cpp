@@ -7,7 +7,7 @@ namespace gphys {
 namespace {
 
 bool is_between_pins(const Body& body) {
-    return std::count(body.inverse_mass.begin(), body.inverse_mass.end(), 0.0) > 1;
+    return std::count(body.particles.inverse_mass.begin(), body.particles.inverse_mass.end(), 0.0) > 1;
 }
 
 double* numbers_of(Vector<Vec3>& vectors) {
@@ -20,18 +20,18 @@ RopeArrays arrays_of(Body& body, const Chain& chain, bool estimated) {
     RopeArrays arrays;
     arrays.particles = plan.particles.data() + chain.first_particle;
     arrays.count = chain.link_count + 1;
-    arrays.position = numbers_of(body.position);
-    arrays.velocity = numbers_of(body.velocity);
-    arrays.start = numbers_of(body.start);
-    arrays.start_velocity = numbers_of(body.start_velocity);
-    arrays.earlier_velocity = estimated ? numbers_of(body.earlier_velocity) : nullptr;
-    arrays.force = numbers_of(body.force);
-    arrays.mass = body.mass.data();
-    arrays.inverse_mass = body.inverse_mass.data();
-    arrays.target = plan.target.data() + chain.first_link;
+    arrays.position = numbers_of(body.particles.position);
+    arrays.velocity = numbers_of(body.particles.velocity);
+    arrays.start = numbers_of(body.history.start);
+    arrays.start_velocity = numbers_of(body.history.start_velocity);
+    arrays.earlier_velocity = estimated ? numbers_of(body.history.earlier_velocity) : nullptr;
+    arrays.force = numbers_of(body.particles.force);
+    arrays.mass = body.particles.mass.data();
+    arrays.inverse_mass = body.particles.inverse_mass.data();
+    arrays.target = body.rope.target.data() + chain.first_link;
     arrays.compliance = plan.compliance.data() + chain.first_link;
-    arrays.tension = plan.tension.data() + chain.first_link;
-    arrays.forced = body.forced;
+    arrays.tension = body.rope.tension.data() + chain.first_link;
+    arrays.forced = body.particles.forced;
     return arrays;
 }
 
@@ -54,14 +54,15 @@ public:
         for (uint32_t lane = 0; lane < count_; ++lane) {
             constexpr double most = most_turn_in_stages * most_turn_in_stages;
             const double h = step_.dt / step_.substeps;
-            bodies_[lane]->in_stages = bodies_[lane]->earlier_step > 0 && agility_[lane] * h * h <= most;
+            bodies_[lane]->history.in_stages =
+                bodies_[lane]->history.earlier_step > 0 && agility_[lane] * h * h <= most;
         }
     }
 
     /// Those of which this is so: all lanes go the same way.
     void move_if(bool in_stages) {
         bool wanted[lanes] = {};
-        for (uint32_t lane = 0; lane < count_; ++lane) wanted[lane] = bodies_[lane]->in_stages == in_stages;
+        for (uint32_t lane = 0; lane < count_; ++lane) wanted[lane] = bodies_[lane]->history.in_stages == in_stages;
         if (std::count(wanted, wanted + lanes, true) == 0) return;
         if (moved_) put();
         moved_ = true;
@@ -74,8 +75,8 @@ public:
         for (size_t i = 0; i < chains(); ++i) take_chain(i, wanted);
         for (uint32_t lane = 0; lane < count_; ++lane) {
             if (!wanted[lane]) continue;
-            bodies_[lane]->earlier_step = earlier_step_[lane];
-            bodies_[lane]->touched = false;
+            bodies_[lane]->history.earlier_step = earlier_step_[lane];
+            bodies_[lane]->contacts.touched = false;
         }
     }
 
@@ -120,7 +121,7 @@ private:
     }
 
     void move_chain(size_t chain, bool in_stages) {
-        for (uint32_t lane = 0; lane < lanes; ++lane) earlier_step_[lane] = bodies_[lane]->earlier_step;
+        for (uint32_t lane = 0; lane < lanes; ++lane) earlier_step_[lane] = bodies_[lane]->history.earlier_step;
         uint32_t nodes = 0;
         for (const Body* body : bodies_) nodes = std::max(nodes, body->plan.chains[chain].link_count + 1);
         const auto move_part = [&](double advance, bool trapezoid) {
@@ -164,7 +165,7 @@ private:
         }
         const Box* const box = ropes_[lane].confines;
         if (!box) return true;
-        const double radius = bodies_[lane]->largest_radius;
+        const double radius = bodies_[lane]->particles.largest_radius;
         for (int k = 0; k < 3; ++k) {
             if (bounds_.low[k][lane] - radius < box->min[k] || bounds_.high[k][lane] + radius > box->max[k])
                 return false;
@@ -202,8 +203,8 @@ void move_lanes(const RopeKernelsOf<lanes>& kernels, RopeNode<lanes>* nodes, Und
 
 bool is_plain_rope(const Body& body) {
     const Plan& plan = body.plan;
-    return plan.method == GPHYS_SOLVE_DIRECT && plan.particles.size() == body.size() && !plan.limited && !plan.damped &&
-           body.attachments.empty() && body.length_changes.empty();
+    return plan.method == GPHYS_SOLVE_DIRECT && plan.particles.size() == body.particles.size() && !plan.limited &&
+           !plan.damped && body.constraints.attachments.empty() && body.constraints.length_changes.empty();
 }
 
 void move_ropes(UndisturbedRope* ropes, uint32_t count, RopeRoom& room, const StepOfRopes& step) {

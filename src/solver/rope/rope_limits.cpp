@@ -26,12 +26,13 @@ struct TautLinks {
     uint32_t particle(uint32_t i) const { return body.plan.particles[chain.first_particle + i]; }
     bool taut(uint32_t i) const {
         const uint32_t link = chain.first_link + i;
-        return body.plan.compliance[link] == 0 && (!body.plan.limit[link] || body.plan.tension[link] > 0) &&
-               body.inverse_mass[particle(i)] + body.inverse_mass[particle(i + 1)] > 0;
+        return body.plan.compliance[link] == 0 && (!body.plan.limit[link] || body.rope.tension[link] > 0) &&
+               body.particles.inverse_mass[particle(i)] + body.particles.inverse_mass[particle(i + 1)] > 0;
     }
     bool captured() const {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
-            if (taut(i) && is_slack(body, body.start, particle(i), particle(i + 1), chain.first_link + i)) return true;
+            if (taut(i) && is_slack(body, body.history.start, particle(i), particle(i + 1), chain.first_link + i))
+                return true;
         }
         return false;
     }
@@ -45,7 +46,7 @@ struct TautLinks {
         struct Row {
             double inverse_pivot, value, coupling;
         };
-        const auto row_of = [&](uint32_t i) -> double(&)[4] { return body.plan.direct_rows[i].value; };
+        const auto row_of = [&](uint32_t i) -> double(&)[4] { return body.rope.rows[i].value; };
         Vec3 before;
         Row last{0, 0, 0};
         for (uint32_t i = 0; i < chain.link_count; ++i) {
@@ -53,12 +54,13 @@ struct TautLinks {
             Row row{0, 0, 0};
             const Vec3 n = taut(i) ? direction(i) : Vec3{};
             if (taut(i)) {
-                const double mobility = body.inverse_mass[a] + body.inverse_mass[b];
-                row.coupling = body.inverse_mass[a] * dot(before, n);
+                const double mobility = body.particles.inverse_mass[a] + body.particles.inverse_mass[b];
+                row.coupling = body.particles.inverse_mass[a] * dot(before, n);
                 row.inverse_pivot =
                     1 / (mobility * (1 + regularisation) - row.coupling * row.coupling * last.inverse_pivot);
                 row.value =
-                    (dot(n, body.velocity[b] - body.velocity[a]) + row.coupling * last.value) * row.inverse_pivot;
+                    (dot(n, body.particles.velocity[b] - body.particles.velocity[a]) + row.coupling * last.value) *
+                    row.inverse_pivot;
             }
             double(&kept)[4] = row_of(i);
             kept[0] = row.inverse_pivot, kept[1] = row.value, kept[2] = row.coupling;
@@ -73,13 +75,13 @@ struct TautLinks {
             if (!taut(i)) continue;
             const uint32_t a = particle(i), b = particle(i + 1);
             const Vec3 pull = direction(i) * impulse;
-            body.velocity[a] += pull * body.inverse_mass[a];
-            body.velocity[b] -= pull * body.inverse_mass[b];
+            body.particles.velocity[a] += pull * body.particles.inverse_mass[a];
+            body.particles.velocity[b] -= pull * body.particles.inverse_mass[b];
             // Of what the anchors get of a link, its velocities have changed by this part only.
             const double part = scheme.drag(body.settings.damping);
             const Vec3 given = pull - link_impulse(body, a, b, chain.first_link + i, scheme) * (1 - part);
-            if (body.pinned(a)) give_anchor(body, around, a, given);
-            if (body.pinned(b)) give_anchor(body, around, b, -given);
+            if (body.particles.pinned(a)) give_anchor(body, around, a, given);
+            if (body.particles.pinned(b)) give_anchor(body, around, b, -given);
         }
     }
 };
@@ -87,22 +89,23 @@ struct TautLinks {
 }  // namespace
 
 void predict_flying(Body& body, Vec3 gravity, double h) {
-    std::fill(body.flying.begin(), body.flying.end(), uint8_t{1});
+    std::fill(body.rope.flying.begin(), body.rope.flying.end(), uint8_t{1});
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            if (!is_slack(body, body.start, a, b, chain.first_link + i)) body.flying[a] = body.flying[b] = 0;
+            if (!is_slack(body, body.history.start, a, b, chain.first_link + i))
+                body.rope.flying[a] = body.rope.flying[b] = 0;
         }
     }
     const FlightTime time(body.settings.damping, h);
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) body.flying[p] = 0;
-        if (!body.flying[p]) continue;
-        const Flight flight{gravity + body.force[p] * body.inverse_mass[p], body.settings.damping};
-        body.position[p] = body.start[p] + flight.displacement(body.start_velocity[p], time);
-        body.velocity[p] = flight.velocity(body.start_velocity[p], time);
-        keep_in_range(body.position[p], body.velocity[p]);
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) body.rope.flying[p] = 0;
+        if (!body.rope.flying[p]) continue;
+        const Flight flight{gravity + body.particles.force[p] * body.particles.inverse_mass[p], body.settings.damping};
+        body.particles.position[p] = body.history.start[p] + flight.displacement(body.history.start_velocity[p], time);
+        body.particles.velocity[p] = flight.velocity(body.history.start_velocity[p], time);
+        keep_in_range(body.particles.position[p], body.particles.velocity[p]);
     }
 }
 

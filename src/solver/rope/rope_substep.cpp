@@ -19,12 +19,12 @@ namespace {
 
 /// By particle, the force of its links in newtons.
 void sum_tensions(const Body& body, Vector<Vec3>& forces) {
-    forces.assign(body.size(), Vec3{});
+    forces.assign(body.particles.size(), Vec3{});
     for (const Chain& chain : body.plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            const Vec3 pull = link_direction(body, a, b) * body.plan.tension[chain.first_link + i];
+            const Vec3 pull = link_direction(body, a, b) * body.rope.tension[chain.first_link + i];
             forces[a] += pull;
             forces[b] += -pull;
         }
@@ -32,32 +32,36 @@ void sum_tensions(const Body& body, Vector<Vec3>& forces) {
 }
 
 void predict_chains(Body& body, const TimeScheme& scheme, Vec3 gravity) {
-    std::swap(body.earlier, body.start);
-    std::swap(body.earlier_velocity, body.start_velocity);
-    body.start = body.position;
-    body.start_velocity = body.velocity;
+    std::swap(body.history.earlier, body.history.start);
+    std::swap(body.history.earlier_velocity, body.history.start_velocity);
+    body.history.start = body.particles.position;
+    body.history.start_velocity = body.particles.velocity;
     const double damping = body.settings.damping, drag = scheme.drag(damping);
-    Vector<Vec3>& pulls = body.predicted;  // not yet in use
+    Vector<Vec3>& pulls = body.history.predicted;  // not yet in use
     if (scheme.lean > 0) sum_tensions(body, pulls);
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        const Vec3 velocity = body.velocity[p], falling = gravity + body.force[p] * body.inverse_mass[p];
-        const Vec3 rate = scheme.lean > 0 ? falling + pulls[p] * body.inverse_mass[p] - velocity * damping : Vec3{};
-        body.velocity[p] = (scheme.from_history(velocity, body.earlier_velocity[p], rate) + falling * scheme.h) * drag;
-        body.position[p] =
-            (scheme.from_history(body.position[p], body.earlier[p], velocity) + body.velocity[p] * scheme.h) *
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
+        const Vec3 velocity = body.particles.velocity[p],
+                   falling = gravity + body.particles.force[p] * body.particles.inverse_mass[p];
+        const Vec3 rate =
+            scheme.lean > 0 ? falling + pulls[p] * body.particles.inverse_mass[p] - velocity * damping : Vec3{};
+        body.particles.velocity[p] =
+            (scheme.from_history(velocity, body.history.earlier_velocity[p], rate) + falling * scheme.h) * drag;
+        body.particles.position[p] =
+            (scheme.from_history(body.particles.position[p], body.history.earlier[p], velocity) +
+             body.particles.velocity[p] * scheme.h) *
             (1 / scheme.next);
-        keep_in_range(body.position[p], body.velocity[p]);
+        keep_in_range(body.particles.position[p], body.particles.velocity[p]);
     }
     if (body.plan.limited) predict_flying(body, gravity, scheme.advance);
-    body.predicted = body.position;
+    body.history.predicted = body.particles.position;
 }
 
 /// At the beginning of the substep.
 double parting_speed(const Body& body, uint32_t a, uint32_t b) {
-    const Vec3 along = body.start[b] - body.start[a];
+    const Vec3 along = body.history.start[b] - body.history.start[a];
     const double length = gphys::length(along);
-    return length > 0 ? dot(along, body.start_velocity[b] - body.start_velocity[a]) / length : 0;
+    return length > 0 ? dot(along, body.history.start_velocity[b] - body.history.start_velocity[a]) / length : 0;
 }
 
 void damp_chains(Body& body, const TimeScheme& scheme) {
@@ -68,11 +72,12 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
             if (plan.damping[link] == 0 || plan.compliance[link] == 0) continue;
             const uint32_t a = plan.particles[chain.first_particle + i],
                            b = plan.particles[chain.first_particle + i + 1];
-            const DampedLink now = damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
-                                          distance(body.start[a], body.start[b]),
-                                          distance(body.earlier[a], body.earlier[b]), parting_speed(body, a, b));
-            plan.damped_rest[link] = now.rest;
-            plan.damped_compliance[link] = now.compliance;
+            const DampedLink now =
+                damped(plan.rest[link], plan.compliance[link], plan.damping[link], scheme,
+                       distance(body.history.start[a], body.history.start[b]),
+                       distance(body.history.earlier[a], body.history.earlier[b]), parting_speed(body, a, b));
+            body.rope.damped_rest[link] = now.rest;
+            body.rope.damped_compliance[link] = now.compliance;
         }
     }
 }
@@ -80,30 +85,31 @@ void damp_chains(Body& body, const TimeScheme& scheme) {
 }  // namespace
 
 void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme) {
-    body.plan.earlier_tension = body.plan.tension;
-    if (!body.length_changes.empty()) change_lengths(body, around.end);
+    body.rope.earlier_tension = body.rope.tension;
+    if (!body.constraints.length_changes.empty()) change_lengths(body, around.end);
     predict_chains(body, scheme, gravity);
-    follow_models(body, around.end, scheme.advance, 0, body.size());
+    follow_models(body, around.end, scheme.advance, 0, body.particles.size());
     if (body.plan.damped) damp_chains(body, scheme);
 }
 
 void take_back_chains(Body& body) {
-    body.position = body.start;
-    body.velocity = body.start_velocity;
-    std::swap(body.earlier, body.start);
-    std::swap(body.earlier_velocity, body.start_velocity);
-    body.plan.tension = body.plan.earlier_tension;
+    body.particles.position = body.history.start;
+    body.particles.velocity = body.history.start_velocity;
+    std::swap(body.history.earlier, body.history.start);
+    std::swap(body.history.earlier_velocity, body.history.start_velocity);
+    body.rope.tension = body.rope.earlier_tension;
 }
 
 void finish_chains(Body& body, const TimeScheme& scheme) {
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        Vec3 &position = body.position[p], &velocity = body.velocity[p];
-        keep_in_range(position, velocity, body.start[p]);
-        if (body.plan.limited && body.flying[p]) {
-            velocity += (position - body.predicted[p]) * (scheme.next / scheme.h);
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
+        Vec3 &position = body.particles.position[p], &velocity = body.particles.velocity[p];
+        keep_in_range(position, velocity, body.history.start[p]);
+        if (body.plan.limited && body.rope.flying[p]) {
+            velocity += (position - body.history.predicted[p]) * (scheme.next / scheme.h);
         } else {
-            const Vec3 history = scheme.from_history(body.start[p], body.earlier[p], body.start_velocity[p]);
+            const Vec3 history =
+                scheme.from_history(body.history.start[p], body.history.earlier[p], body.history.start_velocity[p]);
             velocity = (position * scheme.next - history) / scheme.h;
         }
         keep_in_range(position, velocity);
@@ -111,14 +117,14 @@ void finish_chains(Body& body, const TimeScheme& scheme) {
 }
 
 void hold_touching(Body& body) {
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.held[p]) body.inverse_mass[p] = 0;
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.contacts.held[p]) body.particles.inverse_mass[p] = 0;
     }
 }
 
 void let_go_touching(Body& body) {
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.held[p]) body.inverse_mass[p] = 1 / body.mass[p];
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.contacts.held[p]) body.particles.inverse_mass[p] = 1 / body.particles.mass[p];
     }
 }
 
@@ -127,10 +133,10 @@ void give_tensions(Body& body, const CollisionContext& around, const TimeScheme&
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t a = body.plan.particles[chain.first_particle + i];
             const uint32_t b = body.plan.particles[chain.first_particle + i + 1];
-            if (!body.pinned(a) && !body.pinned(b)) continue;
+            if (!body.particles.pinned(a) && !body.particles.pinned(b)) continue;
             const Vec3 impulse = link_impulse(body, a, b, chain.first_link + i, scheme);
-            if (body.pinned(a)) give_anchor(body, around, a, impulse);
-            if (body.pinned(b)) give_anchor(body, around, b, -impulse);
+            if (body.particles.pinned(a)) give_anchor(body, around, a, impulse);
+            if (body.particles.pinned(b)) give_anchor(body, around, b, -impulse);
         }
     }
 }
@@ -139,13 +145,12 @@ namespace {
 
 /// Out of what the rope is in. Its tensions are those that move it, and stay.
 void leave_solids(Body& body, const CollisionContext& around, double step) {
-    if (!body.sunk || !begin_leaving(body, around)) return;
-    Plan& plan = body.plan;
-    plan.earlier_tension = plan.tension;
-    std::fill(plan.tension.begin(), plan.tension.end(), 0.0);
-    body.predicted = body.position;
+    if (!body.contacts.sunk || !begin_leaving(body, around)) return;
+    body.rope.earlier_tension = body.rope.tension;
+    std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
+    body.history.predicted = body.particles.position;
     const bool found = solve_directly(body, step);
-    plan.tension = plan.earlier_tension;
+    body.rope.tension = body.rope.earlier_tension;
     end_leaving(body, around, found);
 }
 
@@ -156,18 +161,19 @@ void end_chains(Body& body, const CollisionContext& around, Vec3 gravity, const 
     const bool captured = body.plan.limited && capture(body, around, scheme);
     const double quiet = quiet_speed(gravity, scheme.advance);
     collide(body, around, quiet);
-    if (body.touched) {
+    if (body.contacts.touched) {
         ease_contacts(body, around);
         hold_touching(body);
         solve_directly(body, step);
         let_go_touching(body);
         // What a shape at the border pushes out, and what hangs on it, may have left the range.
-        for (uint32_t p = 0; p < body.size(); ++p) keep_in_range(body.position[p], body.velocity[p], body.start[p]);
+        for (uint32_t p = 0; p < body.particles.size(); ++p)
+            keep_in_range(body.particles.position[p], body.particles.velocity[p], body.history.start[p]);
         collide_again(body, around, quiet, {step, scheme.next / scheme.h});
     }
-    if (!body.attachments.empty()) give_tensions(body, around, scheme);
+    if (!body.constraints.attachments.empty()) give_tensions(body, around, scheme);
     leave_solids(body, around, step);
-    body.earlier_step = body.touched || captured ? 0 : scheme.advance;
+    body.history.earlier_step = body.contacts.touched || captured ? 0 : scheme.advance;
 }
 
 /// The same of a rope that has been solved with its contacts.
@@ -177,8 +183,8 @@ void end_touching(Body& body, RopeContacts& contacts, const CollisionContext& ar
     finish_chains(body, scheme);
     const bool captured = body.plan.limited && capture(body, around, scheme);
     contacts.finish(body, around, quiet_speed(gravity, scheme.advance), scheme);
-    if (!body.attachments.empty()) give_tensions(body, around, scheme);
-    body.earlier_step = body.touched || captured ? 0 : scheme.advance;
+    if (!body.constraints.attachments.empty()) give_tensions(body, around, scheme);
+    body.history.earlier_step = body.contacts.touched || captured ? 0 : scheme.advance;
 }
 
 bool began_in_shape(const Body& body) {
@@ -188,8 +194,9 @@ bool began_in_shape(const Body& body) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t link = chain.first_link + i;
             if (plan.compliance[link] > 0) continue;
-            const double excess = distance(body.start[particle[i]], body.start[particle[i + 1]]) - plan.target[link];
-            if ((plan.limit[link] ? excess : std::fabs(excess)) > in_shape * plan.target[link]) return false;
+            const double excess =
+                distance(body.history.start[particle[i]], body.history.start[particle[i + 1]]) - body.rope.target[link];
+            if ((plan.limit[link] ? excess : std::fabs(excess)) > in_shape * body.rope.target[link]) return false;
         }
     }
     return true;
@@ -198,19 +205,19 @@ bool began_in_shape(const Body& body) {
 /// Gives links that are far from their lengths, as the caller has placed them, these before the rope moves: in a
 /// substep that would take a speed which throws the rope about. Once it is predicted.
 void restore_shape(Body& body, RopeContacts& contacts, double step) {
-    body.solved = body.predicted;
-    body.predicted = body.position = body.start;
+    body.rope.solved = body.history.predicted;
+    body.history.predicted = body.particles.position = body.history.start;
     constexpr int most_solutions = 8;
     for (int i = 0; i < most_solutions && !solve_touching(body, step, &contacts); ++i) {
     }
     contacts.keep_out(body);
-    std::fill(body.plan.tension.begin(), body.plan.tension.end(), 0.0);
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        if (body.pinned(p)) continue;
-        const Vec3 way = body.position[p] - body.start[p];
-        body.start[p] += way;
-        body.earlier[p] += way;
-        body.position[p] = body.predicted[p] = body.solved[p] + way;
+    std::fill(body.rope.tension.begin(), body.rope.tension.end(), 0.0);
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        if (body.particles.pinned(p)) continue;
+        const Vec3 way = body.particles.position[p] - body.history.start[p];
+        body.history.start[p] += way;
+        body.history.earlier[p] += way;
+        body.particles.position[p] = body.history.predicted[p] = body.rope.solved[p] + way;
     }
     contacts.begin_step();  // from where they are now
 }
@@ -225,7 +232,7 @@ struct RopeMotion {
     bool beside = false;  // whether contacts are solved for together with the links
 
     void begin(const CollisionContext& around, double h) {
-        scheme = leans ? TimeScheme::trapezoid(h) : TimeScheme(h, body.earlier_step);
+        scheme = leans ? TimeScheme::trapezoid(h) : TimeScheme(h, body.history.earlier_step);
         begin_chains(body, around, gravity, scheme);
         const auto look = [&] { return contacts && contacts->begin(body, around, gravity, scheme.advance); };
         beside = look();
@@ -250,7 +257,7 @@ struct RopeMotion {
 
 }  // namespace
 
-bool starts_again(const Body& body) { return body.earlier_step == 0 && !body.touched; }
+bool starts_again(const Body& body) { return body.history.earlier_step == 0 && !body.contacts.touched; }
 
 void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts) {
     const auto move_by = [&](const CollisionContext& within, double part, bool leans) {
@@ -259,10 +266,10 @@ void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double 
     };
     const auto move_part = [&](const CollisionContext& within, double part) { move_by(within, part, false); };
     // How calm it is after an interruption shows in the next step.
-    if (body.earlier_step == 0) body.in_stages = false;
+    if (body.history.earlier_step == 0) body.history.in_stages = false;
     if (starts_again(body)) {
         start_slowly(around, h, move_part);
-    } else if (body.in_stages) {
+    } else if (body.history.in_stages) {
         bool leans = true;
         move_in_parts(stages, around, h, [&](const CollisionContext& within, double part) {
             move_by(within, part, leans);

@@ -30,21 +30,22 @@ static_assert(sizeof(Touch) == 32 && sizeof(ModelImpulse) == 56 && sizeof(Placed
               sizeof(ReachLimit) == 16);
 static_assert(sizeof(Joint) == 56);
 
-/// Body and Plan are const when they are written. Of a plan only what its constraints do not say, and nothing of one
+/// Body is const when it is written. Of a plan only what its constraints do not say, and nothing of one
 /// that is out of date.
-template <class Archive, class Plan>
-void visit_plan(Archive& archive, Plan& plan) {
+template <class Archive, class Body>
+void visit_plan(Archive& archive, Body& body) {
+    auto& plan = body.plan;
     archive.flag(plan.chains_current);
     if (!plan.chains_current) return;
     archive.value(plan.method);
-    if (plan.method == GPHYS_SOLVE_DIRECT) archive.array(plan.tension);
+    if (plan.method == GPHYS_SOLVE_DIRECT) archive.array(body.rope.tension);
     if (plan.method != GPHYS_SOLVE_GRAPH) return;
     archive.array(plan.chains);
     archive.array(plan.colours);
     archive.array(plan.particles);
     archive.array(plan.slots);
     archive.flag(plan.reach_current);
-    if (plan.reach_current) archive.array(plan.reach_limits);
+    if (plan.reach_current) archive.array(body.cloth.reach_limits);
 }
 
 template <class Archive, class Body>
@@ -57,35 +58,35 @@ void visit_body(Archive& archive, Body& body) {
     archive.value(body.settings.layers);
     archive.value(body.settings.body_layers);
     archive.value(body.settings.self_collision);
-    archive.array(body.position);
-    archive.array(body.velocity);
-    archive.array(body.force);
-    archive.array(body.mass);
-    archive.array(body.inverse_mass);
-    archive.array(body.radius);
+    archive.array(body.particles.position);
+    archive.array(body.particles.velocity);
+    archive.array(body.particles.force);
+    archive.array(body.particles.mass);
+    archive.array(body.particles.inverse_mass);
+    archive.array(body.particles.radius);
     archive.value(body.air.wind);
     archive.array(body.air.velocity);
-    archive.array(body.attachments);
-    IdTable::visit(archive, body.constraint_ids);
-    archive.array(body.constraints);
-    archive.array(body.length_changes);
-    archive.array(body.rest_position);
-    archive.array(body.triangles);
-    archive.array(body.placed);
-    archive.flag(body.volume.held);
-    archive.value(body.volume.rest);
-    archive.value(body.volume.compliance);
-    archive.value(body.volume.pressure);
-    archive.array(body.start);
-    archive.array(body.start_velocity);
-    archive.value(body.earlier_step);
-    archive.flag(body.touched);
+    archive.array(body.constraints.attachments);
+    IdTable::visit(archive, body.constraints.ids);
+    archive.array(body.constraints.by_slot);
+    archive.array(body.constraints.length_changes);
+    archive.array(body.cloth.rest_position);
+    archive.array(body.cloth.triangles);
+    archive.array(body.contacts.self.placed);
+    archive.flag(body.cloth.volume.held);
+    archive.value(body.cloth.volume.rest);
+    archive.value(body.cloth.volume.compliance);
+    archive.value(body.cloth.volume.pressure);
+    archive.array(body.history.start);
+    archive.array(body.history.start_velocity);
+    archive.value(body.history.earlier_step);
+    archive.flag(body.contacts.touched);
     archive.value(body.cloth.balance.lost);
-    archive.array(body.touches);
-    archive.value(body.substeps);
-    archive.value(body.wanted_substep);
-    archive.array(body.stuck);
-    archive.array(body.impulses);
+    archive.array(body.contacts.touches);
+    archive.value(body.substeps.made);
+    archive.value(body.substeps.wanted);
+    archive.array(body.contacts.stuck);
+    archive.array(body.contacts.impulses);
     archive.value(body.sleep.calm);
     archive.flag(body.sleep.asleep);
     archive.value(body.sleep.box);
@@ -94,7 +95,7 @@ void visit_body(Archive& archive, Body& body) {
     archive.array(body.cloth.velocity_before);
     archive.value(body.cloth.origin);
     archive.array(body.cloth.search_balls);
-    visit_plan(archive, body.plan);
+    visit_plan(archive, body);
 }
 
 template <class Archive, class State>
@@ -129,14 +130,16 @@ void write(Sink& sink, const SolverState& state) {
 
 /// What is not in a snapshot, but for the plan. Throws std::bad_alloc.
 void complete(Body& body) {
-    body.links.resize(body.size());
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        if (body.constraint_ids.live(slot)) join_links(body, slot);
+    body.constraints.links.resize(body.particles.size());
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        if (body.constraints.ids.live(slot)) join_links(body, slot);
     }
-    body.forced = std::any_of(body.force.begin(), body.force.end(), [](Vec3 force) { return force != Vec3{}; });
-    if (!body.touches.empty()) body.touch_count.resize(body.size());
-    for (size_t i = 0; i < body.touches.size(); ++i) {
-        if (body.touches[i].model != 0) body.touch_count[i / touches_per_particle] = i % touches_per_particle + 1;
+    body.particles.forced = std::any_of(body.particles.force.begin(), body.particles.force.end(),
+                                        [](Vec3 force) { return force != Vec3{}; });
+    if (!body.contacts.touches.empty()) body.contacts.touch_count.resize(body.particles.size());
+    for (size_t i = 0; i < body.contacts.touches.size(); ++i) {
+        if (body.contacts.touches[i].model != 0)
+            body.contacts.touch_count[i / touches_per_particle] = i % touches_per_particle + 1;
     }
 }
 
@@ -208,7 +211,7 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     Reader archive(words + header_words, count - header_words);
     if (const char* wrong = read(archive, restored)) return refused(wrong);
     size_t given = 0;
-    for (const Body& body : restored.bodies) given += body.impulses.size();
+    for (const Body& body : restored.bodies) given += body.contacts.impulses.size();
     givers_.reserve(given);
     impulses_.reserve(given);
     state_ = std::move(restored);

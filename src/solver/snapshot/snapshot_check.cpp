@@ -23,23 +23,25 @@ bool all(const Vector<T>& values, Is&& is) {
 }
 
 bool sizes_agree(const Body& body) {
-    const size_t n = body.position.size();
+    const size_t n = body.particles.position.size();
     const auto none_or = [](size_t size, size_t wanted) { return size == 0 || size == wanted; };
-    return n >= 1 && n <= IdTable::capacity && body.velocity.size() == n && body.force.size() == n &&
-           body.mass.size() == n && body.inverse_mass.size() == n && body.radius.size() == n &&
-           body.constraints.size() == body.constraint_ids.slots() && none_or(body.rest_position.size(), n) &&
-           body.settings.self_collision <= 1 && body.placed.size() == (body.settings.self_collision ? n : 0) &&
-           none_or(body.air.velocity.size(), n) && none_or(body.start.size(), n) &&
-           none_or(body.start_velocity.size(), n) && none_or(body.touches.size(), n * touches_per_particle) &&
-           none_or(body.stuck.size(), n) && none_or(body.cloth.search_balls.size(), 4 * n) &&
-           body.triangles.size() % 3 == 0;
+    return n >= 1 && n <= IdTable::capacity && body.particles.velocity.size() == n &&
+           body.particles.force.size() == n && body.particles.mass.size() == n &&
+           body.particles.inverse_mass.size() == n && body.particles.radius.size() == n &&
+           body.constraints.by_slot.size() == body.constraints.ids.slots() &&
+           none_or(body.cloth.rest_position.size(), n) && body.settings.self_collision <= 1 &&
+           body.contacts.self.placed.size() == (body.settings.self_collision ? n : 0) &&
+           none_or(body.air.velocity.size(), n) && none_or(body.history.start.size(), n) &&
+           none_or(body.history.start_velocity.size(), n) &&
+           none_or(body.contacts.touches.size(), n * touches_per_particle) && none_or(body.contacts.stuck.size(), n) &&
+           none_or(body.cloth.search_balls.size(), 4 * n) && body.cloth.triangles.size() % 3 == 0;
 }
 
 bool settings_fine(const Body& body) {
     const BodySettings& settings = body.settings;
     return body.kind >= GPHYS_BODY_PARTICLES && body.kind <= GPHYS_BODY_CLOTH && is_amount(settings.damping) &&
            is_amount(settings.friction) && is_amount(settings.static_friction) && settings.restitution >= 0 &&
-           settings.restitution <= 1 && is_time(body.wanted_substep);
+           settings.restitution <= 1 && is_time(body.substeps.wanted);
 }
 
 /// Empty, or of finite floats.
@@ -57,25 +59,27 @@ bool are_search_balls_valid(const Vector<float>& search_balls) {
     for (size_t i = 0; i < search_balls.size(); i += 4) {
         const float reach = search_balls[i + 3];
         if (!is_within(far_range, {search_balls[i], search_balls[i + 1], search_balls[i + 2]})) return false;
-        if (reach != ClothState::no_ball && !(reach >= 0 && reach <= far_range)) return false;
+        if (reach != Cloth::no_ball && !(reach >= 0 && reach <= far_range)) return false;
     }
     return true;
 }
 
 bool particles_fine(const Body& body) {
-    for (uint32_t p = 0; p < body.size(); ++p) {
-        const double mass = body.mass[p], inverse = body.inverse_mass[p];
+    for (uint32_t p = 0; p < body.particles.size(); ++p) {
+        const double mass = body.particles.mass[p], inverse = body.particles.inverse_mass[p];
         if (!(mass >= least_mass && mass <= range && (inverse == 0 || inverse == 1 / mass))) return false;
     }
     const auto is_force = [](Vec3 force) { return is_within(range, force); };
     const auto is_number = [](float value) { return is_finite(value); };
-    return all(body.position, is_place) && all(body.velocity, is_speed) && all(body.force, is_force) &&
-           all(body.radius, is_amount) && all(body.rest_position, is_place) && all(body.placed, is_place) &&
-           all(body.start, is_earlier_place) && all(body.start_velocity, is_speed) && is_time(body.earlier_step) &&
-           all(body.touches, is_touch) && all(body.stuck, [](uint32_t stuck) { return stuck <= 1; }) &&
-           all(body.cloth.moved, is_number) && all(body.cloth.velocity_before, is_number) &&
-           are_search_balls_valid(body.cloth.search_balls) && is_place(body.cloth.origin) &&
-           is_finite_amount(body.cloth.balance.lost) && is_amount(body.sleep.calm) && fine_box(body.sleep.box);
+    return all(body.particles.position, is_place) && all(body.particles.velocity, is_speed) &&
+           all(body.particles.force, is_force) && all(body.particles.radius, is_amount) &&
+           all(body.cloth.rest_position, is_place) && all(body.contacts.self.placed, is_place) &&
+           all(body.history.start, is_earlier_place) && all(body.history.start_velocity, is_speed) &&
+           is_time(body.history.earlier_step) && all(body.contacts.touches, is_touch) &&
+           all(body.contacts.stuck, [](uint32_t stuck) { return stuck <= 1; }) && all(body.cloth.moved, is_number) &&
+           all(body.cloth.velocity_before, is_number) && are_search_balls_valid(body.cloth.search_balls) &&
+           is_place(body.cloth.origin) && is_finite_amount(body.cloth.balance.lost) && is_amount(body.sleep.calm) &&
+           fine_box(body.sleep.box);
 }
 
 bool air_fine(const Air& air) {
@@ -89,28 +93,29 @@ bool impulses_fine(const Body& body) {
         return is_finite(given.linear) && is_finite(given.angular);
     };
     const auto out_of_order = [](const ModelImpulse& a, const ModelImpulse& b) { return a.model >= b.model; };
-    return all(body.impulses, finite_one) &&
-           std::adjacent_find(body.impulses.begin(), body.impulses.end(), out_of_order) == body.impulses.end();
+    return all(body.contacts.impulses, finite_one) &&
+           std::adjacent_find(body.contacts.impulses.begin(), body.contacts.impulses.end(), out_of_order) ==
+               body.contacts.impulses.end();
 }
 
 bool attachments_fine(const Body& body) {
-    for (size_t i = 0; i < body.attachments.size(); ++i) {
-        const Attachment& a = body.attachments[i];
-        if (a.particle >= body.size() || !body.pinned(a.particle) || !is_within(farthest_in_model, a.local) ||
-            !is_earlier_place(a.begin) || !is_earlier_place(a.end)) {
+    for (size_t i = 0; i < body.constraints.attachments.size(); ++i) {
+        const Attachment& a = body.constraints.attachments[i];
+        if (a.particle >= body.particles.size() || !body.particles.pinned(a.particle) ||
+            !is_within(farthest_in_model, a.local) || !is_earlier_place(a.begin) || !is_earlier_place(a.end)) {
             return false;
         }
-        if (i > 0 && a.particle <= body.attachments[i - 1].particle) return false;
+        if (i > 0 && a.particle <= body.constraints.attachments[i - 1].particle) return false;
     }
     return true;
 }
 
 bool constraints_fine(const Body& body) {
-    if (body.constraint_ids.defect()) return false;
-    for (uint32_t slot = 0; slot < body.constraint_ids.slots(); ++slot) {
-        if (!body.constraint_ids.live(slot)) continue;
-        const DistanceConstraint& c = body.constraints[slot];
-        if (c.a >= body.size() || c.b >= body.size() || c.a == c.b) return false;
+    if (body.constraints.ids.defect()) return false;
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        if (!body.constraints.ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints.by_slot[slot];
+        if (c.a >= body.particles.size() || c.b >= body.particles.size() || c.a == c.b) return false;
         if (!is_length(c.rest) || !is_amount(c.compliance) || !is_amount(c.damping) || c.limit > 1) return false;
     }
     return true;
@@ -118,13 +123,13 @@ bool constraints_fine(const Body& body) {
 
 /// Each of a constraint, in their order.
 bool length_changes_fine(const Body& body) {
-    for (size_t i = 0; i < body.length_changes.size(); ++i) {
-        const LengthChange& change = body.length_changes[i];
-        if (change.slot >= body.constraint_ids.slots() || !is_length(change.from) ||
-            !body.constraint_ids.live(static_cast<uint32_t>(change.slot))) {
+    for (size_t i = 0; i < body.constraints.length_changes.size(); ++i) {
+        const LengthChange& change = body.constraints.length_changes[i];
+        if (change.slot >= body.constraints.ids.slots() || !is_length(change.from) ||
+            !body.constraints.ids.live(static_cast<uint32_t>(change.slot))) {
             return false;
         }
-        if (i > 0 && change.slot <= body.length_changes[i - 1].slot) return false;
+        if (i > 0 && change.slot <= body.constraints.length_changes[i - 1].slot) return false;
     }
     return true;
 }
@@ -157,16 +162,16 @@ bool colours_fit(const Plan& plan) {
 /// Each constraint stands in one chain, between the particles that it joins.
 bool chains_lead_along_constraints(const Body& body) {
     const Plan& plan = body.plan;
-    if (plan.slots.size() != body.constraint_ids.size()) return false;
-    Vector<uint8_t> used(body.constraint_ids.slots(), 0, plan.slots.get_allocator());
+    if (plan.slots.size() != body.constraints.ids.size()) return false;
+    Vector<uint8_t> used(body.constraints.ids.slots(), 0, plan.slots.get_allocator());
     for (const Chain& chain : plan.chains) {
         for (uint32_t i = 0; i < chain.link_count; ++i) {
             const uint32_t slot = plan.slots[chain.first_link + i];
-            if (slot >= body.constraint_ids.slots() || !body.constraint_ids.live(slot) || used[slot]) return false;
+            if (slot >= body.constraints.ids.slots() || !body.constraints.ids.live(slot) || used[slot]) return false;
             used[slot] = 1;
             const uint32_t from = plan.particles[chain.first_particle + i];
             const uint32_t to = plan.particles[chain.first_particle + i + 1];
-            const DistanceConstraint& c = body.constraints[slot];
+            const DistanceConstraint& c = body.constraints.by_slot[slot];
             if (!(c.a == from && c.b == to) && !(c.b == from && c.a == to)) return false;
         }
     }
@@ -176,17 +181,17 @@ bool chains_lead_along_constraints(const Body& body) {
 /// What is solved side by side has no particle in common, and is of one kind.
 bool colours_are_independent(const Body& body) {
     const Plan& plan = body.plan;
-    Vector<uint32_t> colour_of(body.size(), 0, plan.slots.get_allocator());  // the last one, from 1 on
+    Vector<uint32_t> colour_of(body.particles.size(), 0, plan.slots.get_allocator());  // the last one, from 1 on
     for (uint32_t colour = 1; colour < plan.colours.size(); ++colour) {
         const uint32_t begin = plan.colours[colour - 1], end = plan.colours[colour];
         for (uint32_t i = begin; i < end; ++i) {
             const Chain& chain = plan.chains[i];
-            const uint64_t kind = body.constraints[plan.slots[plan.chains[begin].first_link]].limit;
+            const uint64_t kind = body.constraints.by_slot[plan.slots[plan.chains[begin].first_link]].limit;
             for (uint32_t j = 0; j <= chain.link_count; ++j) {
                 uint32_t& last = colour_of[plan.particles[chain.first_particle + j]];
                 if (last == colour) return false;
                 last = colour;
-                if (j < chain.link_count && body.constraints[plan.slots[chain.first_link + j]].limit != kind)
+                if (j < chain.link_count && body.constraints.by_slot[plan.slots[chain.first_link + j]].limit != kind)
                     return false;
             }
         }
@@ -195,8 +200,9 @@ bool colours_are_independent(const Body& body) {
 }
 
 bool is_reach_limit(const Body& body, const ReachLimit& limit) {
-    return limit.particle < body.size() && limit.anchor < body.size() && !body.pinned(limit.particle) &&
-           body.pinned(limit.anchor) && limit.distance >= 0 && limit.distance <= far_range * IdTable::capacity;
+    return limit.particle < body.particles.size() && limit.anchor < body.particles.size() &&
+           !body.particles.pinned(limit.particle) && body.particles.pinned(limit.anchor) && limit.distance >= 0 &&
+           limit.distance <= far_range * IdTable::capacity;
 }
 
 bool is_seen(const PlacedModel& seen) {
@@ -231,7 +237,7 @@ const char* defect_of_joints(const SolverState& state) {
         return "words: the ids of the joints contradict each other";
     }
     const auto is_end = [&](uint32_t body, uint32_t particle) {
-        return body < state.ids.slots() && state.ids.live(body) && particle < state.bodies[body].size();
+        return body < state.ids.slots() && state.ids.live(body) && particle < state.bodies[body].particles.size();
     };
     for (uint32_t slot = 0; slot < state.joint_ids.slots(); ++slot) {
         if (!state.joint_ids.live(slot)) continue;
@@ -248,7 +254,7 @@ const char* defect(const Body& body) {
     if (!sizes_agree(body)) return "words: the arrays of a body have different lengths";
     if (!settings_fine(body)) return "words: a setting of a body is out of range";
     if (!particles_fine(body)) return "words: a particle's state is out of range";
-    const Volume& volume = body.volume;
+    const Volume& volume = body.cloth.volume;
     if (!is_finite_amount(volume.rest) || !is_amount(volume.compliance) || !is_finite(volume.pressure)) {
         return "words: a volume is none";
     }
@@ -256,7 +262,8 @@ const char* defect(const Body& body) {
     if (!impulses_fine(body)) return "words: an impulse is none";
     if (!attachments_fine(body)) return "words: an attachment is none";
     if (!constraints_fine(body) || !length_changes_fine(body)) return "words: a constraint is none";
-    if (!all(body.triangles, [&](uint32_t p) { return p < body.size(); })) return "words: a triangle is none";
+    if (!all(body.cloth.triangles, [&](uint32_t p) { return p < body.particles.size(); }))
+        return "words: a triangle is none";
     return nullptr;
 }
 
@@ -266,14 +273,15 @@ const char* defect_of_plan(const Body& body) {
     if (!plan.chains_current) return nullptr;
     if (plan.method != method_of(body)) return wrong;
     if (plan.method == GPHYS_SOLVE_DIRECT) {
-        const bool fine = plan.tension.size() == body.constraint_ids.size() &&
-                          all(plan.tension, [](double tension) { return is_finite(tension); });
+        const bool fine = body.rope.tension.size() == body.constraints.ids.size() &&
+                          all(body.rope.tension, [](double tension) { return is_finite(tension); });
         return fine ? nullptr : wrong;
     }
     if (plan.method == GPHYS_SOLVE_FREE) return nullptr;
-    const bool fine = all(plan.particles, [&](uint32_t p) { return p < body.size(); }) && chains_fit(plan) &&
-                      colours_fit(plan) && chains_lead_along_constraints(body) && colours_are_independent(body) &&
-                      all(plan.reach_limits, [&](const ReachLimit& limit) { return is_reach_limit(body, limit); });
+    const bool fine =
+        all(plan.particles, [&](uint32_t p) { return p < body.particles.size(); }) && chains_fit(plan) &&
+        colours_fit(plan) && chains_lead_along_constraints(body) && colours_are_independent(body) &&
+        all(body.cloth.reach_limits, [&](const ReachLimit& limit) { return is_reach_limit(body, limit); });
     return fine ? nullptr : wrong;
 }
 

@@ -1,0 +1,70 @@
+// What restricts the particles of a body: distance constraints between two, and attachments to models.
+#pragma once
+
+#include "foundation/ids.h"
+#include "foundation/math.h"
+#include "foundation/memory.h"
+#include "gamephys_c.h"
+
+namespace gphys {
+
+/// |position[b] - position[a]| = rest + compliance * (tension - damping * its rate of change).
+struct DistanceConstraint {
+    uint32_t a, b;
+    double rest, compliance;
+    double damping;  // N s/m
+    uint64_t limit;  // 1: a maximum distance, which pulls and never pushes; 64 bits, so that there is no padding
+};
+
+/// A constraint whose length goes from one to that of its constraint during the next step.
+struct LengthChange {
+    uint64_t slot;  // of the constraint; 64 bits, so that there is no padding
+    double from;    // metres
+};
+
+/// Where it is in the plan.
+struct ChangedLink {
+    static constexpr uint32_t none = 0xffffffff;
+
+    uint32_t place = 0;                    // in the arrays of the plan; of cloth in ClothBatches::rest,
+    uint32_t damped = none, limit = none;  // and in its lists of such
+};
+
+/// A particle that follows a model.
+struct Attachment {
+    uint32_t particle;
+    gphys_model_id model;
+    Vec3 local;       // in the model's coordinates
+    Vec3 begin, end;  // where it stands at the beginning and at the end of the current step
+};
+
+/// How a particle is joined to constraints. The exclusive or of their slots leads along a chain
+/// without lists: coming by one constraint, it names the other.
+struct Links {
+    uint32_t degree = 0, slots = 0;
+};
+
+struct Constraints {
+    explicit Constraints(std::pmr::memory_resource* memory)
+        : ids(memory),
+          by_slot(memory),
+          length_changes(memory),
+          changed_links(memory),
+          links(memory),
+          attachments(memory) {}
+
+    IdTable ids;
+    Vector<DistanceConstraint> by_slot;
+    Vector<LengthChange> length_changes;  // for the next step, by slot
+    Vector<ChangedLink> changed_links;    // the same in the step under way
+    Vector<Links> links;                  // by particle
+    Vector<Attachment> attachments;       // by particle
+};
+
+inline const Attachment* find_attachment(const Constraints& constraints, uint32_t particle) {
+    const auto before = [](const Attachment& attachment, uint32_t p) { return attachment.particle < p; };
+    const auto at = std::lower_bound(constraints.attachments.begin(), constraints.attachments.end(), particle, before);
+    return at != constraints.attachments.end() && at->particle == particle ? &*at : nullptr;
+}
+
+}  // namespace gphys
