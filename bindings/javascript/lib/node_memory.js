@@ -8,6 +8,9 @@ export async function memory() {
         return native();
     } catch (error) {
         if (process.env.GAMEPHYS_LIBRARY) throw error;
-        return wasm();
+        return wasm().catch((second) => {
+            const [first] = error.message.split('\n');
+            throw new Error(`no gamephys library: not as a native one (${first}), nor as WebAssembly (${second.message})`, { cause: second });
+        });
     }
 }

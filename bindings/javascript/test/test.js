@@ -1,7 +1,12 @@
 // The package, as native library or as WebAssembly (node --conditions=browser): batches against single
 // calls, memory, errors, ownership.
 import assert from 'node:assert';
+import { spawnSync } from 'node:child_process';
+import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import test from 'node:test';
+import { fileURLToPath } from 'node:url';
 import * as gp from 'gamephys';
 
 function someScene() {
@@ -170,6 +175,18 @@ test('settings start from the defaults, and the library is named', () => {
     assert.deepStrictEqual(camera.getOrbit(), orbit);
     assert.match(gp.version(), /^\d+\.\d+\.\d+$/);
     assert.strictEqual(gp.statusName(gp.NO_HIT), 'GPHYS_NO_HIT');
+});
+
+test('a package without any library says what it has looked for', () => {
+    const folder = mkdtempSync(join(tmpdir(), 'gamephys-'));
+    for (const name of ['package.json', 'node.js', 'lib']) {
+        cpSync(fileURLToPath(new URL(`../${name}`, import.meta.url)), join(folder, name), { recursive: true });
+    }
+    const { GAMEPHYS_LIBRARY, NODE_PATH, LD_PRELOAD, ...env } = process.env;
+    const { status, stderr } = spawnSync(process.execPath, [join(folder, 'node.js')], { env, encoding: 'utf8' });
+    rmSync(folder, { recursive: true });
+    assert.strictEqual(status, 1);
+    assert.match(stderr, /no gamephys library: not as a native one \(.*koffi.*\), nor as WebAssembly \(.*gamephys\.wasm.*\)/);
 });
 
 test('objects of another kind are refused', () => {

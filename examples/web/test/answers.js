@@ -7,19 +7,20 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const scaled = (a, s) => a.map((x) => x * s);
 
 /** A camera that looks at a target from a distance; yaw 0 looks along +z, in right-handed axes. */
-export function cameraAt({ target, distance, yaw, pitch }, { fieldOfView, width, height }) {
+export function cameraAt({ target, distance, yaw, pitch }, { fieldOfView, near, width, height }) {
     const forward = [-Math.sin(yaw) * Math.cos(pitch), -Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)];
     const level = cross(forward, [0, 1, 0]);
     const right = scaled(level, 1 / Math.hypot(...level));
     const tangent = Math.tan(fieldOfView / 2);
-    return { eye: add(target, forward, -distance), forward, right, up: cross(right, forward), tangent, width, height };
+    return { eye: add(target, forward, -distance), forward, right, up: cross(right, forward), tangent, near, width, height };
 }
 
+/** From the near plane on, where sight begins. */
 export function rayThrough(camera, x, y) {
     const across = ((2 * x) / camera.width - 1) * camera.tangent * (camera.width / camera.height);
     const upward = (1 - (2 * y) / camera.height) * camera.tangent;
     const direction = add(add(camera.forward, camera.right, across), camera.up, upward);
-    return { origin: camera.eye, direction: scaled(direction, 1 / Math.hypot(...direction)) };
+    return { origin: add(camera.eye, direction, camera.near), direction: scaled(direction, 1 / Math.hypot(...direction)) };
 }
 
 export function project(camera, point) {

@@ -8,9 +8,9 @@ import { cameraAt, dot, inRectangle, pick, project, rayThrough } from './answers
 const WIDTH = 960, HEIGHT = 600;
 const PICTURES = process.env.BINARY_DIR ?? '.';
 const FRAME = 1000 / 60;
-const FAR = 2000; // the page's far plane
+const NEAR = 0.1, FAR = 2000; // the page's planes
 const START = { target: [0, 2.5, 0], distance: 20, yaw: 0.5, pitch: 0.4 };
-const VIEWPORT = { fieldOfView: Math.fround(0.8), width: WIDTH, height: HEIGHT };
+const VIEWPORT = { fieldOfView: Math.fround(0.8), near: NEAR, width: WIDTH, height: HEIGHT };
 
 let server, browser, page;
 const complaints = [];
@@ -74,7 +74,7 @@ function middles(world, camera, count) {
 
 const answerAt = (world, camera, [x, y]) => {
     const ray = rayThrough(camera, x + 0.5, y + 0.5);
-    return pick(world, ray, FAR / dot(ray.direction, camera.forward));
+    return pick(world, ray, (FAR - NEAR) / dot(ray.direction, camera.forward));
 };
 
 /** Asks the page at pixels, by moving the mouse there; how many objects were met. */
