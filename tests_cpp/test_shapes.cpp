@@ -192,7 +192,7 @@ TEST_CASE("of any seven numbers it is told whether they are a ray") {
         for (float& number : ray) number = numbers[random.index(random.index(2) == 0 ? 9 : 14)];
         const bool is_ray = std::all_of(ray, ray + 6, in_range) &&
                             std::any_of(ray + 3, ray + 6, [](float v) { return v != 0; }) && ray[6] >= 0;
-        REQUIRE((defect(gphys_ray{{ray[0], ray[1], ray[2]}, {ray[3], ray[4], ray[5]}, ray[6]}) == nullptr) == is_ray);
+        REQUIRE(!defect(gphys_ray{{ray[0], ray[1], ray[2]}, {ray[3], ray[4], ray[5]}, ray[6]}) == is_ray);
         valid += is_ray;
     }
     CHECK(valid > 5000);
@@ -200,13 +200,18 @@ TEST_CASE("of any seven numbers it is told whether they are a ray") {
 
 TEST_CASE("every defect names the field") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    REQUIRE(defect(gphys_vec3{0, 0, 1e15f}) == nullptr);
-    REQUIRE(std::string(defect(gphys_vec3{0, nan, 0})).find("point") == 0);
-    REQUIRE(defect(gphys_quat{0, 0, 0, 1.0009f}) == nullptr);
-    REQUIRE(std::string(defect(gphys_quat{0, 0, 0, 1.0011f})).find("rotation") == 0);
-    REQUIRE(std::string(defect(gphys_quat{0, 0, nan, 1})).find("rotation") == 0);
-    REQUIRE(std::string(defect(gphys_transform{{0, 0, 0}, {0, 0, 0, 1}, 0})).find("transform.scale") == 0);
-    REQUIRE(std::string(defect(gphys_transform{{nan, 0, 0}, {0, 0, 0, 1}, 1})).find("transform.position") == 0);
-    REQUIRE(defect(gphys_aabb{{0, 0, 0}, {0, 0, 0}}) == nullptr);
-    REQUIRE(std::string(defect(gphys_aabb{{0, 0, 1}, {0, 0, 0}})).find("aabb.min") == 0);
+    const auto message = [](const auto& value) {
+        REQUIRE(fail(GPHYS_ERROR_INVALID_ARGUMENT, "value", defect(value)) == GPHYS_ERROR_INVALID_ARGUMENT);
+        return std::string(last_error());
+    };
+    REQUIRE(!defect(gphys_vec3{0, 0, 1e15f}));
+    REQUIRE(message(gphys_vec3{0, nan, 0}) == "value.y nan is not from -1e15 to 1e15");
+    REQUIRE(!defect(gphys_quat{0, 0, 0, 1.0009f}));
+    REQUIRE(message(gphys_quat{0, 0, 0, 1.0011f}) == "value: length 1.0011 is not from 0.999 to 1.001");
+    REQUIRE(defect(gphys_quat{0, 0, nan, 1}));
+    REQUIRE(message(gphys_transform{{0, 0, 0}, {0, 0, 0, 1}, 0}) == "value.scale 0 is not above 0 and at most 1e15");
+    REQUIRE(message(gphys_transform{{0, 2e15f, 0}, {0, 0, 0, 1}, 1}) ==
+            "value.position.y 2000000054525952 is not from -1e15 to 1e15");
+    REQUIRE(!defect(gphys_aabb{{0, 0, 0}, {0, 0, 0}}));
+    REQUIRE(message(gphys_aabb{{0, 0, 1}, {0, 0, 0}}) == "value.min.z 1 is not at most max.z");
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """entry_points.py SOURCE: every function that the library exports goes through the one guard.
 
-A definition in src/c_api of what the header declares is one statement: `return guarded(...)`, which is
-noexcept and makes a status of whatever is thrown (src/c_api/api.h), the same without a value, or the call of
-another entry point. So nothing can be forgotten before or behind the guard. Says what is not so, and fails.
+A definition in src/c_api of a function of the header is one statement: `return guarded(__func__, ...)`, which is
+noexcept, converts exceptions to a status and puts the function's name before messages (src/c_api/api.h), or the
+same without a value. Prints each function that is not, and fails.
 """
 import pathlib
 import re
@@ -25,10 +25,8 @@ def closing(text, opening):
 
 def is_guarded(body):
     """Whether the body of a function is that one statement."""
-    if re.fullmatch(r"return gphys_\w+\([^;]*\);", body):
-        return True
-    call = re.match(r"(return )?guarded\(", body)
-    return bool(call) and body[closing(body, call.end() - 1) + 1 :] == ";"
+    call = re.match(r"(return )?guarded\(\s*__func__,\s", body)
+    return bool(call) and body[closing(body, body.index("(")) + 1 :] == ";"
 
 
 def definitions(text):

@@ -14,7 +14,7 @@ refused() {
     if python3 "$here/entry_points.py" broken 2>message.txt; then fail "$1 is taken"; fi
     grep -q 'is more than its guard\|no definition' message.txt || fail "$1: another message: $(cat message.txt)"
 }
-refused "an entry point without a guard" 's/return guarded(\[&\] { return unwrap(solver)->unjoin(joint); });/return unwrap(solver)->unjoin(joint);/;/gphys_solver_unjoin/,/^}/s/guarded(\[&\]() -> gphys_status {/unguarded([\&]() -> gphys_status {/' solver_state.cpp
+refused "an entry point without a guard" 's/return guarded(__func__, \[&\] { return unwrap(solver)->unjoin(joint); });/return unwrap(solver)->unjoin(joint);/;/gphys_solver_unjoin/,/^}/s/guarded(__func__, \[&\]() -> gphys_status {/unguarded(__func__, [\&]() -> gphys_status {/' solver_state.cpp
 refused "a check before the guard" 's/^gphys_status gphys_scene_raycast(.*{$/&\n    if (!scene) throw 1;/' scene_queries.cpp
 refused "a statement behind it" '/^void gphys_scene_destroy/,/^}/s/^}/    throw 1;\n}/' scene.cpp
 refused "no definition" 's/^gphys_status gphys_shape_validate(/gphys_status gphys_shape_validated(/' shapes.cpp

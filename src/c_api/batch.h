@@ -1,5 +1,5 @@
-// How a batch is shared among a scene's workers: cut into chunks of fixed size, each item answered
-// into its own place. The bits do not depend on who answers what.
+// How a batch is shared among a scene's workers: in chunks of items, each item with its own output element, so the
+// results do not depend on which thread handles which chunk.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,14 @@
 
 namespace gphys {
 
-/// Items that are handed out at once. 256 rays take about 0.1 ms: a thousand times what handing out
-/// costs, and a thousandth of a batch that is worth sharing.
+/// Items of a chunk. 256 rays take about 0.1 ms: a thousand times the cost of handing out a chunk, and a thousandth of
+/// a batch that is worth sharing.
 constexpr uint32_t batch_chunk = 256;
 
 inline uint32_t chunks_in(uint32_t count) { return count / batch_chunk + (count % batch_chunk != 0); }
 
-/// visit(begin, end) for chunks of 0 .. count - 1, of at least so many: as few as keep all workers busy to the end,
-/// as what is neighbouring in memory is best read and written by one.
+/// visit(begin, end) for chunks of 0 .. count - 1 of at least `smallest` items. About 32 chunks for each worker balance
+/// the load; more would only make threads share cache lines.
 template <class Visit>
 void for_each_chunk(const Workers& workers, uint32_t count, uint32_t smallest, Visit&& visit) {
     const uint32_t size = std::clamp(count / (32 * workers.count()), smallest, 64 * smallest);
@@ -33,16 +33,16 @@ void for_each_chunk(const Workers& workers, uint32_t count, uint32_t smallest, V
     });
 }
 
-/// answer(i) for each item; it writes the output of item i.
-template <class Answer>
-void answer_each(const Workers& workers, uint32_t count, Answer&& answer) {
+/// visit(i) for each item; it writes the output of item i.
+template <class Visit>
+void for_each_item(const Workers& workers, uint32_t count, Visit&& visit) {
     for_each_chunk(workers, count, batch_chunk, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t i = begin; i < end; ++i) answer(i);
+        for (uint32_t i = begin; i < end; ++i) visit(i);
     });
 }
 
-/// Rays by tiles: cast(rays, items, size) for each, with the items that the rays are of. ray_of(item, ray) is false
-/// where there is no ray; fetch(item) fetches what is read and written of one.
+/// cast(rays, items, size) for each tile: its rays and the items they belong to. ray_of(item, ray) returns false if the
+/// item has no ray; fetch(item) prefetches its input and output.
 template <class RayOf, class Fetch, class Cast>
 void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, Fetch&& fetch, Cast&& cast) {
     static_assert(ImageTiles::most <= Scene::rays_at_once);
@@ -60,25 +60,27 @@ void cast_by_tiles(const Scene& scene, const ImageTiles& tiles, RayOf&& ray_of, 
     });
 }
 
-/// cast(first, count, by) for the rays of a tile, which are of some items: `by` is the layers or their filters.
+/// cast(first, count, filter) for the rays of a tile, which belong to `items`: with layers once, with filters in groups
+/// of most_ray_filters.
 template <class Cast>
 void cast_by(uint32_t layers, const uint32_t*, uint32_t count, const Cast& cast) {
     cast(0, count, layers);
 }
 template <class Cast>
 void cast_by(const Filters& filters, const uint32_t* items, uint32_t count, const Cast& cast) {
-    QueryFilter room[most_ray_filters];
+    QueryFilter storage[most_ray_filters];
     const uint32_t at_once = filters.is_one() ? count : most_ray_filters;
     for (uint32_t first = 0; first < count; first += at_once) {
         const uint32_t some = std::min(at_once, count - first);
-        cast(first, some, filters.of(items + first, some, room));
+        cast(first, some, filters.of(items + first, some, storage));
     }
 }
 
-/// The first hits of many rays, those of elements that are near one another by their first `floats`; ray_of(element,
-/// ray) is false where there is no ray, and no hit. Who is uint32_t, for layers, or Filters.
-template <class T, class Who, class RayOf>
-void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uint32_t count, const Who& who,
+/// The first hits of many rays. Tiles group elements that are near one another in their first `floats` floats.
+/// ray_of(element, ray) returns false if the element has no ray, which counts as a miss. Filter is uint32_t, for
+/// layers, or Filters.
+template <class T, class Filter, class RayOf>
+void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uint32_t count, const Filter& filter,
                   const StridedOut<gphys_hit>& out, RayOf&& ray_of) {
     const ImageTiles tiles(in.template beginnings<float>(), floats, count);
     const auto ray_or_no_hit = [&](uint32_t i, Ray& ray) {
@@ -93,17 +95,17 @@ void raycast_each(const Scene& scene, const Strided<T>& in, uint32_t floats, uin
                           hits[k] = &out[items[k]];
                           *hits[k] = no_hit;
                       }
-                      cast_by(who, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
+                      cast_by(filter, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
                           scene.raycast_many(rays + first, some, by, hits + first);
                       });
                   });
 }
 
-/// How many elements of an array there are to check: a stride of 0 repeats one.
+/// The number of distinct elements of an array: a stride of 0 repeats one.
 inline uint32_t distinct(uint32_t stride, uint32_t count) { return stride == 0 ? std::min(count, 1u) : count; }
 
-/// check(i) for each item. Returns the status of the first that is not GPHYS_OK; that one is
-/// checked once more, on this thread, where its message belongs.
+/// check(i) for each item. Returns the status of the first item that is not GPHYS_OK. That item is checked again on
+/// this thread, because messages are stored by thread.
 template <class Check>
 gphys_status check_each(const Workers& workers, uint32_t count, Check&& check) {
     std::atomic<uint32_t> first_bad{count};
@@ -119,10 +121,10 @@ gphys_status check_each(const Workers& workers, uint32_t count, Check&& check) {
     return bad == count ? GPHYS_OK : check(bad);
 }
 
-/// a + b, or the largest number if that is less.
+/// a + b, or UINT32_MAX if that overflows.
 inline uint32_t saturated_sum(uint32_t a, uint32_t b) { return b > UINT32_MAX - a ? UINT32_MAX : a + b; }
 
-/// The lists of items begin .. end - 1 behind one another; ends[i] is where that of item i ends.
+/// The lists of items begin .. end - 1, concatenated; ends[i] is the end of the list of item i.
 template <class T, class Less, class ListAll>
 void list_chunk(T* out, uint32_t capacity, uint32_t begin, uint32_t end, uint32_t* ends, ListAll&& list_all) {
     uint32_t total = 0;
@@ -135,15 +137,16 @@ void list_chunk(T* out, uint32_t capacity, uint32_t begin, uint32_t end, uint32_
     });
 }
 
-/// Many lists behind one another: list_all(begin, end, list_of) makes those of items begin .. end - 1, in
-/// order, by list_of(i, add_all) with add_all(list), which adds what there is of item i. How long a list gets is known
-/// only when it is there, and queries allocate nothing: so the room that is left is dealt out in equal shares to a wave
-/// of chunks, and their lists are moved together afterwards. Where a share was too small, the rest of the wave is
-/// listed again, by this thread and in place.
+/// Concatenate the lists of all items. list_all(begin, end, list_of) calls list_of(i, add_all) for its items in order;
+/// add_all(list) adds the results of item i.
+///
+/// The length of a list is known only after its query, and queries do not allocate. So each wave of chunks gets equal
+/// shares of the remaining output array, and the lists are moved together afterwards. From the first chunk whose share
+/// was too small, the rest of the wave is queried again, in place and on this thread.
 template <class T, class Less, class ListAll>
 gphys_status concatenate(const Workers& workers, T* out, uint32_t capacity, uint32_t count, uint32_t* out_offsets,
                          ListAll&& list_all) {
-    // Long enough that the wait for the last chunk of a wave is a few per cent of it.
+    // 16 chunks for each worker: waiting for the last chunk takes a few per cent of a wave.
     const uint32_t wave = workers.count() == 1 ? 1 : 16 * workers.count();
     uint32_t* const ends = out_offsets + 1;
     uint32_t total = 0;

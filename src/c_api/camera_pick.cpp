@@ -1,7 +1,7 @@
-// Picking and culling: a camera asks a scene.
+// gphys_camera_pick*, gphys_camera_cull*: queries of a scene with the rays and frusta of a camera.
 #include "pick/pick.h"
 
-#include "c_api/scene_asking.h"
+#include "c_api/scene_query.h"
 
 using namespace gphys;
 
@@ -11,102 +11,104 @@ struct Pixel {
     float x, y;
 };
 
-bool is_pixel(float x, float y) { return std::fabs(x) <= GPHYS_MAX_COORDINATE && std::fabs(y) <= GPHYS_MAX_COORDINATE; }
-
-/// A list of models, gathered by `find`.
-template <class Find>
-gphys_status list_models(gphys_model_id* out, uint32_t capacity, uint32_t* out_total, Find&& find) {
-    GPHYS_TRY(check_list(out, capacity, out_total));
-    return listed(find(), capacity, out_total);
+/// Positions are relative to the origin of the object.
+gphys_status check_origins(const gphys_camera* camera, const gphys_scene* scene) {
+    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera, scene: their origins differ");
+    return GPHYS_OK;
 }
 
-template <class Who>
-gphys_status ask_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x, float pixel_y,
-                      const Who& who, gphys_hit* out_hit) {
-    GPHYS_REQUIRE(camera && scene && out_hit, "camera, scene or out_hit is null");
-    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera and scene have different origins");
-    GPHYS_REQUIRE(is_pixel(pixel_x, pixel_y), "pixel: not finite or out of range");
-    return pick(*unwrap(camera), *unwrap(scene), pixel_x, pixel_y, who, *out_hit);
+template <class Filter>
+gphys_status camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x, float pixel_y,
+                         const Filter& filter, gphys_hit* out_hit) {
+    GPHYS_REQUIRE_POINTERS(camera, scene, out_hit);
+    GPHYS_TRY(check_origins(camera, scene));
+    GPHYS_TRY(check_coordinate("pixel_x", pixel_x));
+    GPHYS_TRY(check_coordinate("pixel_y", pixel_y));
+    return pick(*unwrap(camera), *unwrap(scene), pixel_x, pixel_y, filter, *out_hit);
 }
 
-template <class Who>
-gphys_status ask_pick_batch(const gphys_camera* camera, const gphys_scene* scene, const float* pixels,
-                            uint32_t pixel_stride, uint32_t count, const Who& who, gphys_hit* out_hits,
-                            uint32_t out_stride) {
-    GPHYS_REQUIRE(camera && scene, "camera or scene is null");
-    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera and scene have different origins");
+template <class Filter>
+gphys_status camera_pick_batch(const gphys_camera* camera, const gphys_scene* scene, const float* pixels,
+                               uint32_t pixel_stride, uint32_t count, const Filter& filter, gphys_hit* out_hits,
+                               uint32_t out_stride) {
+    GPHYS_REQUIRE_POINTERS(camera, scene);
+    GPHYS_TRY(check_origins(camera, scene));
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, who, count));
+    GPHYS_TRY(check_filters(workers, filter, count));
     if (count == 0) return GPHYS_OK;
-    GPHYS_REQUIRE(pixels && out_hits, "pixels or out_hits is null");
+    GPHYS_REQUIRE_POINTERS(pixels, out_hits);
     GPHYS_TRY(check_stride("pixel_stride", pixel_stride, sizeof(Pixel)));
     GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_hits));
     const Strided<Pixel> in(reinterpret_cast<const Pixel*>(pixels), pixel_stride);
     const StridedOut<gphys_hit> out(out_hits, out_stride);
     GPHYS_TRY(check_each(workers, distinct(pixel_stride, count), [&](uint32_t i) -> gphys_status {
-        GPHYS_REQUIRE(is_pixel(in[i].x, in[i].y), "pixels: not finite or out of range");
-        return GPHYS_OK;
+        const Pixel pixel = in[i];
+        if (is_coordinate(pixel.x) && is_coordinate(pixel.y)) return GPHYS_OK;
+        return fail(GPHYS_ERROR_INVALID_ARGUMENT, "pixels", i,
+                    is_coordinate(pixel.x) ? Defect{"", 'y', pixel.y, coordinate_range}
+                                           : Defect{"", 'x', pixel.x, coordinate_range});
     }));
-    raycast_each(*unwrap(scene), in, 2, count, who, out,
+    raycast_each(*unwrap(scene), in, 2, count, filter, out,
                  [&](Pixel pixel, Ray& ray) { return unwrap(camera)->pick_ray(pixel.x, pixel.y, ray); });
     return GPHYS_OK;
 }
 
-template <class Who>
-gphys_status ask_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0, float y0, float x1,
-                                float y1, const Who& who, gphys_model_id* out_models, uint32_t capacity,
-                                uint32_t* out_total) {
-    GPHYS_REQUIRE(camera && scene, "camera or scene is null");
-    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera and scene have different origins");
-    GPHYS_REQUIRE(is_pixel(x0, y0) && is_pixel(x1, y1), "rectangle: not finite or out of range");
-    GPHYS_REQUIRE(x0 != x1 && y0 != y1, "rectangle: has no area");
-    return list_models(out_models, capacity, out_total, [&] {
-        Smallest<gphys_model_id> models(out_models, capacity);
-        pick_rectangle(*unwrap(camera), *unwrap(scene), x0, y0, x1, y1, who, models);
-        return models.finish();
-    });
+template <class Filter>
+gphys_status camera_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0, float y0, float x1,
+                                   float y1, const Filter& filter, gphys_model_id* out_models, uint32_t capacity,
+                                   uint32_t* out_total) {
+    GPHYS_REQUIRE_POINTERS(camera, scene);
+    GPHYS_TRY(check_origins(camera, scene));
+    GPHYS_TRY(check_rectangle(x0, y0, x1, y1));
+    GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
+    Smallest<gphys_model_id> models(out_models, capacity);
+    pick_rectangle(*unwrap(camera), *unwrap(scene), x0, y0, x1, y1, filter, models);
+    return listed(models.finish(), capacity, out_total);
 }
 
-template <class Who>
-gphys_status ask_cull(const gphys_camera* camera, const gphys_scene* scene, const Who& who, gphys_model_id* out_models,
-                      uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE(camera && scene, "camera or scene is null");
-    GPHYS_REQUIRE(unwrap(camera)->origin() == unwrap(scene)->origin(), "camera and scene have different origins");
-    return list_models(out_models, capacity, out_total,
-                       [&] { return cull(*unwrap(camera), *unwrap(scene), who, out_models, capacity); });
+template <class Filter>
+gphys_status camera_cull(const gphys_camera* camera, const gphys_scene* scene, const Filter& filter,
+                         gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE_POINTERS(camera, scene);
+    GPHYS_TRY(check_origins(camera, scene));
+    GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
+    const uint32_t total = cull(*unwrap(camera), *unwrap(scene), filter, out_models, capacity);
+    return listed(total, capacity, out_total);
 }
 
 }  // namespace
 
 gphys_status gphys_camera_pick(const gphys_camera* camera, const gphys_scene* scene, float pixel_x, float pixel_y,
                                uint32_t layers, gphys_hit* out_hit) {
-    return guarded([&] { return ask_pick(camera, scene, pixel_x, pixel_y, layers, out_hit); });
+    return guarded(__func__, [&] { return camera_pick(camera, scene, pixel_x, pixel_y, layers, out_hit); });
 }
 
 gphys_status gphys_camera_pick_batch(const gphys_camera* camera, const gphys_scene* scene, const float* pixels,
                                      uint32_t pixel_stride, uint32_t count, uint32_t layers, gphys_hit* out_hits,
                                      uint32_t out_stride) {
-    return guarded(
-        [&] { return ask_pick_batch(camera, scene, pixels, pixel_stride, count, layers, out_hits, out_stride); });
+    return guarded(__func__, [&] {
+        return camera_pick_batch(camera, scene, pixels, pixel_stride, count, layers, out_hits, out_stride);
+    });
 }
 
 gphys_status gphys_camera_pick_rectangle(const gphys_camera* camera, const gphys_scene* scene, float x0, float y0,
                                          float x1, float y1, uint32_t layers, gphys_model_id* out_models,
                                          uint32_t capacity, uint32_t* out_total) {
-    return guarded(
-        [&] { return ask_pick_rectangle(camera, scene, x0, y0, x1, y1, layers, out_models, capacity, out_total); });
+    return guarded(__func__, [&] {
+        return camera_pick_rectangle(camera, scene, x0, y0, x1, y1, layers, out_models, capacity, out_total);
+    });
 }
 
 gphys_status gphys_camera_cull(const gphys_camera* camera, const gphys_scene* scene, uint32_t layers,
                                gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
-    return guarded([&] { return ask_cull(camera, scene, layers, out_models, capacity, out_total); });
+    return guarded(__func__, [&] { return camera_cull(camera, scene, layers, out_models, capacity, out_total); });
 }
 
 gphys_status gphys_camera_pick_filtered(const gphys_camera* camera, const gphys_scene* scene, float pixel_x,
                                         float pixel_y, const gphys_query_filter_desc* filter, gphys_hit* out_hit) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_pick(camera, scene, pixel_x, pixel_y, known, out_hit);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return camera_pick(camera, scene, pixel_x, pixel_y, parsed, out_hit);
         });
     });
 }
@@ -115,9 +117,9 @@ gphys_status gphys_camera_pick_filtered_batch(const gphys_camera* camera, const 
                                               uint32_t pixel_stride, uint32_t count,
                                               const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                               gphys_hit* out_hits, uint32_t out_stride) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_pick_batch(camera, scene, pixels, pixel_stride, count, known, out_hits, out_stride);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return camera_pick_batch(camera, scene, pixels, pixel_stride, count, parsed, out_hits, out_stride);
         });
     });
 }
@@ -125,9 +127,9 @@ gphys_status gphys_camera_pick_filtered_batch(const gphys_camera* camera, const 
 gphys_status gphys_camera_pick_rectangle_filtered(const gphys_camera* camera, const gphys_scene* scene, float x0,
                                                   float y0, float x1, float y1, const gphys_query_filter_desc* filter,
                                                   gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_pick_rectangle(camera, scene, x0, y0, x1, y1, known, out_models, capacity, out_total);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return camera_pick_rectangle(camera, scene, x0, y0, x1, y1, parsed, out_models, capacity, out_total);
         });
     });
 }
@@ -135,9 +137,9 @@ gphys_status gphys_camera_pick_rectangle_filtered(const gphys_camera* camera, co
 gphys_status gphys_camera_cull_filtered(const gphys_camera* camera, const gphys_scene* scene,
                                         const gphys_query_filter_desc* filter, gphys_model_id* out_models,
                                         uint32_t capacity, uint32_t* out_total) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_cull(camera, scene, known, out_models, capacity, out_total);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return camera_cull(camera, scene, parsed, out_models, capacity, out_total);
         });
     });
 }

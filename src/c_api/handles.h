@@ -1,5 +1,4 @@
-// The public handles are the internal objects under another name. The structs of the public header
-// stay incomplete forever, so that a cast is all that lies between the two.
+// Casts between the opaque structs of the public header, which are never defined, and the internal objects.
 #pragma once
 
 #include "foundation/status.h"

@@ -1,4 +1,4 @@
-// The (out, capacity, out_total) lists of the public header.
+// The (out, capacity, out_total) lists of the public header: a null `out` with capacity 0 only counts.
 #pragma once
 
 #include "bvh/bvh8.h"
@@ -6,9 +6,9 @@
 
 namespace gphys {
 
-inline gphys_status check_list(const void* out, uint32_t capacity, const uint32_t* out_total) {
-    GPHYS_REQUIRE(capacity == 0 || out, "the output array is null");
-    GPHYS_REQUIRE(out_total, "out_total is null");
+inline gphys_status check_list(const char* out_name, const void* out, uint32_t capacity, const uint32_t* out_total) {
+    if (capacity != 0) GPHYS_TRY(check_pointers(out_name, out));
+    GPHYS_REQUIRE_POINTERS(out_total);
     return GPHYS_OK;
 }
 
@@ -17,10 +17,10 @@ inline gphys_status listed(uint32_t total, uint32_t capacity, uint32_t* out_tota
     return total > capacity ? GPHYS_INCOMPLETE : GPHYS_OK;
 }
 
-/// Boxes of an BVH or of a mesh's, parents first.
+/// The boxes of a BVH, parents first.
 template <class Tree>
 gphys_status copy_boxes(const Tree& tree, gphys_octree_box* out, uint32_t capacity, uint32_t* out_total) {
-    GPHYS_TRY(check_list(out, capacity, out_total));
+    GPHYS_TRY(check_list("out_boxes", out, capacity, out_total));
     uint32_t total = 0;
     tree.for_each_box([&](const gphys_octree_box& box) {
         if (total < capacity) out[total] = box;

@@ -1,4 +1,4 @@
-// gphys_mesh_*
+// gphys_mesh_*: creation, vertices, snapshots, and queries of one mesh in its own coordinates.
 #include "mesh/mesh.h"
 
 #include "c_api/api.h"
@@ -17,13 +17,13 @@ gphys_status check_arrays(const MeshArrays& arrays) {
     GPHYS_REQUIRE(arrays.vertex_count == 0 || arrays.vertices, "vertices is null");
     GPHYS_TRY(check_out_stride("vertex_stride", arrays.vertex_stride, sizeof(gphys_vec3)));
     GPHYS_REQUIRE(arrays.index_count == 0 || arrays.indices, "indices is null");
-    GPHYS_REQUIRE(arrays.index_count % 3 == 0, "index_count: must be a multiple of 3");
+    GPHYS_REQUIRE_IN_RANGE(arrays.index_count % 3 == 0, "index_count", arrays.index_count, "a multiple of 3");
     return GPHYS_OK;
 }
 
 template <class T>
-gphys_status copy_out(const Vector<T>& values, T* out, uint32_t capacity, uint32_t* out_total) {
-    GPHYS_TRY(check_list(out, capacity, out_total));
+gphys_status copy_out(const Vector<T>& values, const char* out_name, T* out, uint32_t capacity, uint32_t* out_total) {
+    GPHYS_TRY(check_list(out_name, out, capacity, out_total));
     const uint32_t total = static_cast<uint32_t>(values.size());
     std::copy_n(values.begin(), std::min(total, capacity), out);
     return listed(total, capacity, out_total);
@@ -33,10 +33,10 @@ gphys_status copy_out(const Vector<T>& values, T* out, uint32_t capacity, uint32
 
 gphys_status gphys_mesh_check(const float* vertices, uint32_t vertex_stride, uint32_t vertex_count,
                               const uint32_t* indices, uint32_t index_count, gphys_mesh_report* out_report) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         const MeshArrays arrays{vertices, vertex_stride, vertex_count, indices, index_count};
         GPHYS_TRY(check_arrays(arrays));
-        GPHYS_REQUIRE(out_report, "out_report is null");
+        GPHYS_REQUIRE_POINTERS(out_report);
         Memory memory(nullptr);
         *out_report = examine(arrays, &memory);
         return GPHYS_OK;
@@ -44,25 +44,28 @@ gphys_status gphys_mesh_check(const float* vertices, uint32_t vertex_stride, uin
 }
 
 gphys_status gphys_mesh_desc_init(gphys_mesh_desc* desc, uint32_t size) {
-    return guarded([&] { return write_desc(desc, size, gphys_mesh_desc{}, mesh_desc_size); });
+    return guarded(__func__, [&] { return write_desc(desc, size, gphys_mesh_desc{}, mesh_desc_size); });
 }
 
 gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertices, uint32_t vertex_stride,
                                uint32_t vertex_count, const uint32_t* indices, uint32_t index_count,
                                gphys_mesh** out_mesh) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         gphys_mesh_desc settings{};
         GPHYS_TRY(read_desc(desc, settings, mesh_desc_size));
-        GPHYS_REQUIRE_VALID(settings.allocator);
-        GPHYS_REQUIRE(is_bool(settings.deformable), "desc.deformable: must be 0 or 1");
-        GPHYS_REQUIRE(settings.reserved == 0, "desc.reserved: must be 0");
+        GPHYS_TRY(check_allocator(settings.allocator));
+        GPHYS_TRY(check_bool("desc.deformable", settings.deformable));
+        GPHYS_REQUIRE_IN_RANGE(settings.reserved == 0, "desc.reserved", settings.reserved, "0");
         const MeshArrays arrays{vertices, vertex_stride, vertex_count, indices, index_count};
         GPHYS_TRY(check_arrays(arrays));
-        GPHYS_REQUIRE(out_mesh, "out_mesh is null");
+        GPHYS_REQUIRE_POINTERS(out_mesh);
         Memory memory(settings.allocator);
         const gphys_mesh_report report = examine(arrays, &memory);
-        GPHYS_REQUIRE(report.bad_vertex_count == 0, "vertices: one is not finite or too large (gphys_mesh_check)");
-        GPHYS_REQUIRE(report.out_of_range_count == 0, "indices: one is not below vertex_count (gphys_mesh_check)");
+        if (report.bad_vertex_count > 0) {
+            GPHYS_TRY(check_element("vertices", report.first_bad_vertex, arrays.vertex(report.first_bad_vertex)));
+        }
+        GPHYS_REQUIRE(report.bad_vertex_count == 0, "vertices: one is out of range (see gphys_mesh_check)");
+        GPHYS_REQUIRE(report.out_of_range_count == 0, "indices: one is not below vertex_count (see gphys_mesh_check)");
         *out_mesh = wrap(create<Mesh>(settings.allocator, arrays, report, chosen_isa(), settings.deformable != 0));
         return GPHYS_OK;
     });
@@ -70,31 +73,31 @@ gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertice
 
 gphys_status gphys_mesh_set_vertices(gphys_mesh* mesh, const float* vertices, uint32_t vertex_stride,
                                      uint32_t vertex_count) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
         Mesh& changed = *unwrap(mesh);
-        if (!changed.deformable()) return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: was not created with desc.deformable");
-        GPHYS_REQUIRE(vertex_count == changed.vertices().size(), "vertex_count: must be that of the mesh");
+        if (!changed.deformable())
+            return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: desc.deformable was 0 when it was created");
+        GPHYS_REQUIRE_IN_RANGE(vertex_count == changed.vertices().size(), "vertex_count", vertex_count,
+                               "that of the mesh");
         const MeshArrays arrays{vertices, vertex_stride, vertex_count, nullptr, 0};
         GPHYS_TRY(check_arrays(arrays));
-        for (uint32_t i = 0; i < vertex_count; ++i) {
-            GPHYS_REQUIRE(!defect(arrays.vertex(i)), "vertices: one is not finite or too large");
-        }
+        for (uint32_t i = 0; i < vertex_count; ++i) GPHYS_TRY(check_element("vertices", i, arrays.vertex(i)));
         if (const char* wrong = changed.set_vertices(arrays)) return invalid(wrong);
         return GPHYS_OK;
     });
 }
 
 void gphys_mesh_destroy(gphys_mesh* mesh) {
-    guarded([&] {
+    guarded(__func__, [&] {
         if (mesh) Mesh::release(unwrap(mesh));
     });
 }
 
 gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* out_report) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
-        GPHYS_REQUIRE(out_report, "out_report is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        GPHYS_REQUIRE_POINTERS(out_report);
         *out_report = unwrap(mesh)->report();
         return GPHYS_OK;
     });
@@ -102,39 +105,39 @@ gphys_status gphys_mesh_get_report(const gphys_mesh* mesh, gphys_mesh_report* ou
 
 gphys_status gphys_mesh_get_vertices(const gphys_mesh* mesh, gphys_vec3* out_vertices, uint32_t capacity,
                                      uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
-        return copy_out(unwrap(mesh)->vertices(), out_vertices, capacity, out_total);
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        return copy_out(unwrap(mesh)->vertices(), "out_vertices", out_vertices, capacity, out_total);
     });
 }
 
 gphys_status gphys_mesh_get_indices(const gphys_mesh* mesh, uint32_t* out_indices, uint32_t capacity,
                                     uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
-        return copy_out(unwrap(mesh)->indices(), out_indices, capacity, out_total);
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        return copy_out(unwrap(mesh)->indices(), "out_indices", out_indices, capacity, out_total);
     });
 }
 
 gphys_status gphys_mesh_get_snapshot(const gphys_mesh* mesh, uint32_t* out_words, uint32_t capacity,
                                      uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
-        GPHYS_TRY(check_list(out_words, capacity, out_total));
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        GPHYS_TRY(check_list("out_words", out_words, capacity, out_total));
         return unwrap(mesh)->snapshot(out_words, capacity, *out_total);
     });
 }
 
 gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc* desc, const uint32_t* words, uint32_t word_count,
                                              gphys_mesh** out_mesh) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         gphys_mesh_desc settings{};
         GPHYS_TRY(read_desc(desc, settings, mesh_desc_size));
-        GPHYS_REQUIRE_VALID(settings.allocator);
-        GPHYS_REQUIRE(is_bool(settings.deformable), "desc.deformable: must be 0 or 1");
-        GPHYS_REQUIRE(settings.reserved == 0, "desc.reserved: must be 0");
-        GPHYS_REQUIRE(words, "words is null");
-        GPHYS_REQUIRE(out_mesh, "out_mesh is null");
+        GPHYS_TRY(check_allocator(settings.allocator));
+        GPHYS_TRY(check_bool("desc.deformable", settings.deformable));
+        GPHYS_REQUIRE_IN_RANGE(settings.reserved == 0, "desc.reserved", settings.reserved, "0");
+        GPHYS_REQUIRE_POINTERS(words);
+        GPHYS_REQUIRE_POINTERS(out_mesh);
         Memory memory(settings.allocator);
         MeshParts parts;
         if (const char* wrong = read_mesh_snapshot(words, word_count, &memory, parts)) return invalid(wrong);
@@ -145,11 +148,11 @@ gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc* desc, const 
 
 gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray, gphys_hit* out_hits,
                                     uint32_t capacity, uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
-        GPHYS_REQUIRE(ray, "ray is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        GPHYS_REQUIRE_POINTERS(ray);
         GPHYS_REQUIRE_VALID(*ray);
-        GPHYS_TRY(check_list(out_hits, capacity, out_total));
+        GPHYS_TRY(check_list("out_hits", out_hits, capacity, out_total));
         const auto earlier = [](const gphys_hit& a, const gphys_hit& b) {
             return a.t < b.t || (a.t == b.t && a.triangle < b.triangle);
         };
@@ -160,11 +163,11 @@ gphys_status gphys_mesh_raycast_all(const gphys_mesh* mesh, const gphys_ray* ray
 }
 
 gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray, int32_t* out_hit) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
-        GPHYS_REQUIRE(ray, "ray is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        GPHYS_REQUIRE_POINTERS(ray);
         GPHYS_REQUIRE_VALID(*ray);
-        GPHYS_REQUIRE(out_hit, "out_hit is null");
+        GPHYS_REQUIRE_POINTERS(out_hit);
         *out_hit = unwrap(mesh)->raycast_any(widen(*ray));
         return GPHYS_OK;
     });
@@ -172,11 +175,11 @@ gphys_status gphys_mesh_raycast_any(const gphys_mesh* mesh, const gphys_ray* ray
 
 gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, const void* shape,
                                 uint32_t* out_triangles, uint32_t capacity, uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
         Shape query;
         GPHYS_TRY(read_shape(type, shape, query));
-        GPHYS_TRY(check_list(out_triangles, capacity, out_total));
+        GPHYS_TRY(check_list("out_triangles", out_triangles, capacity, out_total));
         Smallest<uint32_t> triangles(out_triangles, capacity);
         unwrap(mesh)->for_each_overlap(query, [&](uint32_t triangle) {
             triangles.add(triangle);
@@ -187,9 +190,9 @@ gphys_status gphys_mesh_overlap(const gphys_mesh* mesh, gphys_shape_type type, c
 }
 
 gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_stats* out_stats) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
-        GPHYS_REQUIRE(out_stats, "out_stats is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
+        GPHYS_REQUIRE_POINTERS(out_stats);
         *out_stats = unwrap(mesh)->bvh_stats();
         return GPHYS_OK;
     });
@@ -197,8 +200,8 @@ gphys_status gphys_mesh_get_octree_stats(const gphys_mesh* mesh, gphys_octree_st
 
 gphys_status gphys_mesh_get_octree_boxes(const gphys_mesh* mesh, gphys_octree_box* out_boxes, uint32_t capacity,
                                          uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(mesh, "mesh is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(mesh);
         return copy_boxes(*unwrap(mesh), out_boxes, capacity, out_total);
     });
 }

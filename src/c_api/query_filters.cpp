@@ -10,30 +10,31 @@ constexpr gphys_query_filter_desc default_filter{
     sizeof(gphys_query_filter_desc), GPHYS_ALL_LAYERS, 0, 0, nullptr, 0, 0};
 constexpr size_t filter_desc_size = sizeof(gphys_query_filter_desc);  // of release 1.1
 
-gphys_status check_known(const gphys_query_filter_desc& known) noexcept {
-    if (known.reserved != 0) return newer_desc();
-    GPHYS_REQUIRE((known.flags & ~uint32_t{GPHYS_FILTER_SUBTREE}) == 0, "filter.flags: has an unknown bit");
-    GPHYS_REQUIRE(known.ignored_models || known.ignored_count == 0, "filter.ignored_models is null");
+gphys_status check(const gphys_query_filter_desc& desc) noexcept {
+    if (desc.reserved != 0) return newer_desc();
+    GPHYS_REQUIRE_IN_RANGE((desc.flags & ~uint32_t{GPHYS_FILTER_SUBTREE}) == 0, "filter.flags", desc.flags,
+                           "0 or GPHYS_FILTER_SUBTREE");
+    GPHYS_REQUIRE(desc.ignored_models || desc.ignored_count == 0, "filter.ignored_models is null");
     return GPHYS_OK;
 }
 
-QueryFilter filter_of(const Scene& scene, const gphys_query_filter_desc& known) {
-    return scene.query_filter(known.layers, known.ignored_model, (known.flags & GPHYS_FILTER_SUBTREE) != 0,
-                              IgnoredIds(known.ignored_models, known.ignored_count));
+QueryFilter filter_of(const Scene& scene, const gphys_query_filter_desc& desc) {
+    return scene.query_filter(desc.layers, desc.ignored_model, (desc.flags & GPHYS_FILTER_SUBTREE) != 0,
+                              IgnoredIds(desc.ignored_models, desc.ignored_count));
 }
 
 }  // namespace
 
 gphys_status read_filter(const Scene& scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept {
     if (!filter) return GPHYS_OK;
-    // That of a client of this release is read where it is: to copy it costs as much as some models do.
+    // A desc of this release is read in place: a copy takes as long as testing a few models.
     gphys_query_filter_desc copy;
     if (filter->struct_size != sizeof *filter) {
         copy = default_filter;
         GPHYS_TRY(read_desc(filter, copy, filter_desc_size));
         filter = &copy;
     }
-    GPHYS_TRY(check_known(*filter));
+    GPHYS_TRY(check(*filter));
     out = filter_of(scene, *filter);
     return GPHYS_OK;
 }
@@ -46,34 +47,33 @@ gphys_status Filters::read(const Scene& scene, const gphys_query_filter_desc* fi
     return is_one() ? read_filter(scene, filters, one_) : GPHYS_OK;
 }
 
-gphys_status Filters::read_known_of(uint32_t item, gphys_query_filter_desc& known) const noexcept {
-    known = default_filter;
-    GPHYS_TRY(read_desc_element(first_ + item * stride_, stride_, known, filter_desc_size,
-                                "filter_stride: below the struct_size of a filter"));
-    return check_known(known);
+gphys_status Filters::read_desc_of(uint32_t item, gphys_query_filter_desc& desc) const noexcept {
+    desc = default_filter;
+    GPHYS_TRY(read_desc_element(first_ + item * stride_, "filter_stride", stride_, desc, filter_desc_size));
+    return gphys::check(desc);
 }
 
 gphys_status Filters::check(uint32_t item) const noexcept {
-    gphys_query_filter_desc known;
-    return read_known_of(item, known);
+    gphys_query_filter_desc desc;
+    return read_desc_of(item, desc);
 }
 
-const QueryFilter& Filters::of(uint32_t item, QueryFilter& room) const noexcept {
+const QueryFilter& Filters::of(uint32_t item, QueryFilter& storage) const noexcept {
     if (is_one()) return one_;
-    gphys_query_filter_desc known;
-    // It has been checked; if the caller has spoiled it since then, nothing is seen.
-    if (read_known_of(item, known) == GPHYS_OK) {
-        room = filter_of(*scene_, known);
+    gphys_query_filter_desc desc;
+    // Valid when it was checked. If another thread has made it invalid since, the query finds nothing.
+    if (read_desc_of(item, desc) == GPHYS_OK) {
+        storage = filter_of(*scene_, desc);
     } else {
-        room.layers = 0;
+        storage.layers = 0;
     }
-    return room;
+    return storage;
 }
 
-RayFilters Filters::of(const uint32_t* items, uint32_t count, QueryFilter* room) const noexcept {
+RayFilters Filters::of(const uint32_t* items, uint32_t count, QueryFilter* storage) const noexcept {
     if (is_one()) return {&one_, 0};
-    for (uint32_t i = 0; i < count; ++i) of(items[i], room[i]);
-    return {room, 1};
+    for (uint32_t i = 0; i < count; ++i) of(items[i], storage[i]);
+    return {storage, 1};
 }
 
 }  // namespace gphys
@@ -81,5 +81,5 @@ RayFilters Filters::of(const uint32_t* items, uint32_t count, QueryFilter* room)
 using namespace gphys;
 
 gphys_status gphys_query_filter_desc_init(gphys_query_filter_desc* desc, uint32_t size) {
-    return guarded([&] { return write_desc(desc, size, default_filter, filter_desc_size); });
+    return guarded(__func__, [&] { return write_desc(desc, size, default_filter, filter_desc_size); });
 }

@@ -1,4 +1,4 @@
-// Reading the filters of queries: one, one for all items of a batch, or one for each.
+// Reading gphys_query_filter_desc: one for a query, one for all items of a batch, or one for each.
 #pragma once
 
 #include "c_api/api.h"
@@ -6,24 +6,24 @@
 
 namespace gphys {
 
-/// `out` has the defaults, which null stands for.
+/// Null stands for the defaults, which `out` has.
 gphys_status read_filter(const Scene& scene, const gphys_query_filter_desc* filter, QueryFilter& out) noexcept;
 
-/// Of a batch, as the caller has them: those of single items are read when their turn comes.
+/// The filters of a batch. Those of single items are read from the caller's array when they are used.
 class Filters {
 public:
-    /// One for all, with a stride of 0 or null, is read here; others are to be checked, each once.
+    /// A single filter (null, or stride 0) is read here. Others must be checked, each once, before they are used.
     gphys_status read(const Scene& scene, const gphys_query_filter_desc* filters, uint32_t stride) noexcept;
     bool is_one() const { return stride_ == 0; }
     gphys_status check(uint32_t item) const noexcept;
 
-    // `room` is for what is read.
+    // `storage` holds what is read.
 
-    const QueryFilter& of(uint32_t item, QueryFilter& room) const noexcept;
-    RayFilters of(const uint32_t* items, uint32_t count, QueryFilter* room) const noexcept;
+    const QueryFilter& of(uint32_t item, QueryFilter& storage) const noexcept;
+    RayFilters of(const uint32_t* items, uint32_t count, QueryFilter* storage) const noexcept;
 
 private:
-    gphys_status read_known_of(uint32_t item, gphys_query_filter_desc& known) const noexcept;
+    gphys_status read_desc_of(uint32_t item, gphys_query_filter_desc& desc) const noexcept;
 
     const Scene* scene_ = nullptr;
     const char* first_ = nullptr;

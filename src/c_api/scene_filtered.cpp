@@ -1,31 +1,32 @@
-// gphys_scene_*_filtered: queries that leave out models, one by one and in batches.
-#include "c_api/scene_asking.h"
+// gphys_scene_*_filtered: queries with a gphys_query_filter_desc, single and in batches. Each reads the filter and
+// calls the template in scene_query.h that the plain query calls too.
+#include "c_api/scene_query.h"
 
 using namespace gphys;
 
 gphys_status gphys_scene_raycast_filtered(const gphys_scene* scene, const gphys_ray* ray,
                                           const gphys_query_filter_desc* filter, gphys_hit* out_hit) {
-    return guarded([&] {
-        return by_filter(scene, filter,
-                         [&](const QueryFilter& known) { return ask_raycast(scene, ray, known, out_hit); });
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter,
+                           [&](const QueryFilter& parsed) { return scene_raycast(scene, ray, parsed, out_hit); });
     });
 }
 
 gphys_status gphys_scene_raycast_filtered_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
                                                 uint32_t count, const gphys_query_filter_desc* filters,
                                                 uint32_t filter_stride, gphys_hit* out_hits, uint32_t out_stride) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_raycast_batch(scene, rays, ray_stride, count, known, out_hits, out_stride);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_raycast_batch(scene, rays, ray_stride, count, parsed, out_hits, out_stride);
         });
     });
 }
 
 gphys_status gphys_scene_raycast_any_filtered(const gphys_scene* scene, const gphys_ray* ray,
                                               const gphys_query_filter_desc* filter, int32_t* out_hit) {
-    return guarded([&] {
-        return by_filter(scene, filter,
-                         [&](const QueryFilter& known) { return ask_raycast_any(scene, ray, known, out_hit); });
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter,
+                           [&](const QueryFilter& parsed) { return scene_raycast_any(scene, ray, parsed, out_hit); });
     });
 }
 
@@ -33,9 +34,9 @@ gphys_status gphys_scene_raycast_any_filtered_batch(const gphys_scene* scene, co
                                                     uint32_t ray_stride, uint32_t count,
                                                     const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                                     int32_t* out_hits, uint32_t out_stride) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_raycast_any_batch(scene, rays, ray_stride, count, known, out_hits, out_stride);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_raycast_any_batch(scene, rays, ray_stride, count, parsed, out_hits, out_stride);
         });
     });
 }
@@ -43,9 +44,9 @@ gphys_status gphys_scene_raycast_any_filtered_batch(const gphys_scene* scene, co
 gphys_status gphys_scene_raycast_all_filtered(const gphys_scene* scene, const gphys_ray* ray,
                                               const gphys_query_filter_desc* filter, gphys_hit* out_hits,
                                               uint32_t capacity, uint32_t* out_total) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_raycast_all(scene, ray, known, out_hits, capacity, out_total);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return scene_raycast_all(scene, ray, parsed, out_hits, capacity, out_total);
         });
     });
 }
@@ -54,18 +55,19 @@ gphys_status gphys_scene_raycast_all_filtered_batch(const gphys_scene* scene, co
                                                     uint32_t ray_stride, uint32_t count,
                                                     const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                                     gphys_hit* out_hits, uint32_t capacity, uint32_t* out_offsets) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_raycast_all_batch(scene, rays, ray_stride, count, known, out_hits, capacity, out_offsets);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_raycast_all_batch(scene, rays, ray_stride, count, parsed, out_hits, capacity, out_offsets);
         });
     });
 }
 
 gphys_status gphys_scene_segment_test_filtered(const gphys_scene* scene, const gphys_segment* segment,
                                                const gphys_query_filter_desc* filter, gphys_hit* out_hit) {
-    return guarded([&] {
-        return by_filter(scene, filter,
-                         [&](const QueryFilter& known) { return ask_segment_test(scene, segment, known, out_hit); });
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return scene_segment_test(scene, segment, parsed, out_hit);
+        });
     });
 }
 
@@ -73,9 +75,9 @@ gphys_status gphys_scene_segment_test_filtered_batch(const gphys_scene* scene, c
                                                      uint32_t segment_stride, uint32_t count,
                                                      const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                                      gphys_hit* out_hits, uint32_t out_stride) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_segment_test_batch(scene, segments, segment_stride, count, known, out_hits, out_stride);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_segment_test_batch(scene, segments, segment_stride, count, parsed, out_hits, out_stride);
         });
     });
 }
@@ -83,9 +85,9 @@ gphys_status gphys_scene_segment_test_filtered_batch(const gphys_scene* scene, c
 gphys_status gphys_scene_overlap_filtered(const gphys_scene* scene, gphys_shape_type type, const void* shape,
                                           const gphys_query_filter_desc* filter, gphys_model_id* out_models,
                                           uint32_t capacity, uint32_t* out_total) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_overlap(scene, type, shape, known, out_models, capacity, out_total);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return scene_overlap(scene, type, shape, parsed, out_models, capacity, out_total);
         });
     });
 }
@@ -94,10 +96,10 @@ gphys_status gphys_scene_overlap_filtered_batch(const gphys_scene* scene, gphys_
                                                 uint32_t shape_stride, uint32_t count,
                                                 const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                                 gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_overlap_batch(scene, type, shapes, shape_stride, count, known, out_models, capacity,
-                                     out_offsets);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_overlap_batch(scene, type, shapes, shape_stride, count, parsed, out_models, capacity,
+                                       out_offsets);
         });
     });
 }
@@ -105,18 +107,18 @@ gphys_status gphys_scene_overlap_filtered_batch(const gphys_scene* scene, gphys_
 gphys_status gphys_scene_cull_filtered(const gphys_scene* scene, const gphys_frustum* frustum,
                                        const gphys_query_filter_desc* filter, gphys_model_id* out_models,
                                        uint32_t capacity, uint32_t* out_total) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_cull(scene, frustum, known, out_models, capacity, out_total);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return scene_cull(scene, frustum, parsed, out_models, capacity, out_total);
         });
     });
 }
 
 gphys_status gphys_scene_nearest_filtered(const gphys_scene* scene, const gphys_vec3* point, float max_distance,
                                           const gphys_query_filter_desc* filter, gphys_nearest* out_nearest) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_nearest(scene, point, max_distance, known, out_nearest);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return scene_nearest(scene, point, max_distance, parsed, out_nearest);
         });
     });
 }
@@ -125,9 +127,10 @@ gphys_status gphys_scene_nearest_filtered_batch(const gphys_scene* scene, const 
                                                 uint32_t point_stride, uint32_t count, float max_distance,
                                                 const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                                 gphys_nearest* out_nearest, uint32_t out_stride) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_nearest_batch(scene, points, point_stride, count, max_distance, known, out_nearest, out_stride);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_nearest_batch(scene, points, point_stride, count, max_distance, parsed, out_nearest,
+                                       out_stride);
         });
     });
 }
@@ -135,9 +138,9 @@ gphys_status gphys_scene_nearest_filtered_batch(const gphys_scene* scene, const 
 gphys_status gphys_scene_sweep_sphere_filtered(const gphys_scene* scene, const gphys_sphere* sphere,
                                                const gphys_vec3* displacement, const gphys_query_filter_desc* filter,
                                                gphys_hit* out_hit) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_sweep_sphere(scene, sphere, displacement, known, out_hit);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return scene_sweep_sphere(scene, sphere, displacement, parsed, out_hit);
         });
     });
 }
@@ -147,10 +150,10 @@ gphys_status gphys_scene_sweep_sphere_filtered_batch(const gphys_scene* scene, c
                                                      uint32_t displacement_stride, uint32_t count,
                                                      const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                                      gphys_hit* out_hits, uint32_t out_stride) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_sweep_sphere_batch(scene, spheres, sphere_stride, displacements, displacement_stride, count,
-                                          known, out_hits, out_stride);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_sweep_sphere_batch(scene, spheres, sphere_stride, displacements, displacement_stride, count,
+                                            parsed, out_hits, out_stride);
         });
     });
 }

@@ -1,11 +1,11 @@
 // gphys_scene_sweep, gphys_scene_penetration and their filtered forms: solids that move in a scene.
-#include "c_api/scene_asking.h"
+#include "c_api/scene_query.h"
 
 using namespace gphys;
 
 namespace {
 
-/// The input array of a batch of shapes that move.
+/// The input array of a batch of moving shapes.
 gphys_status check_moving(const Workers& workers, gphys_shape_type type, const void* shapes, uint32_t stride,
                           uint32_t count) {
     GPHYS_TRY(check_stride("shape_stride", stride, shape_struct_size(type)));
@@ -16,53 +16,53 @@ gphys_status check_moving(const Workers& workers, gphys_shape_type type, const v
     });
 }
 
-template <class Who>
-gphys_status ask_sweep(const gphys_scene* scene, gphys_shape_type type, const void* shape,
-                       const gphys_vec3* displacement, const Who& who, gphys_hit* out_hit) {
-    GPHYS_REQUIRE(scene, "scene is null");
+template <class Filter>
+gphys_status scene_sweep(const gphys_scene* scene, gphys_shape_type type, const void* shape,
+                         const gphys_vec3* displacement, const Filter& filter, gphys_hit* out_hit) {
+    GPHYS_REQUIRE_POINTERS(scene);
     Shape moving;
     GPHYS_TRY(read_moving(type, shape, moving));
-    GPHYS_REQUIRE(displacement, "displacement is null");
+    GPHYS_REQUIRE_POINTERS(displacement);
     GPHYS_REQUIRE_VALID(*displacement);
-    GPHYS_REQUIRE(out_hit, "out_hit is null");
-    return unwrap(scene)->sweep(moving, widen(*displacement), who, *out_hit);
+    GPHYS_REQUIRE_POINTERS(out_hit);
+    return unwrap(scene)->sweep(moving, widen(*displacement), filter, *out_hit);
 }
 
-template <class Who>
-gphys_status ask_sweep_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes, uint32_t shape_stride,
-                             const gphys_vec3* displacements, uint32_t displacement_stride, uint32_t count,
-                             const Who& who, gphys_hit* out_hits, uint32_t out_stride) {
-    GPHYS_REQUIRE(scene, "scene is null");
+template <class Filter>
+gphys_status scene_sweep_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                               uint32_t shape_stride, const gphys_vec3* displacements, uint32_t displacement_stride,
+                               uint32_t count, const Filter& filter, gphys_hit* out_hits, uint32_t out_stride) {
+    GPHYS_REQUIRE_POINTERS(scene);
     const Workers& workers = unwrap(scene)->workers();
-    GPHYS_TRY(check_filters(workers, who, count));
+    GPHYS_TRY(check_filters(workers, filter, count));
     GPHYS_TRY(check_moving(workers, type, shapes, shape_stride, count));
-    GPHYS_TRY(check_inputs(workers, displacements, "displacement_stride", displacement_stride, count));
-    GPHYS_TRY(check_outputs(out_hits, out_stride, count));
+    GPHYS_TRY(check_inputs(workers, "displacements", displacements, "displacement_stride", displacement_stride, count));
+    GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
     const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
     const Strided<gphys_vec3> displacement(displacements, displacement_stride);
     const StridedOut<gphys_hit> out(out_hits, out_stride);
-    answer_each(workers, count, [&](uint32_t i) {
-        QueryFilter room;
+    for_each_item(workers, count, [&](uint32_t i) {
+        QueryFilter storage;
         gphys_hit hit = no_hit;
         Shape moving;
-        // It has been checked; if the caller has spoiled it since then, nothing is touched.
+        // Valid when it was checked. If another thread has made it invalid since, the result is a miss.
         if (read_moving(type, &shape[i], moving) == GPHYS_OK) {
-            unwrap(scene)->sweep(moving, widen(displacement[i]), filter_of(who, i, room), hit);
+            unwrap(scene)->sweep(moving, widen(displacement[i]), filter_of(filter, i, storage), hit);
         }
         out[i] = hit;
     });
     return GPHYS_OK;
 }
 
-template <class Who>
-gphys_status ask_penetration(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Who& who,
-                             gphys_penetration* out_penetrations, uint32_t capacity, uint32_t* out_total) {
-    GPHYS_REQUIRE(scene, "scene is null");
+template <class Filter>
+gphys_status scene_penetration(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Filter& filter,
+                               gphys_penetration* out_penetrations, uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE_POINTERS(scene);
     Shape moving;
     GPHYS_TRY(read_moving(type, shape, moving));
-    GPHYS_TRY(check_list(out_penetrations, capacity, out_total));
+    GPHYS_TRY(check_list("out_penetrations", out_penetrations, capacity, out_total));
     DeepestPenetrations deepest(out_penetrations, capacity);
-    unwrap(scene)->penetration(moving, who, deepest);
+    unwrap(scene)->penetration(moving, filter, deepest);
     return listed(deepest.finish(), capacity, out_total);
 }
 
@@ -70,15 +70,15 @@ gphys_status ask_penetration(const gphys_scene* scene, gphys_shape_type type, co
 
 gphys_status gphys_scene_sweep(const gphys_scene* scene, gphys_shape_type type, const void* shape,
                                const gphys_vec3* displacement, uint32_t layers, gphys_hit* out_hit) {
-    return guarded([&] { return ask_sweep(scene, type, shape, displacement, layers, out_hit); });
+    return guarded(__func__, [&] { return scene_sweep(scene, type, shape, displacement, layers, out_hit); });
 }
 
 gphys_status gphys_scene_sweep_filtered(const gphys_scene* scene, gphys_shape_type type, const void* shape,
                                         const gphys_vec3* displacement, const gphys_query_filter_desc* filter,
                                         gphys_hit* out_hit) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_sweep(scene, type, shape, displacement, known, out_hit);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return scene_sweep(scene, type, shape, displacement, parsed, out_hit);
         });
     });
 }
@@ -87,9 +87,9 @@ gphys_status gphys_scene_sweep_batch(const gphys_scene* scene, gphys_shape_type 
                                      uint32_t shape_stride, const gphys_vec3* displacements,
                                      uint32_t displacement_stride, uint32_t count, uint32_t layers, gphys_hit* out_hits,
                                      uint32_t out_stride) {
-    return guarded([&] {
-        return ask_sweep_batch(scene, type, shapes, shape_stride, displacements, displacement_stride, count, layers,
-                               out_hits, out_stride);
+    return guarded(__func__, [&] {
+        return scene_sweep_batch(scene, type, shapes, shape_stride, displacements, displacement_stride, count, layers,
+                                 out_hits, out_stride);
     });
 }
 
@@ -98,10 +98,10 @@ gphys_status gphys_scene_sweep_filtered_batch(const gphys_scene* scene, gphys_sh
                                               uint32_t displacement_stride, uint32_t count,
                                               const gphys_query_filter_desc* filters, uint32_t filter_stride,
                                               gphys_hit* out_hits, uint32_t out_stride) {
-    return guarded([&] {
-        return by_filters(scene, filters, filter_stride, [&](const Filters& known) {
-            return ask_sweep_batch(scene, type, shapes, shape_stride, displacements, displacement_stride, count, known,
-                                   out_hits, out_stride);
+    return guarded(__func__, [&] {
+        return with_filters(scene, filters, filter_stride, [&](const Filters& parsed) {
+            return scene_sweep_batch(scene, type, shapes, shape_stride, displacements, displacement_stride, count,
+                                     parsed, out_hits, out_stride);
         });
     });
 }
@@ -109,16 +109,17 @@ gphys_status gphys_scene_sweep_filtered_batch(const gphys_scene* scene, gphys_sh
 gphys_status gphys_scene_penetration(const gphys_scene* scene, gphys_shape_type type, const void* shape,
                                      uint32_t layers, gphys_penetration* out_penetrations, uint32_t capacity,
                                      uint32_t* out_total) {
-    return guarded([&] { return ask_penetration(scene, type, shape, layers, out_penetrations, capacity, out_total); });
+    return guarded(
+        __func__, [&] { return scene_penetration(scene, type, shape, layers, out_penetrations, capacity, out_total); });
 }
 
 gphys_status gphys_scene_penetration_filtered(const gphys_scene* scene, gphys_shape_type type, const void* shape,
                                               const gphys_query_filter_desc* filter,
                                               gphys_penetration* out_penetrations, uint32_t capacity,
                                               uint32_t* out_total) {
-    return guarded([&] {
-        return by_filter(scene, filter, [&](const QueryFilter& known) {
-            return ask_penetration(scene, type, shape, known, out_penetrations, capacity, out_total);
+    return guarded(__func__, [&] {
+        return with_filter(scene, filter, [&](const QueryFilter& parsed) {
+            return scene_penetration(scene, type, shape, parsed, out_penetrations, capacity, out_total);
         });
     });
 }

@@ -7,9 +7,9 @@ namespace gphys {
 namespace {
 
 template <class Public>
-gphys_status read(const void* shape, Shape& out) {
+gphys_status read(const char* name, const void* shape, Shape& out) {
     const Public& value = *static_cast<const Public*>(shape);
-    GPHYS_REQUIRE_VALID(value);
+    GPHYS_TRY(check_valid(name, value));
     out = widen(value);
     return GPHYS_OK;
 }
@@ -17,28 +17,29 @@ gphys_status read(const void* shape, Shape& out) {
 }  // namespace
 
 gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) noexcept {
-    GPHYS_REQUIRE(shape, "shape is null");
+    GPHYS_REQUIRE_POINTERS(shape);
     switch (type) {
         case GPHYS_SHAPE_SPHERE:
-            return read<gphys_sphere>(shape, out);
+            return read<gphys_sphere>("sphere", shape, out);
         case GPHYS_SHAPE_CAPSULE:
-            return read<gphys_capsule>(shape, out);
+            return read<gphys_capsule>("capsule", shape, out);
         case GPHYS_SHAPE_AABB:
-            return read<gphys_aabb>(shape, out);
+            return read<gphys_aabb>("aabb", shape, out);
         case GPHYS_SHAPE_OBB:
-            return read<gphys_obb>(shape, out);
+            return read<gphys_obb>("obb", shape, out);
         case GPHYS_SHAPE_PLANE:
-            return read<gphys_plane>(shape, out);
+            return read<gphys_plane>("plane", shape, out);
         case GPHYS_SHAPE_TRIANGLE:
-            return read<gphys_triangle>(shape, out);
+            return read<gphys_triangle>("triangle", shape, out);
         case GPHYS_SHAPE_FRUSTUM:
-            return read<gphys_frustum>(shape, out);
+            return read<gphys_frustum>("frustum", shape, out);
         case GPHYS_SHAPE_MESH:
         case GPHYS_SHAPE_RAY:
         case GPHYS_SHAPE_SEGMENT:
-            return fail(GPHYS_ERROR_UNSUPPORTED, "type: a mesh, ray or segment cannot stand here");
+            return fail(GPHYS_ERROR_UNSUPPORTED, "type", type,
+                        "a shape that this function takes (no mesh, ray or segment)");
         default:
-            return invalid("type: no such shape");
+            return fail(GPHYS_ERROR_INVALID_ARGUMENT, "type", type, "a gphys_shape_type");
     }
 }
 
@@ -46,12 +47,12 @@ gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out) n
     GPHYS_TRY(read_shape(type, shape, out));
     const bool moves = type == GPHYS_SHAPE_SPHERE || type == GPHYS_SHAPE_CAPSULE || type == GPHYS_SHAPE_AABB ||
                        type == GPHYS_SHAPE_OBB;
-    return moves ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, "type: only a sphere, capsule, AABB or OBB moves");
+    return moves ? GPHYS_OK : fail(GPHYS_ERROR_UNSUPPORTED, "type", type, "a sphere, capsule, AABB or OBB");
 }
 
 gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out) noexcept {
     if (type != GPHYS_SHAPE_MESH) return read_shape(type, shape, out.shape);
-    GPHYS_REQUIRE(shape, "shape is null");
+    GPHYS_REQUIRE_POINTERS(shape);
     out.mesh = unwrap(static_cast<const gphys_mesh*>(shape));
     return GPHYS_OK;
 }

@@ -1,4 +1,4 @@
-// Reading a caller's shape, and the results that batches hold where nothing is found.
+// Reading a caller's shape by its type, and the results that batches hold for a miss.
 #pragma once
 
 #include <limits>
@@ -14,25 +14,25 @@ class Mesh;
 /// @return GPHYS_ERROR_UNSUPPORTED for a ray, segment or mesh; GPHYS_ERROR_INVALID_ARGUMENT for
 ///         null, an unknown type and a defect
 gphys_status read_shape(gphys_shape_type type, const void* shape, Shape& out) noexcept;
-/// A primitive or, if not null, a mesh.
+/// A mesh if that is not null, else a primitive.
 struct ShapeOrMesh {
     Shape shape;
     const Mesh* mesh = nullptr;
 };
-/// @return as read_shape, but a mesh is taken too
+/// @return as read_shape, but a mesh is accepted too
 gphys_status read_shape(gphys_shape_type type, const void* shape, ShapeOrMesh& out) noexcept;
 /// A shape that moves.
-/// @return as read_shape; GPHYS_ERROR_UNSUPPORTED for what is no sphere, capsule, AABB or OBB
+/// @return as read_shape; GPHYS_ERROR_UNSUPPORTED for all but a sphere, capsule, AABB or OBB
 gphys_status read_moving(gphys_shape_type type, const void* shape, Shape& out) noexcept;
-/// Bytes of the public struct; 0 for a mesh and for unknown types.
+/// Size of the public struct in bytes; 0 for a mesh and for unknown types.
 size_t shape_struct_size(gphys_shape_type type) noexcept;
 
-/// Rays and segments begin with so many floats that tell where they go.
+/// The floats at the beginning of a ray or segment that say where it goes.
 constexpr uint32_t ray_coordinates = 6;
 
 /// What a batch holds for a miss: t = INFINITY, no triangle, the rest 0.
 inline constexpr gphys_hit no_hit{0, 0, std::numeric_limits<float>::infinity(), {}, {}, GPHYS_NO_TRIANGLE, 0, 0, 0};
-/// What a batch holds where nothing is near: distance = INFINITY, no triangle, the rest 0.
+/// What a batch holds if there is no nearest model: distance = INFINITY, no triangle, the rest 0.
 inline constexpr gphys_nearest no_nearest{0, 0, {}, std::numeric_limits<float>::infinity(), GPHYS_NO_TRIANGLE};
 
 }  // namespace gphys

@@ -1,21 +1,21 @@
-// Questions about a point and a shape, and about two shapes.
+// gphys_shape_*: queries with a point and a shape, and with two shapes.
 #include "c_api/shape_input.h"
 #include "mesh/mesh.h"
 
 namespace gphys {
 namespace {
 
-/// All that a point can be compared with.
+/// All shapes that a point can be tested against.
 using Target = std::variant<Shape, Ray, Segment, const Mesh*>;
 
 gphys_status read_target(gphys_shape_type type, const void* shape, Target& out) {
     if (type == GPHYS_SHAPE_RAY || type == GPHYS_SHAPE_SEGMENT) {
-        GPHYS_REQUIRE(shape, "shape is null");
+        GPHYS_REQUIRE_POINTERS(shape);
         if (type == GPHYS_SHAPE_RAY) {
-            GPHYS_REQUIRE_VALID(*static_cast<const gphys_ray*>(shape));
+            GPHYS_TRY(check_valid("ray", *static_cast<const gphys_ray*>(shape)));
             out = widen(*static_cast<const gphys_ray*>(shape));
         } else {
-            GPHYS_REQUIRE_VALID(*static_cast<const gphys_segment*>(shape));
+            GPHYS_TRY(check_valid("segment", *static_cast<const gphys_segment*>(shape)));
             out = widen(*static_cast<const gphys_segment*>(shape));
         }
         return GPHYS_OK;
@@ -38,8 +38,8 @@ bool contains(const Target& target, Vec3 point, double tolerance) {
     return std::visit([&](const auto& t) { return contains(t, point, tolerance); }, target);
 }
 
-/// The answer for anything that is never empty. Asked relative to the point, the distance of two
-/// neighbours loses nothing to how far they are from the origin.
+/// For shapes that are never empty. Computed relative to the point, so that a small distance far from the origin
+/// loses no digits.
 template <class S>
 bool nearest(const S& shape, Vec3 point, gphys_nearest& out) {
     const Vec3 offset = closest_point(relative_to(point, shape), {});
@@ -74,11 +74,11 @@ bool overlaps(const ShapeOrMesh& a, const ShapeOrMesh& b) {
 gphys_status check_points(const gphys_vec3* points, uint32_t stride, uint32_t count) {
     GPHYS_TRY(check_stride("point_stride", stride, sizeof(gphys_vec3)));
     const Strided<gphys_vec3> each(points, stride);
-    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
+    for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element("points", i, each[i]));
     return GPHYS_OK;
 }
 
-/// The shapes of one side of a batch of pairs. A stride of 0 is read and checked once.
+/// The shapes of one side of a batch of pairs. With a stride of 0 the only shape is read and checked once.
 class Shapes {
 public:
     Shapes(gphys_shape_type type, const void* first, uint32_t stride) : type_(type), first_(first), stride_(stride) {}
@@ -108,12 +108,40 @@ private:
     ShapeOrMesh current_;
 };
 
-/// The shapes that have a side: not planes, frusta or meshes.
+/// A shape that can be classified against a plane or frustum: no plane, frustum or mesh.
 gphys_status read_classifiable(gphys_shape_type type, const void* shape, Shape& out) {
     if (type == GPHYS_SHAPE_PLANE || type == GPHYS_SHAPE_FRUSTUM) {
-        return fail(GPHYS_ERROR_UNSUPPORTED, "type: a plane or frustum cannot be classified");
+        return fail(GPHYS_ERROR_UNSUPPORTED, "type", type, "a shape that can be classified (no plane or frustum)");
     }
     return read_shape(type, shape, out);
+}
+
+gphys_status contains_batch(gphys_shape_type type, const void* shape, const gphys_vec3* points, uint32_t point_stride,
+                            uint32_t count, float tolerance, int32_t* out_contains, uint32_t out_stride) {
+    if (count != 0) GPHYS_REQUIRE_POINTERS(points, out_contains);
+    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
+    GPHYS_REQUIRE_IN_RANGE(std::isgreaterequal(tolerance, 0.0f) && tolerance <= GPHYS_MAX_COORDINATE, "tolerance",
+                           tolerance, amount_range);
+    Target target;
+    GPHYS_TRY(read_target(type, shape, target));
+    GPHYS_TRY(check_points(points, point_stride, count));
+    const Strided<gphys_vec3> each(points, point_stride);
+    const StridedOut<int32_t> out(out_contains, out_stride);
+    for (uint32_t i = 0; i < count; ++i) out[i] = contains(target, widen(each[i]), tolerance);
+    return GPHYS_OK;
+}
+
+gphys_status overlaps_batch(gphys_shape_type a_type, const void* a, uint32_t a_stride, gphys_shape_type b_type,
+                            const void* b, uint32_t b_stride, uint32_t count, int32_t* out_overlaps,
+                            uint32_t out_stride) {
+    if (count != 0) GPHYS_REQUIRE_POINTERS(out_overlaps);
+    GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
+    Shapes first(a_type, a, a_stride), second(b_type, b, b_stride);
+    GPHYS_TRY(first.check("a_stride", count));
+    GPHYS_TRY(second.check("b_stride", count));
+    const StridedOut<int32_t> out(out_overlaps, out_stride);
+    for (uint32_t i = 0; i < count; ++i) out[i] = overlaps(first[i], second[i]);
+    return GPHYS_OK;
 }
 
 }  // namespace
@@ -123,31 +151,24 @@ using namespace gphys;
 
 gphys_status gphys_shape_contains(gphys_shape_type type, const void* shape, const gphys_vec3* point, float tolerance,
                                   int32_t* out_contains) {
-    return gphys_shape_contains_batch(type, shape, point, 0, 1, tolerance, out_contains, sizeof *out_contains);
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(point, out_contains);
+        return contains_batch(type, shape, point, 0, 1, tolerance, out_contains, sizeof *out_contains);
+    });
 }
 
 gphys_status gphys_shape_contains_batch(gphys_shape_type type, const void* shape, const gphys_vec3* points,
                                         uint32_t point_stride, uint32_t count, float tolerance, int32_t* out_contains,
                                         uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE((points && out_contains) || count == 0, "points or out_contains is null");
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
-        GPHYS_REQUIRE(std::isgreaterequal(tolerance, 0.0f) && tolerance <= GPHYS_MAX_COORDINATE,
-                      "tolerance: must be 0 or more and at most GPHYS_MAX_COORDINATE");
-        Target target;
-        GPHYS_TRY(read_target(type, shape, target));
-        GPHYS_TRY(check_points(points, point_stride, count));
-        const Strided<gphys_vec3> each(points, point_stride);
-        const StridedOut<int32_t> out(out_contains, out_stride);
-        for (uint32_t i = 0; i < count; ++i) out[i] = contains(target, widen(each[i]), tolerance);
-        return GPHYS_OK;
+    return guarded(__func__, [&] {
+        return contains_batch(type, shape, points, point_stride, count, tolerance, out_contains, out_stride);
     });
 }
 
 gphys_status gphys_shape_closest_point(gphys_shape_type type, const void* shape, const gphys_vec3* point,
                                        gphys_nearest* out_nearest) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(point && out_nearest, "point or out_nearest is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(point, out_nearest);
         Target target;
         GPHYS_TRY(read_target(type, shape, target));
         GPHYS_REQUIRE_VALID(*point);
@@ -158,8 +179,8 @@ gphys_status gphys_shape_closest_point(gphys_shape_type type, const void* shape,
 gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* shape, const gphys_vec3* points,
                                              uint32_t point_stride, uint32_t count, gphys_nearest* out_nearest,
                                              uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE((points && out_nearest) || count == 0, "points or out_nearest is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        if (count != 0) GPHYS_REQUIRE_POINTERS(points, out_nearest);
         GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_nearest)));
         Target target;
         GPHYS_TRY(read_target(type, shape, target));
@@ -175,28 +196,22 @@ gphys_status gphys_shape_closest_point_batch(gphys_shape_type type, const void* 
 
 gphys_status gphys_shape_overlaps(gphys_shape_type a_type, const void* a, gphys_shape_type b_type, const void* b,
                                   int32_t* out_overlaps) {
-    return gphys_shape_overlaps_batch(a_type, a, 0, b_type, b, 0, 1, out_overlaps, sizeof *out_overlaps);
+    return guarded(__func__,
+                   [&] { return overlaps_batch(a_type, a, 0, b_type, b, 0, 1, out_overlaps, sizeof *out_overlaps); });
 }
 
 gphys_status gphys_shape_overlaps_batch(gphys_shape_type a_type, const void* a, uint32_t a_stride,
                                         gphys_shape_type b_type, const void* b, uint32_t b_stride, uint32_t count,
                                         int32_t* out_overlaps, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(out_overlaps || count == 0, "out_overlaps is null");
-        GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(int32_t)));
-        Shapes first(a_type, a, a_stride), second(b_type, b, b_stride);
-        GPHYS_TRY(first.check("a_stride", count));
-        GPHYS_TRY(second.check("b_stride", count));
-        const StridedOut<int32_t> out(out_overlaps, out_stride);
-        for (uint32_t i = 0; i < count; ++i) out[i] = overlaps(first[i], second[i]);
-        return GPHYS_OK;
+    return guarded(__func__, [&] {
+        return overlaps_batch(a_type, a, a_stride, b_type, b, b_stride, count, out_overlaps, out_stride);
     });
 }
 
 gphys_status gphys_shape_classify_plane(gphys_shape_type type, const void* shape, const gphys_plane* plane,
                                         gphys_side* out_side, float* out_signed_distance) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(plane && out_side, "plane or out_side is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(plane, out_side);
         Shape read;
         GPHYS_TRY(read_classifiable(type, shape, read));
         GPHYS_REQUIRE_VALID(*plane);
@@ -209,8 +224,8 @@ gphys_status gphys_shape_classify_plane(gphys_shape_type type, const void* shape
 
 gphys_status gphys_shape_classify_frustum(gphys_shape_type type, const void* shape, const gphys_frustum* frustum,
                                           gphys_side* out_side) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(frustum && out_side, "frustum or out_side is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(frustum, out_side);
         Shape read;
         GPHYS_TRY(read_classifiable(type, shape, read));
         GPHYS_REQUIRE_VALID(*frustum);

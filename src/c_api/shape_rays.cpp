@@ -1,4 +1,4 @@
-// Rays, segments and sweeps against one shape or mesh.
+// gphys_shape_*: rays, segments and swept spheres against one shape or mesh.
 #include "c_api/shape_input.h"
 #include "foundation/compiler.h"
 #include "foundation/image_tiles.h"
@@ -39,8 +39,8 @@ bool sweep(const ShapeOrMesh& target, const Sphere& moving, Vec3 displacement, H
 using namespace gphys;
 
 gphys_status gphys_shape_raycast(gphys_shape_type type, const void* shape, const gphys_ray* ray, gphys_hit* out_hit) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(ray && out_hit, "ray or out_hit is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(ray, out_hit);
         ShapeOrMesh target;
         GPHYS_TRY(read_shape(type, shape, target));
         GPHYS_REQUIRE_VALID(*ray);
@@ -53,15 +53,15 @@ gphys_status gphys_shape_raycast(gphys_shape_type type, const void* shape, const
 
 gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape, const gphys_ray* rays,
                                        uint32_t ray_stride, uint32_t count, gphys_hit* out_hits, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE((rays && out_hits) || count == 0, "rays or out_hits is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        if (count != 0) GPHYS_REQUIRE_POINTERS(rays, out_hits);
         GPHYS_TRY(check_stride("ray_stride", ray_stride, sizeof(gphys_ray)));
         GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof(gphys_hit)));
         ShapeOrMesh target;
         GPHYS_TRY(read_shape(type, shape, target));
         const Strided<gphys_ray> each(rays, ray_stride);
         const StridedOut<gphys_hit> out(out_hits, out_stride);
-        for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(each[i]);
+        for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element("rays", i, each[i]));
         if (target.mesh) {
             raycast_by_tiles(*target.mesh, each, count, out);
             return GPHYS_OK;
@@ -76,8 +76,8 @@ gphys_status gphys_shape_raycast_batch(gphys_shape_type type, const void* shape,
 
 gphys_status gphys_shape_segment_test(gphys_shape_type type, const void* shape, const gphys_segment* segment,
                                       gphys_hit* out_hit) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(segment && out_hit, "segment or out_hit is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(segment, out_hit);
         ShapeOrMesh target;
         GPHYS_TRY(read_shape(type, shape, target));
         GPHYS_REQUIRE_VALID(*segment);
@@ -90,8 +90,8 @@ gphys_status gphys_shape_segment_test(gphys_shape_type type, const void* shape, 
 
 gphys_status gphys_shape_sweep_sphere(gphys_shape_type type, const void* shape, const gphys_sphere* sphere,
                                       const gphys_vec3* displacement, gphys_hit* out_hit) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(sphere && displacement && out_hit, "sphere, displacement or out_hit is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(sphere, displacement, out_hit);
         ShapeOrMesh target;
         GPHYS_TRY(read_shape(type, shape, target));
         GPHYS_REQUIRE_VALID(*sphere);

@@ -1,4 +1,4 @@
-// Sweeps of solids against one shape or mesh, and the way out of it.
+// gphys_shape_sweep and gphys_shape_penetration: a solid that moves against one shape or mesh.
 #include "c_api/shape_input.h"
 #include "foundation/results.h"
 #include "mesh/mesh.h"
@@ -6,7 +6,6 @@
 namespace gphys {
 namespace {
 
-/// The other shape and the one that moves.
 struct Pair {
     ShapeOrMesh other;
     Shape moving;
@@ -42,12 +41,12 @@ using namespace gphys;
 
 gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
                                const void* moving, const gphys_vec3* displacement, gphys_hit* out_hit) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(displacement && out_hit, "displacement or out_hit is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(displacement, out_hit);
         Pair pair;
         GPHYS_TRY(read_pair(type, shape, moving_type, moving, pair));
         if (type == GPHYS_SHAPE_FRUSTUM && moving_type != GPHYS_SHAPE_SPHERE) {
-            return fail(GPHYS_ERROR_UNSUPPORTED, "type: only a sphere is swept against a frustum");
+            return fail(GPHYS_ERROR_UNSUPPORTED, "type: only a sphere can be swept against a frustum");
         }
         GPHYS_REQUIRE_VALID(*displacement);
         Hit hit;
@@ -59,11 +58,12 @@ gphys_status gphys_shape_sweep(gphys_shape_type type, const void* shape, gphys_s
 
 gphys_status gphys_shape_penetration(gphys_shape_type type, const void* shape, gphys_shape_type moving_type,
                                      const void* moving, gphys_penetration* out_penetration) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(out_penetration, "out_penetration is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(out_penetration);
         Pair pair;
         GPHYS_TRY(read_pair(type, shape, moving_type, moving, pair));
-        if (type == GPHYS_SHAPE_FRUSTUM) return fail(GPHYS_ERROR_UNSUPPORTED, "type: a frustum has no way out");
+        if (type == GPHYS_SHAPE_FRUSTUM)
+            return fail(GPHYS_ERROR_UNSUPPORTED, "type: there is no penetration into a frustum");
         gphys_penetration found;
         if (!penetration(pair, found)) return GPHYS_NO_HIT;
         *out_penetration = found;

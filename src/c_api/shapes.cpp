@@ -1,4 +1,5 @@
-// Single shapes: validity, bounds, placement, corners.
+// gphys_shape_* and others about the data of single shapes: validity, bounds, transforms, corners, intersections of
+// planes. Queries are in shape_queries.cpp, shape_rays.cpp and shape_solids.cpp.
 #include "c_api/handles.h"
 #include "c_api/shape_input.h"
 #include "camera/projection.h"
@@ -22,38 +23,37 @@ gphys_frustum narrow(const Frustum& f) {
 }
 gphys_aabb narrow(const Box& b) { return {{b.min[0], b.min[1], b.min[2]}, {b.max[0], b.max[1], b.max[2]}}; }
 
-/// Call visit with the public struct that the type names, once it is known to be valid. A mesh has
-/// none.
+/// Call visit with the public struct of the type, if it is valid. A mesh has no struct.
 template <class Visit>
 gphys_status with_struct(gphys_shape_type type, const void* shape, Visit&& visit) {
-    GPHYS_REQUIRE(shape, "shape is null");
-    const auto checked = [&](const auto& value) -> gphys_status {
-        GPHYS_REQUIRE_VALID(value);
+    GPHYS_REQUIRE_POINTERS(shape);
+    const auto checked = [&](const char* name, const auto& value) -> gphys_status {
+        GPHYS_TRY(check_valid(name, value));
         return visit(value);
     };
     switch (type) {
         case GPHYS_SHAPE_SPHERE:
-            return checked(*static_cast<const gphys_sphere*>(shape));
+            return checked("sphere", *static_cast<const gphys_sphere*>(shape));
         case GPHYS_SHAPE_CAPSULE:
-            return checked(*static_cast<const gphys_capsule*>(shape));
+            return checked("capsule", *static_cast<const gphys_capsule*>(shape));
         case GPHYS_SHAPE_AABB:
-            return checked(*static_cast<const gphys_aabb*>(shape));
+            return checked("aabb", *static_cast<const gphys_aabb*>(shape));
         case GPHYS_SHAPE_OBB:
-            return checked(*static_cast<const gphys_obb*>(shape));
+            return checked("obb", *static_cast<const gphys_obb*>(shape));
         case GPHYS_SHAPE_PLANE:
-            return checked(*static_cast<const gphys_plane*>(shape));
+            return checked("plane", *static_cast<const gphys_plane*>(shape));
         case GPHYS_SHAPE_TRIANGLE:
-            return checked(*static_cast<const gphys_triangle*>(shape));
+            return checked("triangle", *static_cast<const gphys_triangle*>(shape));
         case GPHYS_SHAPE_FRUSTUM:
-            return checked(*static_cast<const gphys_frustum*>(shape));
+            return checked("frustum", *static_cast<const gphys_frustum*>(shape));
         case GPHYS_SHAPE_RAY:
-            return checked(*static_cast<const gphys_ray*>(shape));
+            return checked("ray", *static_cast<const gphys_ray*>(shape));
         case GPHYS_SHAPE_SEGMENT:
-            return checked(*static_cast<const gphys_segment*>(shape));
+            return checked("segment", *static_cast<const gphys_segment*>(shape));
         case GPHYS_SHAPE_MESH:
-            return fail(GPHYS_ERROR_UNSUPPORTED, "type: a mesh cannot stand here");
+            return fail(GPHYS_ERROR_UNSUPPORTED, "type", type, "a shape that this function takes (no mesh)");
         default:
-            return invalid("type: no such shape");
+            return fail(GPHYS_ERROR_INVALID_ARGUMENT, "type", type, "a gphys_shape_type");
     }
 }
 
@@ -79,15 +79,15 @@ gphys_status write_bounds(const Box& box, gphys_aabb* out) {
 using namespace gphys;
 
 gphys_status gphys_shape_validate(gphys_shape_type type, const void* shape) {
-    return guarded([&] {
+    return guarded(__func__, [&] {
         if (type == GPHYS_SHAPE_MESH && shape) return gphys_status{GPHYS_OK};
         return with_struct(type, shape, [](const auto&) { return gphys_status{GPHYS_OK}; });
     });
 }
 
 gphys_status gphys_shape_bounds(gphys_shape_type type, const void* shape, gphys_aabb* out_bounds) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(shape && out_bounds, "shape or out_bounds is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(shape, out_bounds);
         if (type == GPHYS_SHAPE_MESH) {
             return write_bounds(unwrap(static_cast<const gphys_mesh*>(shape))->bounds(), out_bounds);
         }
@@ -100,12 +100,12 @@ gphys_status gphys_shape_bounds(gphys_shape_type type, const void* shape, gphys_
 
 gphys_status gphys_shape_transform(gphys_shape_type type, const void* shape, const gphys_transform* transform,
                                    void* out_shape) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(transform && out_shape, "transform or out_shape is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(transform, out_shape);
         return with_struct(type, shape, [&](const auto& value) -> gphys_status {
             GPHYS_REQUIRE_VALID(*transform);
             const auto result = narrow(transformed(widen(value), widen(*transform)));
-            GPHYS_REQUIRE(!defect(result), "transform: the result leaves the range of coordinates");
+            GPHYS_TRY(check_valid("transformed shape", result));
             std::memcpy(out_shape, &result, sizeof result);
             return GPHYS_OK;
         });
@@ -113,8 +113,8 @@ gphys_status gphys_shape_transform(gphys_shape_type type, const void* shape, con
 }
 
 gphys_status gphys_frustum_corners(const gphys_frustum* frustum, gphys_vec3 out_corners[8]) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(frustum && out_corners, "frustum or out_corners is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(frustum, out_corners);
         GPHYS_REQUIRE_VALID(*frustum);
         Vec3 corner[8];
         if (!corners(widen(*frustum), corner)) return GPHYS_UNBOUNDED;
@@ -137,8 +137,8 @@ bool intersection(const gphys_plane& a, const gphys_plane& b, const gphys_plane&
 
 gphys_status gphys_planes_intersection(const gphys_plane* a, const gphys_plane* b, const gphys_plane* c,
                                        gphys_vec3* out_point) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(a && b && c && out_point, "a, b, c or out_point is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(a, b, c, out_point);
         GPHYS_REQUIRE_VALID(*a);
         GPHYS_REQUIRE_VALID(*b);
         GPHYS_REQUIRE_VALID(*c);
@@ -149,18 +149,18 @@ gphys_status gphys_planes_intersection(const gphys_plane* a, const gphys_plane* 
 gphys_status gphys_planes_intersection_batch(const gphys_plane* a, uint32_t a_stride, const gphys_plane* b,
                                              uint32_t b_stride, const gphys_plane* c, uint32_t c_stride, uint32_t count,
                                              gphys_vec3* out_points, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         if (count == 0) return GPHYS_OK;
-        GPHYS_REQUIRE(a && b && c && out_points, "a, b, c or out_points is null");
+        GPHYS_REQUIRE_POINTERS(a, b, c, out_points);
         GPHYS_TRY(check_stride("a_stride", a_stride, sizeof *a));
         GPHYS_TRY(check_stride("b_stride", b_stride, sizeof *b));
         GPHYS_TRY(check_stride("c_stride", c_stride, sizeof *c));
         GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_points));
         const Strided<gphys_plane> all_a(a, a_stride), all_b(b, b_stride), all_c(c, c_stride);
         for (uint32_t i = 0; i < count; ++i) {
-            GPHYS_REQUIRE_VALID(all_a[i]);
-            GPHYS_REQUIRE_VALID(all_b[i]);
-            GPHYS_REQUIRE_VALID(all_c[i]);
+            GPHYS_TRY(check_element("a", i, all_a[i]));
+            GPHYS_TRY(check_element("b", i, all_b[i]));
+            GPHYS_TRY(check_element("c", i, all_c[i]));
         }
         const StridedOut<gphys_vec3> out(out_points, out_stride);
         for (uint32_t i = 0; i < count; ++i) {
@@ -173,12 +173,9 @@ gphys_status gphys_planes_intersection_batch(const gphys_plane* a, uint32_t a_st
 }
 
 gphys_status gphys_mat4_orthonormality(const gphys_mat4* matrix, float* out_deviation) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(matrix && out_deviation, "matrix or out_deviation is null");
-        for (float element : matrix->m) {
-            GPHYS_REQUIRE(std::islessequal(std::fabs(element), GPHYS_MAX_COORDINATE),
-                          "matrix: an element is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
-        }
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(matrix, out_deviation);
+        GPHYS_TRY(check_matrix("matrix.m", *matrix));
         *out_deviation = static_cast<float>(orthonormality(widen(*matrix)));
         return GPHYS_OK;
     });
@@ -186,15 +183,11 @@ gphys_status gphys_mat4_orthonormality(const gphys_mat4* matrix, float* out_devi
 
 gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_depth_range depth_range,
                                        int32_t reverse_z, gphys_frustum* out_frustum) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(view_projection && out_frustum, "view_projection or out_frustum is null");
-        GPHYS_REQUIRE(depth_range == GPHYS_DEPTH_ZERO_TO_ONE || depth_range == GPHYS_DEPTH_MINUS_ONE_TO_ONE,
-                      "depth_range: no such range");
-        GPHYS_REQUIRE(is_bool(reverse_z), "reverse_z: must be 0 or 1");
-        for (float element : view_projection->m) {
-            GPHYS_REQUIRE(std::islessequal(std::fabs(element), GPHYS_MAX_COORDINATE),
-                          "view_projection: an element is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
-        }
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(view_projection, out_frustum);
+        GPHYS_TRY(check_depth_range("depth_range", depth_range));
+        GPHYS_TRY(check_bool("reverse_z", reverse_z));
+        GPHYS_TRY(check_matrix("view_projection.m", *view_projection));
         UserProjection projection{widen(*view_projection), {}};
         if (!inverse(projection.to_clip, projection.from_clip))
             return fail(GPHYS_ERROR_SINGULAR, "view_projection: has no inverse");
@@ -203,7 +196,7 @@ gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_
         projection.planes(depths, Window(), frustum.planes);
         const gphys_frustum result = narrow(frustum);
         if (defect(result) || !projection.has_near_corners(depths))
-            return fail(GPHYS_ERROR_SINGULAR, "view_projection: what it shows has no volume");
+            return fail(GPHYS_ERROR_SINGULAR, "view_projection: the frustum has no volume");
         *out_frustum = result;
         return GPHYS_OK;
     });
@@ -211,8 +204,8 @@ gphys_status gphys_frustum_from_matrix(const gphys_mat4* view_projection, gphys_
 
 gphys_status gphys_segment_closest_points(const gphys_segment* a, const gphys_segment* b, gphys_vec3* out_a,
                                           gphys_vec3* out_b, float* out_distance) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(a && b, "a or b is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(a, b);
         GPHYS_REQUIRE_VALID(*a);
         GPHYS_REQUIRE_VALID(*b);
         Vec3 on_a, on_b;

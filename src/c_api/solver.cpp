@@ -1,5 +1,5 @@
-// gphys_solver_*: the solver, its bodies, the step and what it reports. Particles and constraints of
-// a body are in solver_state.cpp.
+// gphys_solver_*: the solver, its bodies, the step, contacts and statistics. Particles and constraints of a body are in
+// solver_state.cpp, settings in solver_settings.cpp.
 #include "solver/solver.h"
 
 #include <cstddef>
@@ -35,101 +35,102 @@ constexpr gphys_body_desc default_body_desc{sizeof(gphys_body_desc),
                                             0,
                                             0};
 
-bool is_substeps(uint32_t substeps) { return substeps >= 1 && substeps <= most_substeps; }
-bool is_step(float seconds) { return seconds >= shortest_step && seconds <= longest_step; }
-
 gphys_status read_body_desc(const gphys_body_desc* from, gphys_body_desc& desc) {
     desc = default_body_desc;
     GPHYS_TRY(read_desc(from, desc, body_desc_size));
-    GPHYS_REQUIRE(is_amount(desc.mass) && desc.mass > 0, "desc.mass: must be above 0 and in range");
-    GPHYS_REQUIRE(is_amount(desc.radius), "desc.radius: must be at least 0 and in range");
+    GPHYS_REQUIRE_IN_RANGE(is_amount(desc.mass) && desc.mass > 0, "desc.mass", desc.mass, mass_range);
+    GPHYS_TRY(check_amount("desc.radius", desc.radius));
     BodySettings ignored;
     GPHYS_TRY(read_settings(gphys_body_settings{desc.damping, desc.friction, desc.static_friction, desc.restitution,
                                                 desc.layers, desc.body_layers, desc.self_collision},
                             ignored));
-    GPHYS_REQUIRE(is_amount(desc.compliance), "desc.compliance: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_amount(desc.bend_compliance), "desc.bend_compliance: must be at least 0 and in range");
-    GPHYS_REQUIRE((desc.cloth_flags & ~uint32_t{GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND}) == 0,
-                  "desc.cloth_flags: an unknown flag is set");
+    GPHYS_TRY(check_amount("desc.compliance", desc.compliance));
+    GPHYS_TRY(check_amount("desc.bend_compliance", desc.bend_compliance));
+    GPHYS_REQUIRE_IN_RANGE((desc.cloth_flags & ~uint32_t{GPHYS_CLOTH_SHEAR | GPHYS_CLOTH_BEND}) == 0,
+                           "desc.cloth_flags", desc.cloth_flags,
+                           "a combination of GPHYS_CLOTH_SHEAR and GPHYS_CLOTH_BEND");
     return GPHYS_OK;
 }
 
-gphys_status check_count(uint64_t count, uint32_t least) {
-    GPHYS_REQUIRE(count >= least, "count: too few particles for this body");
-    if (count > most_particles) return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 particles");
+/// `name` is the parameter, or the product of parameters, that says how many particles the body gets.
+gphys_status check_count(const char* name, uint64_t count, uint32_t least, const char* range) {
+    const double value = static_cast<double>(count);
+    GPHYS_REQUIRE_IN_RANGE(count >= least, name, value, range);
+    if (count > most_particles) return fail(GPHYS_ERROR_CAPACITY, name, value, "at most 2^24 - 1");
     return GPHYS_OK;
 }
 
 gphys_status check_positions(const gphys_vec3* positions, uint32_t stride, uint32_t count) {
-    GPHYS_REQUIRE(positions, "positions is null");
+    GPHYS_REQUIRE_POINTERS(positions);
     GPHYS_TRY(check_position_stride("position_stride", stride, count));
     const Strided<gphys_vec3> position(positions, stride);
-    for (uint32_t i = 0; i < count; ++i) GPHYS_REQUIRE_VALID(position[i]);
+    for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_element("positions", i, position[i]));
     return GPHYS_OK;
 }
 
-/// All corners of a sheet, or all vertices of a mesh, once they are placed.
+/// A corner of a sheet or a vertex of a mesh, in world space.
 gphys_status check_placed(Vec3 position) {
     GPHYS_REQUIRE(max_component(abs(position)) <= GPHYS_MAX_COORDINATE,
-                  "the cloth reaches beyond GPHYS_MAX_COORDINATE");
+                  "the cloth: a coordinate of a particle would be beyond 1e15");
     return GPHYS_OK;
 }
 
 }  // namespace
 
 gphys_status gphys_solver_desc_init(gphys_solver_desc* desc, uint32_t size) {
-    return guarded([&] { return write_desc(desc, size, default_solver_desc, solver_desc_size); });
+    return guarded(__func__, [&] { return write_desc(desc, size, default_solver_desc, solver_desc_size); });
 }
 
 gphys_status gphys_body_desc_init(gphys_body_desc* desc, uint32_t size) {
-    return guarded([&] { return write_desc(desc, size, default_body_desc, body_desc_size); });
+    return guarded(__func__, [&] { return write_desc(desc, size, default_body_desc, body_desc_size); });
 }
 
 gphys_status gphys_solver_create(const gphys_solver_desc* desc, gphys_solver** out_solver) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         gphys_solver_desc settings = default_solver_desc;
         GPHYS_TRY(read_desc(desc, settings, solver_desc_size));
-        GPHYS_REQUIRE_VALID(settings.allocator);
+        GPHYS_TRY(check_allocator(settings.allocator));
         SolverSettings in;
         GPHYS_TRY(read_settings(
             gphys_solver_settings{settings.gravity, settings.substeps, settings.fixed_step, settings.max_steps,
                                   settings.sleep_speed, settings.sleep_strain, settings.sleep_time, settings.max_strain,
                                   settings.tolerance, settings.max_substeps, settings.max_work},
             in));
-        GPHYS_REQUIRE(!settings.task_runner || settings.task_runner->run, "desc.task_runner: run must be set");
-        GPHYS_REQUIRE(settings.worker_count <= Workers::max_count, "desc.worker_count: at most 1024");
-        GPHYS_REQUIRE(out_solver, "out_solver is null");
+        GPHYS_TRY(check_task_runner(settings.task_runner));
+        GPHYS_REQUIRE_IN_RANGE(settings.worker_count <= Workers::max_count, "desc.worker_count", settings.worker_count,
+                               "at most 1024");
+        GPHYS_REQUIRE_POINTERS(out_solver);
         *out_solver = wrap(create<Solver>(settings.allocator, in, settings.worker_count, settings.task_runner));
         return GPHYS_OK;
     });
 }
 
 void gphys_solver_destroy(gphys_solver* solver) {
-    guarded([&] { destroy(unwrap(solver)); });
+    guarded(__func__, [&] { destroy(unwrap(solver)); });
 }
 
 gphys_status gphys_solver_set_origin(gphys_solver* solver, const double origin[3]) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver && origin, "solver or origin is null");
-        GPHYS_REQUIRE(is_origin(origin), "origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver, origin);
+        GPHYS_TRY(check_origin(origin));
         GPHYS_REQUIRE(unwrap(solver)->set_origin({origin[0], origin[1], origin[2]}),
-                      "origin: a particle would be beyond GPHYS_MAX_COORDINATE");
+                      "origin: a coordinate of a particle would be beyond 1e15");
         return GPHYS_OK;
     });
 }
 
 gphys_status gphys_solver_get_origin(const gphys_solver* solver, double out_origin[3]) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver && out_origin, "solver or out_origin is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver, out_origin);
         write_origin(unwrap(solver)->origin(), out_origin);
         return GPHYS_OK;
     });
 }
 
 gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gravity) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_REQUIRE(gravity, "gravity is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_REQUIRE_POINTERS(gravity);
         GPHYS_REQUIRE_VALID(*gravity);
         unwrap(solver)->set_gravity(widen(*gravity));
         return GPHYS_OK;
@@ -137,9 +138,9 @@ gphys_status gphys_solver_set_gravity(gphys_solver* solver, const gphys_vec3* gr
 }
 
 gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_REQUIRE(is_substeps(substeps), "substeps: must be 1 to 1000");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_substeps("substeps", substeps));
         unwrap(solver)->set_substeps(substeps);
         return GPHYS_OK;
     });
@@ -147,13 +148,13 @@ gphys_status gphys_solver_set_substeps(gphys_solver* solver, uint32_t substeps) 
 
 gphys_status gphys_solver_add_particles(gphys_solver* solver, const gphys_body_desc* desc, const gphys_vec3* positions,
                                         uint32_t position_stride, uint32_t count, gphys_body_id* out_body) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         gphys_body_desc settings;
         GPHYS_TRY(read_body_desc(desc, settings));
-        GPHYS_TRY(check_count(count, 1));
+        GPHYS_TRY(check_count("count", count, 1, "at least 1"));
         GPHYS_TRY(check_positions(positions, position_stride, count));
-        GPHYS_REQUIRE(out_body, "out_body is null");
+        GPHYS_REQUIRE_POINTERS(out_body);
         return unwrap(solver)->add_particles(settings, positions, position_stride, count, *out_body);
     });
 }
@@ -161,14 +162,14 @@ gphys_status gphys_solver_add_particles(gphys_solver* solver, const gphys_body_d
 gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_body_desc* desc, const gphys_vec3* positions,
                                    uint32_t position_stride, uint32_t count, float link_length,
                                    gphys_body_id* out_body) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         gphys_body_desc settings;
         GPHYS_TRY(read_body_desc(desc, settings));
-        GPHYS_TRY(check_count(count, 2));
+        GPHYS_TRY(check_count("count", count, 2, "at least 2"));
         GPHYS_TRY(check_positions(positions, position_stride, count));
-        GPHYS_REQUIRE(is_amount(link_length), "link_length: must be at least 0 and in range");
-        GPHYS_REQUIRE(out_body, "out_body is null");
+        GPHYS_TRY(check_amount("link_length", link_length));
+        GPHYS_REQUIRE_POINTERS(out_body);
         return unwrap(solver)->add_rope(settings, positions, position_stride, count, link_length, *out_body);
     });
 }
@@ -176,56 +177,57 @@ gphys_status gphys_solver_add_rope(gphys_solver* solver, const gphys_body_desc* 
 gphys_status gphys_solver_add_cloth(gphys_solver* solver, const gphys_body_desc* desc, const gphys_vec3* corner,
                                     const gphys_vec3* edge_u, const gphys_vec3* edge_v, uint32_t columns, uint32_t rows,
                                     gphys_body_id* out_body) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         gphys_body_desc settings;
         GPHYS_TRY(read_body_desc(desc, settings));
-        GPHYS_REQUIRE(corner && edge_u && edge_v, "corner, edge_u or edge_v is null");
+        GPHYS_REQUIRE_POINTERS(corner, edge_u, edge_v);
         GPHYS_REQUIRE_VALID(*corner);
         GPHYS_REQUIRE_VALID(*edge_u);
         GPHYS_REQUIRE_VALID(*edge_v);
-        GPHYS_REQUIRE(columns >= 2 && rows >= 2, "columns and rows: must be at least 2");
-        GPHYS_TRY(check_count(uint64_t{columns} * rows, 4));
+        GPHYS_REQUIRE_IN_RANGE(columns >= 2, "columns", columns, "at least 2");
+        GPHYS_REQUIRE_IN_RANGE(rows >= 2, "rows", rows, "at least 2");
+        GPHYS_TRY(check_count("columns * rows", uint64_t{columns} * rows, 4, "at least 4"));
         const Vec3 c = widen(*corner), u = widen(*edge_u), v = widen(*edge_v);
         // Products of floats are exact in double, so this is 0 for parallel edges and for no others.
-        GPHYS_REQUIRE(cross(u, v) != Vec3{}, "edge_u and edge_v: the cloth has no area");
+        GPHYS_REQUIRE(cross(u, v) != Vec3{}, "edge_u, edge_v: the cloth has no area");
         GPHYS_TRY(check_placed(c + u));
         GPHYS_TRY(check_placed(c + v));
         GPHYS_TRY(check_placed(c + u + v));
-        GPHYS_REQUIRE(out_body, "out_body is null");
+        GPHYS_REQUIRE_POINTERS(out_body);
         return unwrap(solver)->add_cloth(settings, c, u, v, columns, rows, *out_body);
     });
 }
 
 gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const gphys_body_desc* desc, const gphys_mesh* mesh,
                                          const gphys_transform* transform, gphys_body_id* out_body) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         gphys_body_desc settings;
         GPHYS_TRY(read_body_desc(desc, settings));
-        GPHYS_REQUIRE(mesh, "mesh is null");
+        GPHYS_REQUIRE_POINTERS(mesh);
         if (transform) GPHYS_REQUIRE_VALID(*transform);
         const Transform placement = transform ? widen(*transform) : Transform{};
         const Mesh& source = *unwrap(mesh);
-        GPHYS_TRY(check_count(source.vertices().size(), 1));
+        GPHYS_TRY(check_count("mesh: vertex count", source.vertices().size(), 1, "at least 1"));
         for (const gphys_vec3& vertex : source.vertices()) GPHYS_TRY(check_placed(placement.apply(widen(vertex))));
-        GPHYS_REQUIRE(out_body, "out_body is null");
+        GPHYS_REQUIRE_POINTERS(out_body);
         return unwrap(solver)->add_cloth_mesh(settings, source, placement, *out_body);
     });
 }
 
 gphys_status gphys_solver_remove_body(gphys_solver* solver, gphys_body_id body) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         return unwrap(solver)->remove(body);
     });
 }
 
 gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
                                      uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_TRY(check_list(out_bodies, capacity, out_total));
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_list("out_bodies", out_bodies, capacity, out_total));
         Smallest<gphys_body_id> bodies(out_bodies, capacity);
         unwrap(solver)->list(bodies);
         return listed(bodies.finish(), capacity, out_total);
@@ -234,9 +236,9 @@ gphys_status gphys_solver_get_bodies(const gphys_solver* solver, gphys_body_id* 
 
 gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id* out_bodies, uint32_t capacity,
                                        uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_TRY(check_list(out_bodies, capacity, out_total));
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_list("out_bodies", out_bodies, capacity, out_total));
         Smallest<gphys_body_id> bodies(out_bodies, capacity);
         unwrap(solver)->list_sleeping(bodies);
         return listed(bodies.finish(), capacity, out_total);
@@ -244,8 +246,8 @@ gphys_status gphys_solver_get_sleeping(const gphys_solver* solver, gphys_body_id
 }
 
 gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id body) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         if (body == 0) {
             unwrap(solver)->wake_all();
             return GPHYS_OK;
@@ -257,10 +259,10 @@ gphys_status gphys_solver_wake(gphys_solver* solver, gphys_body_id body) {
 }
 
 gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_id body, gphys_body_info* out_info) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_REQUIRE(out_info, "out_info is null");
+        GPHYS_REQUIRE_POINTERS(out_info);
         const Body& b = unwrap(solver)->body(body);
         const gphys_solve_method method = b.plan.chains_current ? b.plan.method : method_of(b);
         *out_info = {b.kind, method, b.particles.size(), b.constraints.ids.size(),
@@ -270,10 +272,10 @@ gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gphys_body_i
 }
 
 gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id body, uint32_t* out_substeps) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_REQUIRE(out_substeps, "out_substeps is null");
+        GPHYS_REQUIRE_POINTERS(out_substeps);
         *out_substeps = unwrap(solver)->body(body).substeps.made;
         return GPHYS_OK;
     });
@@ -281,10 +283,10 @@ gphys_status gphys_solver_get_substeps(const gphys_solver* solver, gphys_body_id
 
 gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
                                         uint32_t capacity, uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_TRY(check_list(out_indices, capacity, out_total));
+        GPHYS_TRY(check_list("out_indices", out_indices, capacity, out_total));
         const Vector<uint32_t>& indices = unwrap(solver)->body(body).cloth.triangles;
         const uint32_t total = static_cast<uint32_t>(indices.size());
         std::copy_n(indices.begin(), std::min(total, capacity), out_indices);
@@ -293,11 +295,10 @@ gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_i
 }
 
 gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, float dt) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_REQUIRE(is_step(dt), "dt: must be 1e-6 to 0.5");
-        GPHYS_REQUIRE(!scene || unwrap(solver)->origin() == unwrap(scene)->origin(),
-                      "solver and scene have different origins");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_step("dt", dt));
+        if (scene) GPHYS_TRY(check_origins(solver, scene));
         unwrap(solver)->step(unwrap(scene), dt);
         return GPHYS_OK;
     });
@@ -305,24 +306,23 @@ gphys_status gphys_solver_step(gphys_solver* solver, const gphys_scene* scene, f
 
 gphys_status gphys_solver_advance(gphys_solver* solver, const gphys_scene* scene, float frame_time, uint32_t* out_steps,
                                   float* out_leftover) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_REQUIRE(is_amount(frame_time), "frame_time: must be at least 0 and in range");
-        GPHYS_REQUIRE(!scene || unwrap(solver)->origin() == unwrap(scene)->origin(),
-                      "solver and scene have different origins");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_amount("frame_time", frame_time));
+        if (scene) GPHYS_TRY(check_origins(solver, scene));
         uint32_t steps = 0;
         double leftover = 0;
         unwrap(solver)->advance(unwrap(scene), frame_time, steps, leftover);
         if (out_steps) *out_steps = steps;
-        // Rounding to float must not make a whole step of it.
+        // Below 1 after rounding to float too.
         if (out_leftover) *out_leftover = std::min(static_cast<float>(leftover), std::nextafterf(1, 0));
         return GPHYS_OK;
     });
 }
 
 gphys_status gphys_solver_get_hash(const gphys_solver* solver, uint32_t out_hash[2]) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver && out_hash, "solver or out_hash is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver, out_hash);
         uint32_t hash[2];
         unwrap(solver)->hash(hash);
         std::memcpy(out_hash, hash, sizeof hash);
@@ -332,26 +332,26 @@ gphys_status gphys_solver_get_hash(const gphys_solver* solver, uint32_t out_hash
 
 gphys_status gphys_solver_get_snapshot(const gphys_solver* solver, uint32_t* out_words, uint32_t capacity,
                                        uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_TRY(check_list(out_words, capacity, out_total));
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_list("out_words", out_words, capacity, out_total));
         return unwrap(solver)->snapshot(out_words, capacity, *out_total);
     });
 }
 
 gphys_status gphys_solver_restore(gphys_solver* solver, const uint32_t* words, uint32_t count) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_REQUIRE(words, "words is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_REQUIRE_POINTERS(words);
         return unwrap(solver)->restore(words, count);
     });
 }
 
 gphys_status gphys_solver_get_stats(const gphys_solver* solver, gphys_body_id body, gphys_solver_stats* out_stats) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_REQUIRE(out_stats, "out_stats is null");
+        GPHYS_REQUIRE_POINTERS(out_stats);
         *out_stats = unwrap(solver)->stats(body);
         return GPHYS_OK;
     });
@@ -359,9 +359,9 @@ gphys_status gphys_solver_get_stats(const gphys_solver* solver, gphys_body_id bo
 
 gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact* out_contacts, uint32_t capacity,
                                        uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_TRY(check_list(out_contacts, capacity, out_total));
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_list("out_contacts", out_contacts, capacity, out_total));
         Smallest<gphys_contact, ContactOrder> contacts(out_contacts, capacity);
         unwrap(solver)->contacts(contacts);
         return listed(contacts.finish(), capacity, out_total);
@@ -370,9 +370,9 @@ gphys_status gphys_solver_get_contacts(const gphys_solver* solver, gphys_contact
 
 gphys_status gphys_solver_get_impulses(const gphys_solver* solver, gphys_impulse* out_impulses, uint32_t capacity,
                                        uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
-        GPHYS_TRY(check_list(out_impulses, capacity, out_total));
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(check_list("out_impulses", out_impulses, capacity, out_total));
         Smallest<gphys_impulse, ImpulseOrder> impulses(out_impulses, capacity);
         unwrap(solver)->impulses(impulses);
         return listed(impulses.finish(), capacity, out_total);

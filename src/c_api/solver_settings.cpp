@@ -1,4 +1,4 @@
-// gphys_solver_*: settings of the solver, of bodies and of constraints, and the air, read and changed.
+// gphys_solver_*: the settings of the solver, of bodies, of constraints and of the wind.
 #include "c_api/solver_settings.h"
 
 #include "c_api/api.h"
@@ -9,55 +9,53 @@ using namespace gphys;
 
 namespace {
 
-bool is_substeps(uint32_t substeps) { return substeps >= 1 && substeps <= most_substeps; }
-
 gphys_status check_body(const gphys_solver* solver, gphys_body_id body) {
-    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_REQUIRE_POINTERS(solver);
     return unwrap(solver)->check(body);
 }
 
 gphys_status check_ids(const gphys_solver* solver, gphys_body_id body, const gphys_constraint_id* constraints,
                        uint32_t count) {
     GPHYS_TRY(check_body(solver, body));
-    GPHYS_REQUIRE(constraints || count == 0, "constraints is null");
+    if (count != 0) GPHYS_REQUIRE_POINTERS(constraints);
     for (uint32_t i = 0; i < count; ++i) GPHYS_TRY(check_constraint(unwrap(solver)->body(body), constraints[i]));
     return GPHYS_OK;
 }
 
-const char* defect(const gphys_constraint_settings& settings) {
-    if (!(std::fabs(settings.rest_length) <= GPHYS_MAX_COORDINATE)) return "rest_length: not finite or out of range";
-    if (!is_amount(settings.compliance)) return "compliance: must be at least 0 and in range";
-    if (!is_amount(settings.damping)) return "damping: must be at least 0 and in range";
-    return nullptr;
+Defect defect(const gphys_constraint_settings& settings) {
+    if (!is_coordinate(settings.rest_length)) return {".rest_length", 0, settings.rest_length, coordinate_range};
+    if (!is_amount(settings.compliance)) return {".compliance", 0, settings.compliance, amount_range};
+    if (!is_amount(settings.damping)) return {".damping", 0, settings.damping, amount_range};
+    return {};
 }
 
 }  // namespace
 
 gphys_status gphys::read_settings(const gphys_solver_settings& from, SolverSettings& to) {
-    GPHYS_REQUIRE_VALID(from.gravity);
-    GPHYS_REQUIRE(is_substeps(from.substeps), "substeps: must be 1 to 1000");
-    GPHYS_REQUIRE(from.fixed_step >= shortest_step && from.fixed_step <= longest_step,
-                  "fixed_step: must be 1e-6 to 0.5");
-    GPHYS_REQUIRE(from.max_steps >= 1, "max_steps: must be at least 1");
-    GPHYS_REQUIRE(is_amount(from.sleep_speed), "sleep_speed: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_amount(from.sleep_strain), "sleep_strain: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_amount(from.sleep_time), "sleep_time: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_amount(from.max_strain), "max_strain: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_amount(from.tolerance), "tolerance: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_substeps(from.max_substeps), "max_substeps: must be 1 to 1000");
+    GPHYS_TRY(check_valid("gravity", from.gravity));
+    GPHYS_TRY(check_substeps("substeps", from.substeps));
+    GPHYS_TRY(check_step("fixed_step", from.fixed_step));
+    GPHYS_REQUIRE_IN_RANGE(from.max_steps >= 1, "max_steps", from.max_steps, "at least 1");
+    GPHYS_TRY(check_amount("sleep_speed", from.sleep_speed));
+    GPHYS_TRY(check_amount("sleep_strain", from.sleep_strain));
+    GPHYS_TRY(check_amount("sleep_time", from.sleep_time));
+    GPHYS_TRY(check_amount("max_strain", from.max_strain));
+    GPHYS_TRY(check_amount("tolerance", from.tolerance));
+    GPHYS_TRY(check_substeps("max_substeps", from.max_substeps));
     to = {widen(from.gravity), from.substeps,   from.fixed_step, from.max_steps,    from.sleep_speed, from.sleep_strain,
           from.sleep_time,     from.max_strain, from.tolerance,  from.max_substeps, from.max_work};
     return GPHYS_OK;
 }
 
 gphys_status gphys::read_settings(const gphys_body_settings& from, BodySettings& to) {
-    GPHYS_REQUIRE(is_amount(from.damping), "damping: must be at least 0 and in range");
-    GPHYS_REQUIRE(is_amount(from.friction), "friction: must be at least 0 and in range");
-    GPHYS_REQUIRE(
+    GPHYS_TRY(check_amount("damping", from.damping));
+    GPHYS_TRY(check_amount("friction", from.friction));
+    GPHYS_REQUIRE_IN_RANGE(
         from.static_friction == 0 || (is_amount(from.static_friction) && from.static_friction >= from.friction),
-        "static_friction: must be 0, or at least friction and in range");
-    GPHYS_REQUIRE(from.restitution >= 0 && from.restitution <= 1, "restitution: must be 0 to 1");
-    GPHYS_REQUIRE(from.self_collision <= 1, "self_collision: must be 0 or 1");
+        "static_friction", from.static_friction, "0, or from friction to 1e15");
+    GPHYS_REQUIRE_IN_RANGE(from.restitution >= 0 && from.restitution <= 1, "restitution", from.restitution,
+                           "from 0 to 1");
+    GPHYS_REQUIRE_IN_RANGE(from.self_collision <= 1, "self_collision", from.self_collision, "0 or 1");
     to = {from.damping,       from.friction, std::max(from.friction, from.static_friction),
           from.restitution,   from.layers,   from.body_layers,
           from.self_collision};
@@ -65,8 +63,8 @@ gphys_status gphys::read_settings(const gphys_body_settings& from, BodySettings&
 }
 
 gphys_status gphys_solver_get_settings(const gphys_solver* solver, gphys_solver_settings* out_settings) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver && out_settings, "solver or out_settings is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver, out_settings);
         const SolverSettings& s = unwrap(solver)->settings();
         const auto narrowed = [](double value) { return static_cast<float>(value); };
         *out_settings = {narrow(s.gravity),
@@ -85,8 +83,8 @@ gphys_status gphys_solver_get_settings(const gphys_solver* solver, gphys_solver_
 }
 
 gphys_status gphys_solver_set_settings(gphys_solver* solver, const gphys_solver_settings* settings) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver && settings, "solver or settings is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver, settings);
         SolverSettings read;
         GPHYS_TRY(read_settings(*settings, read));
         unwrap(solver)->set_settings(read);
@@ -96,9 +94,9 @@ gphys_status gphys_solver_set_settings(gphys_solver* solver, const gphys_solver_
 
 gphys_status gphys_solver_get_body_settings(const gphys_solver* solver, gphys_body_id body,
                                             gphys_body_settings* out_settings) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_body(solver, body));
-        GPHYS_REQUIRE(out_settings, "out_settings is null");
+        GPHYS_REQUIRE_POINTERS(out_settings);
         const BodySettings& s = unwrap(solver)->body(body).settings;
         const auto narrowed = [](double value) { return static_cast<float>(value); };
         *out_settings = {
@@ -110,9 +108,9 @@ gphys_status gphys_solver_get_body_settings(const gphys_solver* solver, gphys_bo
 
 gphys_status gphys_solver_set_body_settings(gphys_solver* solver, gphys_body_id body,
                                             const gphys_body_settings* settings) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_body(solver, body));
-        GPHYS_REQUIRE(settings, "settings is null");
+        GPHYS_REQUIRE_POINTERS(settings);
         BodySettings read;
         GPHYS_TRY(read_settings(*settings, read));
         set_settings(unwrap(solver)->body(body), read);
@@ -123,9 +121,9 @@ gphys_status gphys_solver_set_body_settings(gphys_solver* solver, gphys_body_id 
 gphys_status gphys_solver_get_constraint_settings(const gphys_solver* solver, gphys_body_id body,
                                                   const gphys_constraint_id* constraints, uint32_t count,
                                                   gphys_constraint_settings* out_settings, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_ids(solver, body, constraints, count));
-        GPHYS_REQUIRE(out_settings || count == 0, "out_settings is null");
+        if (count != 0) GPHYS_REQUIRE_POINTERS(out_settings);
         GPHYS_TRY(check_out_stride("out_stride", out_stride, sizeof *out_settings));
         const StridedOut<gphys_constraint_settings> to(out_settings, out_stride);
         const Body& b = unwrap(solver)->body(body);
@@ -139,13 +137,14 @@ gphys_status gphys_solver_set_constraint_settings(gphys_solver* solver, gphys_bo
                                                   const gphys_constraint_id* constraints,
                                                   const gphys_constraint_settings* settings, uint32_t setting_stride,
                                                   uint32_t count) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_ids(solver, body, constraints, count));
-        GPHYS_REQUIRE(settings || count == 0, "settings is null");
+        if (count != 0) GPHYS_REQUIRE_POINTERS(settings);
         GPHYS_TRY(check_stride("setting_stride", setting_stride, sizeof *settings));
         const Strided<gphys_constraint_settings> each(settings, setting_stride);
         for (uint32_t i = 0; i < count; ++i) {
-            if (const char* wrong = ::defect(each[i])) return invalid(wrong);
+            const Defect wrong = ::defect(each[i]);
+            if (wrong) return fail(GPHYS_ERROR_INVALID_ARGUMENT, "settings", i, wrong);
         }
         set_constraint_settings(unwrap(solver)->body(body), constraints, settings, setting_stride, count);
         return GPHYS_OK;
@@ -153,22 +152,22 @@ gphys_status gphys_solver_set_constraint_settings(gphys_solver* solver, gphys_bo
 }
 
 gphys_status gphys_solver_set_wind(gphys_solver* solver, gphys_body_id body, const gphys_wind* wind) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver && wind, "solver or wind is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver, wind);
         if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_REQUIRE_VALID(wind->velocity);
-        GPHYS_REQUIRE(is_amount(wind->density), "wind.density: must be at least 0 and in range");
-        GPHYS_REQUIRE(is_amount(wind->drag), "wind.drag: must be at least 0 and in range");
-        GPHYS_REQUIRE(is_amount(wind->lift), "wind.lift: must be at least 0 and in range");
+        GPHYS_TRY(check_valid("wind.velocity", wind->velocity));
+        GPHYS_TRY(check_amount("wind.density", wind->density));
+        GPHYS_TRY(check_amount("wind.drag", wind->drag));
+        GPHYS_TRY(check_amount("wind.lift", wind->lift));
         unwrap(solver)->set_wind(body, *wind);
         return GPHYS_OK;
     });
 }
 
 gphys_status gphys_solver_get_wind(const gphys_solver* solver, gphys_body_id body, gphys_wind* out_wind) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_body(solver, body));
-        GPHYS_REQUIRE(out_wind, "out_wind is null");
+        GPHYS_REQUIRE_POINTERS(out_wind);
         *out_wind = unwrap(solver)->body(body).air.wind;
         return GPHYS_OK;
     });

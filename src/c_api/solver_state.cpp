@@ -1,7 +1,8 @@
-// gphys_solver_*: the particles and constraints of a body, read and changed.
+// gphys_solver_*: getters and setters of the particles, constraints and joints of a body.
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
+#include "c_api/solver_settings.h"
 #include "foundation/strided.h"
 #include "solver/solver.h"
 
@@ -10,43 +11,50 @@ using namespace gphys;
 namespace {
 
 gphys_status check_range(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count) {
-    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_REQUIRE_POINTERS(solver);
     GPHYS_TRY(unwrap(solver)->check(body));
     const uint32_t size = unwrap(solver)->body(body).particles.size();
-    GPHYS_REQUIRE(first <= size && count <= size - first, "first, count: not within the body");
+    GPHYS_REQUIRE_IN_RANGE(first <= size && count <= size - first, "first + count", double(first) + count,
+                           "at most the particle count of the body");
     return GPHYS_OK;
 }
 
 gphys_status check_particle(const gphys_solver* solver, gphys_body_id body, uint32_t particle) {
-    GPHYS_REQUIRE(solver, "solver is null");
+    GPHYS_REQUIRE_POINTERS(solver);
     GPHYS_TRY(unwrap(solver)->check(body));
-    GPHYS_REQUIRE(particle < unwrap(solver)->body(body).particles.size(), "particle: not within the body");
+    GPHYS_REQUIRE_IN_RANGE(particle < unwrap(solver)->body(body).particles.size(), "particle", particle,
+                           "below the particle count of the body");
     return GPHYS_OK;
 }
 
-/// Arrays that are read: all elements must be fine before any is used. is_fine(element).
-template <class T, class IsFine>
-gphys_status check_array(const T* elements, uint32_t stride, uint32_t count, IsFine&& is_fine) {
-    GPHYS_REQUIRE(count == 0 || elements, "the array is null");
+/// The input array of a setter: all elements are checked before any is used. defect_of(element).
+template <class T, class DefectOf>
+gphys_status check_array(const char* name, const T* elements, uint32_t stride, uint32_t count, DefectOf&& defect_of) {
+    if (count != 0) GPHYS_TRY(check_pointers(name, elements));
     GPHYS_TRY(check_stride("stride", stride, sizeof(T)));
     const Strided<T> element(elements, stride);
     for (uint32_t i = 0; i < count; ++i) {
-        GPHYS_REQUIRE(is_fine(element[i]), "an element of the array is NaN, infinite or out of range");
+        const Defect wrong = defect_of(element[i]);
+        if (wrong) return fail(GPHYS_ERROR_INVALID_ARGUMENT, name, i, wrong);
     }
     return GPHYS_OK;
 }
 
-bool is_vector(const gphys_vec3& value) { return !defect(value); }
-bool is_mass(float value) { return value > 0 && value <= GPHYS_MAX_COORDINATE; }
+Defect defect_of_vector(const gphys_vec3& value) { return defect(value); }
+Defect defect_of_mass(float value) {
+    return value > 0 && value <= GPHYS_MAX_COORDINATE ? Defect{} : Defect{"", 0, value, mass_range};
+}
+Defect defect_of_radius(float value) { return is_amount(value) ? Defect{} : Defect{"", 0, value, amount_range}; }
 
 template <class T>
-gphys_status check_out(const T* out, uint32_t stride, uint32_t count) {
-    GPHYS_REQUIRE(count == 0 || out, "the output array is null");
+gphys_status check_out(const char* name, const T* out, uint32_t stride, uint32_t count) {
+    if (count != 0) GPHYS_TRY(check_pointers(name, out));
     return check_out_stride("out_stride", stride, sizeof(T));
 }
 
-gphys_status copy_out(const Vector<Vec3>& values, uint32_t first, uint32_t count, gphys_vec3* out, uint32_t stride) {
-    GPHYS_TRY(check_out(out, stride, count));
+gphys_status copy_out(const Vector<Vec3>& values, uint32_t first, uint32_t count, const char* out_name, gphys_vec3* out,
+                      uint32_t stride) {
+    GPHYS_TRY(check_out(out_name, out, stride, count));
     const StridedOut<gphys_vec3> to(out, stride);
     for (uint32_t i = 0; i < count; ++i) to[i] = narrow(values[first + i]);
     return GPHYS_OK;
@@ -56,18 +64,19 @@ gphys_status copy_out(const Vector<Vec3>& values, uint32_t first, uint32_t count
 
 gphys_status gphys_solver_get_positions(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                         gphys_vec3* out_positions, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).particles.position, first, count, out_positions, out_stride);
+        return copy_out(unwrap(solver)->body(body).particles.position, first, count, "out_positions", out_positions,
+                        out_stride);
     });
 }
 
 gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                         const gphys_vec3* positions, uint32_t stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
         GPHYS_TRY(check_position_stride("stride", stride, count));
-        GPHYS_TRY(check_array(positions, stride, count, is_vector));
+        GPHYS_TRY(check_array("positions", positions, stride, count, defect_of_vector));
         set_positions(unwrap(solver)->edit(body), first, count, positions, stride);
         return GPHYS_OK;
     });
@@ -75,17 +84,18 @@ gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body
 
 gphys_status gphys_solver_get_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                          gphys_vec3* out_velocities, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).particles.velocity, first, count, out_velocities, out_stride);
+        return copy_out(unwrap(solver)->body(body).particles.velocity, first, count, "out_velocities", out_velocities,
+                        out_stride);
     });
 }
 
 gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                          const gphys_vec3* velocities, uint32_t stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array(velocities, stride, count, is_vector));
+        GPHYS_TRY(check_array("velocities", velocities, stride, count, defect_of_vector));
         set_velocities(unwrap(solver)->edit(body), first, count, velocities, stride);
         return GPHYS_OK;
     });
@@ -93,11 +103,11 @@ gphys_status gphys_solver_set_velocities(gphys_solver* solver, gphys_body_id bod
 
 gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      float* out_masses, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_out(out_masses, out_stride, count));
+        GPHYS_TRY(check_out("out_masses", out_masses, out_stride, count));
         const StridedOut<float> to(out_masses, out_stride);
-        // Shared among many particles a mass may be less than any float; none is 0.
+        // A mass that was divided among many particles may be below the smallest float. It is not reported as 0.
         constexpr float least = std::numeric_limits<float>::denorm_min();
         const Vector<double>& mass = unwrap(solver)->body(body).particles.mass;
         for (uint32_t i = 0; i < count; ++i) to[i] = std::max(static_cast<float>(mass[first + i]), least);
@@ -107,9 +117,9 @@ gphys_status gphys_solver_get_masses(const gphys_solver* solver, gphys_body_id b
 
 gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      const float* masses, uint32_t stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array(masses, stride, count, is_mass));
+        GPHYS_TRY(check_array("masses", masses, stride, count, defect_of_mass));
         set_masses(unwrap(solver)->edit(body), first, count, masses, stride);
         return GPHYS_OK;
     });
@@ -117,9 +127,9 @@ gphys_status gphys_solver_set_masses(gphys_solver* solver, gphys_body_id body, u
 
 gphys_status gphys_solver_get_radii(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                     float* out_radii, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_out(out_radii, out_stride, count));
+        GPHYS_TRY(check_out("out_radii", out_radii, out_stride, count));
         const StridedOut<float> to(out_radii, out_stride);
         const Vector<double>& radius = unwrap(solver)->body(body).particles.radius;
         for (uint32_t i = 0; i < count; ++i) to[i] = static_cast<float>(radius[first + i]);
@@ -129,9 +139,9 @@ gphys_status gphys_solver_get_radii(const gphys_solver* solver, gphys_body_id bo
 
 gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                     const float* radii, uint32_t stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array(radii, stride, count, is_amount));
+        GPHYS_TRY(check_array("radii", radii, stride, count, defect_of_radius));
         set_radii(unwrap(solver)->edit(body), first, count, radii, stride);
         return GPHYS_OK;
     });
@@ -139,17 +149,17 @@ gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, ui
 
 gphys_status gphys_solver_get_forces(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      gphys_vec3* out_forces, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        return copy_out(unwrap(solver)->body(body).particles.force, first, count, out_forces, out_stride);
+        return copy_out(unwrap(solver)->body(body).particles.force, first, count, "out_forces", out_forces, out_stride);
     });
 }
 
 gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      const gphys_vec3* forces, uint32_t stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array(forces, stride, count, is_vector));
+        GPHYS_TRY(check_array("forces", forces, stride, count, defect_of_vector));
         set_forces(unwrap(solver)->edit(body), first, count, forces, stride);
         return GPHYS_OK;
     });
@@ -157,9 +167,9 @@ gphys_status gphys_solver_set_forces(gphys_solver* solver, gphys_body_id body, u
 
 gphys_status gphys_solver_set_air_velocities(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                              const gphys_vec3* velocities, uint32_t stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_array(velocities, stride, count, is_vector));
+        GPHYS_TRY(check_array("velocities", velocities, stride, count, defect_of_vector));
         set_air_velocities(unwrap(solver)->body(body), first, count, velocities, stride);
         return GPHYS_OK;
     });
@@ -167,11 +177,11 @@ gphys_status gphys_solver_set_air_velocities(gphys_solver* solver, gphys_body_id
 
 gphys_status gphys_solver_get_air_velocities(const gphys_solver* solver, gphys_body_id body, uint32_t first,
                                              uint32_t count, gphys_vec3* out_velocities, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
         const Vector<Vec3>& velocity = unwrap(solver)->body(body).air.velocity;
-        if (!velocity.empty()) return copy_out(velocity, first, count, out_velocities, out_stride);
-        GPHYS_TRY(check_out(out_velocities, out_stride, count));
+        if (!velocity.empty()) return copy_out(velocity, first, count, "out_velocities", out_velocities, out_stride);
+        GPHYS_TRY(check_out("out_velocities", out_velocities, out_stride, count));
         const StridedOut<gphys_vec3> to(out_velocities, out_stride);
         for (uint32_t i = 0; i < count; ++i) to[i] = {0, 0, 0};
         return GPHYS_OK;
@@ -180,9 +190,9 @@ gphys_status gphys_solver_get_air_velocities(const gphys_solver* solver, gphys_b
 
 gphys_status gphys_solver_get_pinned(const gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      int32_t* out_pinned, uint32_t out_stride) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_TRY(check_out(out_pinned, out_stride, count));
+        GPHYS_TRY(check_out("out_pinned", out_pinned, out_stride, count));
         const StridedOut<int32_t> to(out_pinned, out_stride);
         for (uint32_t i = 0; i < count; ++i) to[i] = unwrap(solver)->body(body).particles.pinned(first + i);
         return GPHYS_OK;
@@ -191,9 +201,9 @@ gphys_status gphys_solver_get_pinned(const gphys_solver* solver, gphys_body_id b
 
 gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, uint32_t first, uint32_t count,
                                      int32_t pinned) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_range(solver, body, first, count));
-        GPHYS_REQUIRE(is_bool(pinned), "pinned: must be 0 or 1");
+        GPHYS_TRY(check_bool("pinned", pinned));
         set_pinned(unwrap(solver)->edit(body), first, count, pinned != 0);
         return GPHYS_OK;
     });
@@ -201,10 +211,10 @@ gphys_status gphys_solver_set_pinned(gphys_solver* solver, gphys_body_id body, u
 
 gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene, gphys_body_id body, uint32_t particle,
                                  gphys_model_id model, const gphys_vec3* local_point) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_particle(solver, body, particle));
-        GPHYS_REQUIRE(scene, "scene is null");
-        GPHYS_REQUIRE(unwrap(solver)->origin() == unwrap(scene)->origin(), "solver and scene have different origins");
+        GPHYS_REQUIRE_POINTERS(scene);
+        GPHYS_TRY(check_origins(solver, scene));
         GPHYS_TRY(unwrap(scene)->check(model));
         if (local_point) GPHYS_REQUIRE_VALID(*local_point);
         Body& b = unwrap(solver)->body(body);
@@ -217,9 +227,9 @@ gphys_status gphys_solver_attach(gphys_solver* solver, const gphys_scene* scene,
 }
 
 gphys_status gphys_solver_detach(gphys_solver* solver, gphys_body_id body, uint32_t particle) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_particle(solver, body, particle));
-        GPHYS_REQUIRE(is_attached(unwrap(solver)->body(body), particle), "particle: not attached");
+        GPHYS_REQUIRE(is_attached(unwrap(solver)->body(body), particle), "particle: is not attached");
         set_pinned(unwrap(solver)->edit(body), particle, 1, false);
         return GPHYS_OK;
     });
@@ -232,10 +242,10 @@ gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particl
                       float compliance, uint64_t limit, gphys_constraint_id* out_constraint) {
     GPHYS_TRY(check_particle(solver, body, particle_a));
     GPHYS_TRY(check_particle(solver, body, particle_b));
-    GPHYS_REQUIRE(particle_a != particle_b, "particle_a and particle_b: must be different");
-    GPHYS_REQUIRE(std::fabs(length) <= GPHYS_MAX_COORDINATE, "length: not finite or out of range");
-    GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
-    GPHYS_REQUIRE(out_constraint, "out_constraint is null");
+    GPHYS_REQUIRE(particle_a != particle_b, "particle_a, particle_b: are the same");
+    GPHYS_TRY(check_coordinate(limit ? "max_length" : "rest_length", length));
+    GPHYS_TRY(check_amount("compliance", compliance));
+    GPHYS_REQUIRE_POINTERS(out_constraint);
     return add_constraint(unwrap(solver)->body(body), {particle_a, particle_b, length, compliance, 0, limit},
                           *out_constraint);
 }
@@ -245,35 +255,37 @@ gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particl
 gphys_status gphys_solver_add_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
                                        uint32_t particle_b, float rest_length, float compliance,
                                        gphys_constraint_id* out_constraint) {
-    return guarded(
-        [&] { return add_link(solver, body, particle_a, particle_b, rest_length, compliance, 0, out_constraint); });
+    return guarded(__func__, [&] {
+        return add_link(solver, body, particle_a, particle_b, rest_length, compliance, 0, out_constraint);
+    });
 }
 
 gphys_status gphys_solver_add_max_distance(gphys_solver* solver, gphys_body_id body, uint32_t particle_a,
                                            uint32_t particle_b, float max_length, float compliance,
                                            gphys_constraint_id* out_constraint) {
-    return guarded(
-        [&] { return add_link(solver, body, particle_a, particle_b, max_length, compliance, 1, out_constraint); });
+    return guarded(__func__, [&] {
+        return add_link(solver, body, particle_a, particle_b, max_length, compliance, 1, out_constraint);
+    });
 }
 
 gphys_status gphys_solver_set_constraint_damping(gphys_solver* solver, gphys_body_id body,
                                                  gphys_constraint_id constraint, float damping) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_REQUIRE(is_amount(damping), "damping: must be at least 0 and in range");
+        GPHYS_TRY(check_amount("damping", damping));
         return set_damping(unwrap(solver)->body(body), constraint, damping);
     });
 }
 
 gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, float rest_volume, float compliance) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_REQUIRE(std::fabs(rest_volume) <= GPHYS_MAX_COORDINATE && rest_volume != 0,
-                      "rest_volume: 0, not finite or out of range");
-        GPHYS_REQUIRE(is_amount(compliance) || compliance == INFINITY,
-                      "compliance: must be at least 0 and in range, or infinity");
+        GPHYS_REQUIRE_IN_RANGE(is_coordinate(rest_volume) && rest_volume != 0, "rest_volume", rest_volume,
+                               "from -1e15 to 1e15 and not 0");
+        GPHYS_REQUIRE_IN_RANGE(is_amount(compliance) || compliance == INFINITY, "compliance", compliance,
+                               "from 0 to 1e15 or INFINITY");
         Body& b = unwrap(solver)->body(body);
         if (compliance < INFINITY) return set_volume(b, rest_volume, compliance);
         release_volume(b);
@@ -283,11 +295,11 @@ gphys_status gphys_solver_set_volume(gphys_solver* solver, gphys_body_id body, f
 
 gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id body, float* out_volume,
                                      float* out_pressure) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
         const Body& b = unwrap(solver)->body(body);
-        if (!b.cloth.volume.held) return fail(GPHYS_ERROR_UNSUPPORTED, "body: no volume is held");
+        if (!b.cloth.volume.held) return fail(GPHYS_ERROR_UNSUPPORTED, "body: gphys_solver_set_volume was not called");
         if (out_volume) *out_volume = to_float(volume_of(b));
         if (out_pressure) *out_pressure = to_float(b.cloth.volume.pressure);
         return GPHYS_OK;
@@ -295,8 +307,8 @@ gphys_status gphys_solver_get_volume(const gphys_solver* solver, gphys_body_id b
 }
 
 gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id body, gphys_constraint_id constraint) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
         return remove_constraint(unwrap(solver)->body(body), constraint);
     });
@@ -305,10 +317,10 @@ gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id 
 gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body_id body,
                                           gphys_constraint_info* out_constraints, uint32_t capacity,
                                           uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_TRY(check_list(out_constraints, capacity, out_total));
+        GPHYS_TRY(check_list("out_constraints", out_constraints, capacity, out_total));
         Smallest<gphys_constraint_info, ConstraintOrder> constraints(out_constraints, capacity);
         list_constraints(unwrap(solver)->body(body), constraints);
         return listed(constraints.finish(), capacity, out_total);
@@ -317,30 +329,30 @@ gphys_status gphys_solver_get_constraints(const gphys_solver* solver, gphys_body
 
 gphys_status gphys_solver_join(gphys_solver* solver, gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b,
                                uint32_t particle_b, float rest_length, float compliance, gphys_joint_id* out_joint) {
-    return guarded([&]() -> gphys_status {
+    return guarded(__func__, [&]() -> gphys_status {
         GPHYS_TRY(check_particle(solver, body_a, particle_a));
         GPHYS_TRY(check_particle(solver, body_b, particle_b));
-        GPHYS_REQUIRE(body_a != body_b, "body_a and body_b: must be different");
-        GPHYS_REQUIRE(std::fabs(rest_length) <= GPHYS_MAX_COORDINATE, "rest_length: not finite or out of range");
-        GPHYS_REQUIRE(is_amount(compliance), "compliance: must be at least 0 and in range");
-        GPHYS_REQUIRE(out_joint, "out_joint is null");
+        GPHYS_REQUIRE(body_a != body_b, "body_a, body_b: are the same");
+        GPHYS_TRY(check_coordinate("rest_length", rest_length));
+        GPHYS_TRY(check_amount("compliance", compliance));
+        GPHYS_REQUIRE_POINTERS(out_joint);
         return unwrap(solver)->join(body_a, particle_a, body_b, particle_b, rest_length, compliance, *out_joint);
     });
 }
 
 gphys_status gphys_solver_unjoin(gphys_solver* solver, gphys_joint_id joint) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         return unwrap(solver)->unjoin(joint);
     });
 }
 
 gphys_status gphys_solver_get_joints(const gphys_solver* solver, gphys_body_id body, gphys_joint_info* out_joints,
                                      uint32_t capacity, uint32_t* out_total) {
-    return guarded([&]() -> gphys_status {
-        GPHYS_REQUIRE(solver, "solver is null");
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
         if (body != 0) GPHYS_TRY(unwrap(solver)->check(body));
-        GPHYS_TRY(check_list(out_joints, capacity, out_total));
+        GPHYS_TRY(check_list("out_joints", out_joints, capacity, out_total));
         Smallest<gphys_joint_info, JointOrder> joints(out_joints, capacity);
         unwrap(solver)->list_joints(body, joints);
         return listed(joints.finish(), capacity, out_total);

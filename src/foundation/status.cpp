@@ -1,16 +1,60 @@
 #include "foundation/status.h"
 
+#include <cmath>
 #include <cstdio>
+#include <cstring>
 
 namespace gphys {
 
 namespace {
+
+constexpr size_t message_size = 256;  // gphys_last_error promises at most 255 bytes
+
 // A plain array: a thread_local with a destructor would keep dlclose from unloading the library.
-thread_local char message_of_thread[256];
+thread_local char message_of_thread[message_size];
+
+/// A number as text: integers in full, others with six digits. No comparison raises FE_INVALID for NaN.
+class Number {
+public:
+    explicit Number(double value) {
+        const bool is_integer = value == std::trunc(value) && std::isless(std::fabs(value), 0x1p53);
+        std::snprintf(text_, sizeof text_, is_integer ? "%.0f" : "%g", value);
+    }
+    const char* text() const { return text_; }
+
+private:
+    char text_[32];
+};
+
 }  // namespace
 
 gphys_status fail(gphys_status status, const char* message) noexcept {
-    std::snprintf(message_of_thread, sizeof message_of_thread, "%s", message);
+    std::snprintf(message_of_thread, message_size, "%s", message);
+    return status;
+}
+
+gphys_status fail(gphys_status status, const char* name, double value, const char* range) noexcept {
+    std::snprintf(message_of_thread, message_size, "%s %s is not %s", name, Number(value).text(), range);
+    return status;
+}
+
+gphys_status fail(gphys_status status, const char* name, const Defect& defect) noexcept {
+    const char axis[] = {'.', defect.axis, 0};
+    std::snprintf(message_of_thread, message_size, "%s%s%s %s is not %s", name, defect.field, defect.axis ? axis : "",
+                  Number(defect.value).text(), defect.range);
+    return status;
+}
+
+gphys_status fail(gphys_status status, const char* array, uint32_t index, const Defect& defect) noexcept {
+    char element[64];
+    std::snprintf(element, sizeof element, "%s[%lu]", array, static_cast<unsigned long>(index));
+    return fail(status, element, defect);
+}
+
+gphys_status add_function_name(const char* function, gphys_status status) noexcept {
+    char message[message_size];
+    std::memcpy(message, message_of_thread, message_size);
+    std::snprintf(message_of_thread, message_size, "%s: %.200s", function, message);
     return status;
 }
 

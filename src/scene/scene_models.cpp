@@ -1,5 +1,5 @@
-// Models come and go, and hang below one another. Every change first makes all room that it needs,
-// then checks, then changes what cannot fail any more.
+// Adding, removing and parenting models. Every change first reserves memory, then checks, then modifies the scene,
+// which cannot fail any more.
 #include <algorithm>
 #include <type_traits>
 
@@ -265,13 +265,13 @@ void Scene::unlist_large_mesh(uint32_t slot) {
     large_mesh_count_ = static_cast<uint32_t>(end - large_meshes_);
 }
 
-/// Room was made before.
+/// Memory was reserved before.
 void Scene::list_unbounded(uint32_t slot) {
     models_[slot].shape[position_in_list] = static_cast<uint32_t>(unbounded_.size());
     unbounded_.push_back(slot);
 }
 
-/// The last one takes its place, unless it is that.
+/// Replaced by the last element (swap and pop).
 void Scene::unlist_unbounded(uint32_t position) {
     const uint32_t last = unbounded_.back();
     unbounded_.pop_back();
@@ -340,9 +340,9 @@ bool Scene::bounds(gphys_model_id model, Box& out) const {
     return true;
 }
 
-// Families: who hangs below whom.
+// Families: parents, children and siblings.
 
-/// Room was made before; the record starts with the local transform that the model has.
+/// Memory was reserved before. The record starts with the model's local transform.
 Scene::Family& Scene::take_family(uint32_t slot) {
     Model& model = models_[slot];
     if (!model.has_family()) {
@@ -445,7 +445,7 @@ gphys_status Scene::set_parent(gphys_model_id model, gphys_model_id parent, bool
     };
     hang_below(new_parent, local);
     uint32_t moved = 0;
-    const char* wrong = gphys::defect(local);
+    const char* wrong = gphys::defect(local) ? "parent: the local transform is out of range" : nullptr;
     if (!wrong) wrong = carry(slot, moved);
     if (wrong) {
         hang_below(old_parent, old_local);

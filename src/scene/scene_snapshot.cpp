@@ -320,7 +320,7 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, bool ha
         if (has_places) reader.value(place);
         if (!reader.good()) return cut_short;
         if (!is_model_type(words.type)) return "words: a model's shape is of no type";
-        if (const char* wrong = gphys::defect(words.local)) return wrong;
+        if (gphys::defect(words.local)) return "words: a model's transform is out of range";
         if (!is_place_in_world(place.world())) return "words: a model is in no place of the world";
         if (has_places) places_[slot] = place;
         tags_[slot] = words.tag;
@@ -344,7 +344,7 @@ const char* Scene::read_models(Reader& reader, const HeldMeshes& meshes, bool ha
             } else {
                 reader.value(shape);
                 if (!reader.good()) return cut_short;
-                if (const char* defect = gphys::defect(shape)) return defect;
+                if (gphys::defect(shape)) return "words: a model's shape is out of range";
                 if (sizeof shape > sizeof Model::shape) shape_tails_.resize(slots);
                 model.type_ = words.type;
                 store_shape(slot, &shape);

@@ -1,6 +1,6 @@
-// Models move, and their descendants with them. New transforms are written in place, where children
-// find their parent's. Should a model end up where the scene cannot hold it, the old transforms are
-// put back and all worlds are derived from them again, which gives the old bits.
+// Setting transforms of models and their descendants. New transforms are written in place, where children read their
+// parent's. If a model would leave the range of coordinates, the old transforms are restored and all world transforms
+// derived from them again, which gives the same bits as before.
 #include "scene/scene.h"
 
 #include "foundation/compiler.h"
@@ -9,7 +9,7 @@ namespace gphys {
 
 namespace {
 
-/// Some fifty microseconds of work, much more than it takes to wake a thread.
+/// About fifty microseconds of work, much more than waking a thread takes.
 constexpr uint32_t models_per_task = 1024;
 
 }  // namespace
@@ -46,8 +46,7 @@ Box Scene::world_box(uint32_t slot, const gphys_transform& world) const {
 }
 
 GPHYS_NOINLINE const char* Scene::place(uint32_t slot, const gphys_transform& world, Box& box) const {
-    const char* wrong = gphys::defect(world);
-    if (wrong) return wrong;
+    if (gphys::defect(world)) return "transform: the world transform is out of range";
     if (world.scale < 1 / max_scale) return "transform.scale: below 1 / GPHYS_MAX_COORDINATE";
     if (models_[slot].type() == GPHYS_SHAPE_PLANE) return nullptr;
     box = world_box(slot, world);

@@ -12,21 +12,22 @@ namespace {
 // Comparisons by name (std::islessequal, ...) are false for NaN without raising FE_INVALID, which a
 // host may trap.
 bool in_range(float v) { return std::islessequal(std::fabs(v), GPHYS_MAX_COORDINATE); }
-bool in_range(const gphys_vec3& v) { return in_range(v.x) && in_range(v.y) && in_range(v.z); }
 bool is_size(float v) { return in_range(v) && v >= 0; }
 bool is_zero(const gphys_vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-bool is_rotation(const gphys_quat& q) {
+double square_of(const gphys_quat& q) {
     const Quat d = widen(q);
-    const double square = d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w;
+    return d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w;
+}
+bool is_rotation(const gphys_quat& q) {
+    const double square = square_of(q);
     return std::isgreaterequal(square, 0.999 * 0.999) && square <= 1.001 * 1.001;
 }
-/// Lanes whose sizes are beyond a limit, or NaN: compared as the integers that their bits are, which raises
-/// nothing.
+/// Lanes whose magnitude is above a limit, or NaN. Compares the bits as integers, which raises no exception.
 Mask4 beyond(Float4 v, Float4 limit) { return greater_bits(abs(v), limit); }
-/// Almost all transforms and rays are, and this is quick to tell.
+/// A fast test that accepts almost all valid transforms.
 bool is_surely_valid(const gphys_transform& transform) {
     static_assert(sizeof transform == 2 * sizeof(Float4));
-    constexpr float above_one = 1.0019f;  // of the square, which five roundings bring nowhere near 1.001^2
+    constexpr float above_one = 1.0019f;  // of the square: five roundings stay below 1.001^2
     const Float4 position_and_x(GPHYS_MAX_COORDINATE, GPHYS_MAX_COORDINATE, GPHYS_MAX_COORDINATE, 2);
     const Float4 yzw_and_scale(2, 2, 2, GPHYS_MAX_COORDINATE);
     Float4 parts[2];
@@ -51,8 +52,8 @@ bool is_surely_valid(const gphys_ray& ray) {
            any(beyond(last, some_direction));
 }
 
-/// Of a short normal: the plane itself is out of range, and answers could exceed the largest float. A unit
-/// normal that was rounded to floats may be shorter than one by 2^-24 or so: that counts as one.
+/// Whether the plane is too far from the origin, with a short normal: results could exceed the largest float. The
+/// tolerance is for unit normals that rounding to float has made shorter by about 2^-24.
 bool is_far(const gphys_plane& plane) {
     constexpr double furthest = double{GPHYS_MAX_COORDINATE} * (1 + 0x1p-22);
     return std::fabs(static_cast<double>(plane.distance)) > furthest * length(widen(plane.normal));
@@ -60,117 +61,128 @@ bool is_far(const gphys_plane& plane) {
 
 }  // namespace
 
-const char* defect(const gphys_vec3& point) {
-    return in_range(point) ? nullptr : "point: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+namespace {
+
+constexpr char coordinate[] = "from -1e15 to 1e15";
+constexpr char size[] = "from 0 to 1e15";
+constexpr char unit_length[] = "from 0.999 to 1.001";
+
+Defect defect(const char* field, const gphys_vec3& v) {
+    if (!in_range(v.x)) return {field, 'x', v.x, coordinate};
+    if (!in_range(v.y)) return {field, 'y', v.y, coordinate};
+    if (!in_range(v.z)) return {field, 'z', v.z, coordinate};
+    return {};
 }
 
-const char* defect(const gphys_quat& rotation) {
-    return is_rotation(rotation) ? nullptr : "rotation: the quaternion's length is not within 1e-3 of one";
+Defect defect(const char* field, const gphys_quat& q) {
+    return is_rotation(q) ? Defect{} : Defect{field, 0, std::sqrt(square_of(q)), unit_length};
 }
 
-const char* defect(const gphys_transform& transform) {
-    if (is_surely_valid(transform)) return nullptr;
-    if (!in_range(transform.position)) {
-        return "transform.position: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    }
-    if (!is_rotation(transform.rotation)) {
-        return "transform.rotation: the quaternion's length is not within 1e-3 of one";
-    }
+Defect defect_of_size(const char* field, char axis, float value) {
+    return is_size(value) ? Defect{} : Defect{field, axis, value, size};
+}
+
+}  // namespace
+
+Defect defect(const gphys_vec3& point) { return defect("", point); }
+
+Defect defect(const gphys_quat& rotation) { return defect(": length", rotation); }
+
+Defect defect(const gphys_transform& transform) {
+    if (is_surely_valid(transform)) return {};
+    if (const Defect d = defect(".position", transform.position)) return d;
+    if (const Defect d = defect(".rotation: length", transform.rotation)) return d;
     if (!(is_size(transform.scale) && transform.scale > 0)) {
-        return "transform.scale: must be above 0 and at most GPHYS_MAX_COORDINATE";
+        return {".scale", 0, transform.scale, "above 0 and at most 1e15"};
     }
-    return nullptr;
+    return {};
 }
 
-const char* defect(const gphys_ray& ray) {
-    if (is_surely_valid(ray)) return nullptr;
-    if (!in_range(ray.origin)) return "ray.origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!in_range(ray.direction)) {
-        return "ray.direction: a component is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    }
-    if (is_zero(ray.direction)) return "ray.direction: must not be zero";
-    if (!std::isgreaterequal(ray.t_max, 0.0f)) return "ray.t_max: must be 0 or more and not NaN";
-    return nullptr;
+Defect defect(const gphys_ray& ray) {
+    if (is_surely_valid(ray)) return {};
+    if (const Defect d = defect(".origin", ray.origin)) return d;
+    if (const Defect d = defect(".direction", ray.direction)) return d;
+    if (is_zero(ray.direction)) return {".direction: length", 0, 0, "above 0"};
+    if (!std::isgreaterequal(ray.t_max, 0.0f)) return {".t_max", 0, ray.t_max, "0 or more"};
+    return {};
 }
 
-const char* defect(const gphys_segment& segment) {
-    if (!in_range(segment.a)) return "segment.a: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!in_range(segment.b)) return "segment.b: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    return nullptr;
+Defect defect(const gphys_segment& segment) {
+    if (const Defect d = defect(".a", segment.a)) return d;
+    return defect(".b", segment.b);
 }
 
-const char* defect(const gphys_sphere& sphere) {
-    if (!in_range(sphere.center)) return "sphere.center: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!is_size(sphere.radius)) return "sphere.radius: must be 0 or more and at most GPHYS_MAX_COORDINATE";
-    return nullptr;
+Defect defect(const gphys_sphere& sphere) {
+    if (const Defect d = defect(".center", sphere.center)) return d;
+    return defect_of_size(".radius", 0, sphere.radius);
 }
 
-const char* defect(const gphys_capsule& capsule) {
-    if (!in_range(capsule.a)) return "capsule.a: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!in_range(capsule.b)) return "capsule.b: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!is_size(capsule.radius)) return "capsule.radius: must be 0 or more and at most GPHYS_MAX_COORDINATE";
-    return nullptr;
+Defect defect(const gphys_capsule& capsule) {
+    if (const Defect d = defect(".a", capsule.a)) return d;
+    if (const Defect d = defect(".b", capsule.b)) return d;
+    return defect_of_size(".radius", 0, capsule.radius);
 }
 
-const char* defect(const gphys_aabb& box) {
-    if (!in_range(box.min)) return "aabb.min: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!in_range(box.max)) return "aabb.max: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z) {
-        return "aabb.min: must not exceed max on any axis";
-    }
-    return nullptr;
+Defect defect(const gphys_aabb& box) {
+    if (const Defect d = defect(".min", box.min)) return d;
+    if (const Defect d = defect(".max", box.max)) return d;
+    if (box.min.x > box.max.x) return {".min", 'x', box.min.x, "at most max.x"};
+    if (box.min.y > box.max.y) return {".min", 'y', box.min.y, "at most max.y"};
+    if (box.min.z > box.max.z) return {".min", 'z', box.min.z, "at most max.z"};
+    return {};
 }
 
-const char* defect(const gphys_obb& box) {
-    if (!in_range(box.center)) return "obb.center: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!(is_size(box.half_extents.x) && is_size(box.half_extents.y) && is_size(box.half_extents.z))) {
-        return "obb.half_extents: each must be 0 or more and at most GPHYS_MAX_COORDINATE";
-    }
-    if (!is_rotation(box.rotation)) return "obb.rotation: the quaternion's length is not within 1e-3 of one";
-    return nullptr;
+Defect defect(const gphys_obb& box) {
+    if (const Defect d = defect(".center", box.center)) return d;
+    if (const Defect d = defect_of_size(".half_extents", 'x', box.half_extents.x)) return d;
+    if (const Defect d = defect_of_size(".half_extents", 'y', box.half_extents.y)) return d;
+    if (const Defect d = defect_of_size(".half_extents", 'z', box.half_extents.z)) return d;
+    return defect(".rotation: length", box.rotation);
 }
 
-const char* defect(const gphys_plane& plane) {
-    if (!in_range(plane.normal)) return "plane.normal: a component is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (is_zero(plane.normal)) return "plane.normal: must not be zero";
-    if (!in_range(plane.distance)) return "plane.distance: is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (is_far(plane)) return "plane.distance: divided by the normal's length, it is beyond GPHYS_MAX_COORDINATE";
-    return nullptr;
+Defect defect(const gphys_plane& plane) {
+    if (const Defect d = defect(".normal", plane.normal)) return d;
+    if (is_zero(plane.normal)) return {".normal: length", 0, 0, "above 0"};
+    if (!in_range(plane.distance)) return {".distance", 0, plane.distance, coordinate};
+    if (is_far(plane)) return {".distance / |normal|", 0, plane.distance / length(widen(plane.normal)), coordinate};
+    return {};
 }
 
-const char* defect(const gphys_triangle& triangle) {
-    if (!in_range(triangle.a)) return "triangle.a: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!in_range(triangle.b)) return "triangle.b: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    if (!in_range(triangle.c)) return "triangle.c: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    return nullptr;
+Defect defect(const gphys_triangle& triangle) {
+    if (const Defect d = defect(".a", triangle.a)) return d;
+    if (const Defect d = defect(".b", triangle.b)) return d;
+    return defect(".c", triangle.c);
 }
 
-const char* defect(const gphys_frustum& frustum) {
-    if (!in_range(frustum.origin)) {
-        return "frustum.origin: a coordinate is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-    }
+Defect defect(const gphys_frustum& frustum) {
+    static constexpr const char* normals[] = {".planes[0].normal", ".planes[1].normal", ".planes[2].normal",
+                                              ".planes[3].normal", ".planes[4].normal", ".planes[5].normal"};
+    static constexpr const char* lengths[] = {".planes[0].normal: length", ".planes[1].normal: length",
+                                              ".planes[2].normal: length", ".planes[3].normal: length",
+                                              ".planes[4].normal: length", ".planes[5].normal: length"};
+    static constexpr const char* distances[] = {".planes[0].distance", ".planes[1].distance", ".planes[2].distance",
+                                                ".planes[3].distance", ".planes[4].distance", ".planes[5].distance"};
+    static constexpr const char* quotients[] = {".planes[0].distance / |normal|", ".planes[1].distance / |normal|",
+                                                ".planes[2].distance / |normal|", ".planes[3].distance / |normal|",
+                                                ".planes[4].distance / |normal|", ".planes[5].distance / |normal|"};
+    if (const Defect d = defect(".origin", frustum.origin)) return d;
     for (int i = 0; i < 6; ++i) {
         const gphys_plane& plane = frustum.planes[i];
-        if (!in_range(plane.normal)) {
-            return "frustum.planes: a normal's component is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
+        if (const Defect d = defect(normals[i], plane.normal)) return d;
+        if (!in_range(plane.distance)) return {distances[i], 0, plane.distance, coordinate};
+        if (is_zero(plane.normal)) {
+            if (i == GPHYS_FRUSTUM_FAR && plane.distance == -1) continue;
+            return {lengths[i], 0, 0, "above 0 (an infinite far plane has distance -1)"};
         }
-        if (!in_range(plane.distance)) {
-            return "frustum.planes: a distance is NaN, infinite or beyond GPHYS_MAX_COORDINATE";
-        }
-        if (is_zero(plane.normal) && !(i == GPHYS_FRUSTUM_FAR && plane.distance == -1)) {
-            return "frustum.planes: a normal is zero (allowed only for an infinite far plane, with distance -1)";
-        }
-        if (!is_zero(plane.normal) && is_far(plane)) {
-            return "frustum.planes: a distance divided by the normal's length is beyond GPHYS_MAX_COORDINATE";
-        }
+        if (is_far(plane)) return {quotients[i], 0, plane.distance / length(widen(plane.normal)), coordinate};
     }
-    return nullptr;
+    return {};
 }
 
 namespace {
 
-/// The largest float <= base - reach, although the difference itself is rounded: Knuth's error
-/// term tells on which side of it the exact value lies.
+/// The largest float <= base - reach. The difference is rounded; the error term of Knuth's sum says on which side of
+/// it the exact value is.
 float lower_bound(double base, double reach) {
     const double difference = base - reach;
     const double reach_part = base - difference;
@@ -233,7 +245,7 @@ bool bounds(const Ray& ray, Box& out) {
 
 namespace {
 
-// How a transform acts on what shapes are made of, forward and backward.
+// A transform and its inverse, applied to the parts of shapes.
 
 struct Forward {
     const Transform& t;
@@ -291,7 +303,7 @@ Frustum moved(const Frustum& frustum, const Map& map) {
     Frustum result{map.point(frustum.origin), {}};
     for (int i = 0; i < 6; ++i) {
         const Plane& plane = frustum.planes[i];
-        // An infinite far plane bounds nothing, wherever it is moved.
+        // An infinite far plane stays one.
         result.planes[i] = plane.normal == Vec3{} ? plane : Plane{map.rotate(plane.normal), map.size(plane.distance)};
     }
     return result;
@@ -300,8 +312,8 @@ Frustum moved(const Frustum& frustum, const Map& map) {
 }  // namespace
 
 Vec3 end_of(const Ray& segment) {
-    // Where the sum of origin and direction cancels it is exact, and so are the sums after it. Elsewhere
-    // the second one is off by less than 2^-103 of the end, which is a double.
+    // If the sum of origin and direction cancels, it and the following sums are exact. Else the error of the second is
+    // below 2^-103 of the end, which is a double.
     Vec3 error;
     const Vec3 sum = difference(segment.origin, -segment.direction, error);
     return sum + (error + segment.rest);
@@ -365,7 +377,7 @@ bool corners(const Frustum& frustum, Vec3 out[8]) {
         Vec3 from_origin;
         if (!common_point(a, b, c, from_origin)) return false;
         found[i] = frustum.origin + from_origin;
-        // Planes that are almost parallel meet beyond all floats.
+        // Almost parallel planes may meet beyond the largest float.
         if (!(max_component(abs(found[i])) <= largest)) return false;
     }
     std::copy(found, found + 8, out);

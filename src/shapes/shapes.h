@@ -1,10 +1,11 @@
-// The primitives in double precision: data, widening from the public float structs, validity,
-// bounds and placement. Questions about them are in intersect.h.
+// The primitives in double precision: data, widening from the public float structs, validity, bounds and transforms.
+// Queries are in geometry/intersect.h.
 #pragma once
 
 #include <variant>
 
 #include "foundation/math.h"
+#include "foundation/status.h"
 
 namespace gphys {
 
@@ -13,10 +14,10 @@ struct Ray {
     double t_max = infinity;
     /// The exact direction is direction + rest: of a segment, b - a may not be a double.
     Vec3 rest = {};
-    /// It was a segment: the end, at t = 1, is a point of doubles.
+    /// A segment as a ray: its end, at t = 1, has double coordinates.
     bool is_segment = false;
 };
-/// Where a segment ends.
+/// The end of a segment.
 Vec3 end_of(const Ray& segment);
 
 struct Segment {
@@ -58,10 +59,10 @@ struct Frustum {
     Plane planes[6];
 };
 
-/// Any primitive that can stand in a scene or be tested for overlap.
+/// Any primitive that a model can have or that can be tested for overlap.
 using Shape = std::variant<Sphere, Capsule, Aabb, Obb, Plane, Triangle, Frustum>;
 
-/// A float box that trees are made of; empty when min > max.
+/// The float AABB of trees; empty if min > max.
 struct Box {
     float min[3] = {std::numeric_limits<float>::max(), std::numeric_limits<float>::max(),
                     std::numeric_limits<float>::max()};
@@ -92,21 +93,21 @@ inline Frustum widen(const gphys_frustum& f) {
              widen(f.planes[5])}};
 }
 
-/// What is wrong with a value that came from outside, as a sentence, or nullptr if nothing is.
-const char* defect(const gphys_vec3& point);
-const char* defect(const gphys_quat& rotation);
-const char* defect(const gphys_transform& transform);
-const char* defect(const gphys_ray& ray);
-const char* defect(const gphys_segment& segment);
-const char* defect(const gphys_sphere& sphere);
-const char* defect(const gphys_capsule& capsule);
-const char* defect(const gphys_aabb& box);
-const char* defect(const gphys_obb& box);
-const char* defect(const gphys_plane& plane);
-const char* defect(const gphys_triangle& triangle);
-const char* defect(const gphys_frustum& frustum);
+/// The first number of a caller's value that is out of range.
+Defect defect(const gphys_vec3& point);
+Defect defect(const gphys_quat& rotation);
+Defect defect(const gphys_transform& transform);
+Defect defect(const gphys_ray& ray);
+Defect defect(const gphys_segment& segment);
+Defect defect(const gphys_sphere& sphere);
+Defect defect(const gphys_capsule& capsule);
+Defect defect(const gphys_aabb& box);
+Defect defect(const gphys_obb& box);
+Defect defect(const gphys_plane& plane);
+Defect defect(const gphys_triangle& triangle);
+Defect defect(const gphys_frustum& frustum);
 
-/// Smallest float box around a shape, each side rounded outward.
+/// The smallest float AABB of a shape, rounded outward.
 Box bounds(const Segment& segment);
 Box bounds(const Sphere& sphere);
 Box bounds(const Capsule& capsule);
@@ -116,7 +117,7 @@ Box bounds(const Triangle& triangle);
 /// False if the ray ends at infinity or beyond the largest float.
 bool bounds(const Ray& ray, Box& out);
 
-/// The shape as seen after the transform. A box keeps its faces, so an Aabb becomes an Obb.
+/// The transformed shape. An Aabb becomes an Obb.
 Ray transformed(const Ray& ray, const Transform& t);
 Segment transformed(const Segment& segment, const Transform& t);
 Sphere transformed(const Sphere& sphere, const Transform& t);
@@ -126,11 +127,10 @@ Obb transformed(const Obb& box, const Transform& t);
 Plane transformed(const Plane& plane, const Transform& t);
 Triangle transformed(const Triangle& triangle, const Transform& t);
 Frustum transformed(const Frustum& frustum, const Transform& t);
-/// The inverse: a world-space shape seen from inside a model's own coordinates.
+/// The inverse: a shape in world space to the local space of a model.
 Shape inverse_transformed(const Shape& shape, const Transform& t);
 
-/// The shape as seen from a point: small numbers where the two are near each other, however far from
-/// the world's origin.
+/// The shape relative to a point: small numbers if they are near each other, also far from the origin.
 Sphere relative_to(Vec3 point, const Sphere& sphere);
 Capsule relative_to(Vec3 point, const Capsule& capsule);
 Aabb relative_to(Vec3 point, const Aabb& box);
@@ -145,11 +145,11 @@ Obb as_obb(const Aabb& box);
 /// Whether each axis is exactly parallel to a world axis.
 bool axis_parallel(const Mat3& axes);
 
-/// The same plane with a normal between 1 and 4 long, by a power of two that rounds nothing, so that
-/// products of several normals neither overflow nor vanish. A zero normal stays.
+/// The same plane with a normal of length 1 to 4, scaled by a power of two, which is exact, so that products of several
+/// normals neither overflow nor underflow. A zero normal stays.
 Plane scaled_to_one(const Plane& plane);
-/// The point of three planes, each coordinate within 2^-42 of itself; false if their normals lie in
-/// a plane.
+/// The common point of three planes, each coordinate with a relative error below 2^-42. False if their normals are
+/// coplanar.
 bool common_point(const Plane& a, const Plane& b, const Plane& c, Vec3& out);
 
 /// The eight corners in the order of gphys_frustum_corners; false if three planes do not meet.

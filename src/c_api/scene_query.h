@@ -1,0 +1,331 @@
+// The queries of a scene, shared by the plain ones and those with a filter: argument checks and the call. The template
+// parameter Filter is uint32_t, for layers, or QueryFilter; in batches uint32_t or Filters.
+#pragma once
+
+#include "c_api/api.h"
+#include "c_api/batch.h"
+#include "c_api/handles.h"
+#include "c_api/lists.h"
+#include "c_api/query_filters.h"
+#include "c_api/shape_input.h"
+#include "foundation/compiler.h"
+#include "scene/scene.h"
+
+namespace gphys {
+
+inline uint32_t filter_of(uint32_t layers, uint32_t, QueryFilter&) { return layers; }
+inline const QueryFilter& filter_of(const Filters& filters, uint32_t item, QueryFilter& storage) {
+    return filters.of(item, storage);
+}
+inline uint32_t layers_of(uint32_t layers) { return layers; }
+inline uint32_t layers_of(const QueryFilter& filter) { return filter.layers; }
+
+inline gphys_status check_filters(const Workers&, uint32_t, uint32_t) { return GPHYS_OK; }
+inline gphys_status check_filters(const Workers& workers, const Filters& filters, uint32_t count) {
+    if (filters.is_one()) return GPHYS_OK;
+    return check_each(workers, count, [&](uint32_t i) { return filters.check(i); });
+}
+
+/// query(QueryFilter)
+template <class Query>
+gphys_status with_filter(const gphys_scene* scene, const gphys_query_filter_desc* filter, const Query& query) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    QueryFilter parsed;
+    GPHYS_TRY(read_filter(*unwrap(scene), filter, parsed));
+    return query(parsed);
+}
+/// query(Filters), which checks the filters of single items.
+template <class Query>
+gphys_status with_filters(const gphys_scene* scene, const gphys_query_filter_desc* filters, uint32_t stride,
+                          const Query& query) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    Filters parsed;
+    GPHYS_TRY(parsed.read(*unwrap(scene), filters, stride));
+    return query(parsed);
+}
+
+/// The input array of a batch: the pointer, the stride and each element.
+template <class T>
+gphys_status check_inputs(const Workers& workers, const char* name, const T* inputs, const char* stride_name,
+                          uint32_t stride, uint32_t count) {
+    if (count != 0) GPHYS_TRY(check_pointers(name, inputs));
+    GPHYS_TRY(check_stride(stride_name, stride, sizeof(T)));
+    const Strided<T> input(inputs, stride);
+    return check_each(workers, distinct(stride, count), [&](uint32_t i) { return check_element(name, i, input[i]); });
+}
+
+template <class T>
+gphys_status check_outputs(const char* name, const T* outputs, uint32_t stride, uint32_t count) {
+    if (count != 0) GPHYS_TRY(check_pointers(name, outputs));
+    return check_out_stride("out_stride", stride, sizeof(T));
+}
+
+inline gphys_status check_concatenation(const char* name, const void* out, uint32_t capacity,
+                                        const uint32_t* out_offsets) {
+    if (capacity != 0) GPHYS_TRY(check_pointers(name, out));
+    GPHYS_REQUIRE_POINTERS(out_offsets);
+    return GPHYS_OK;
+}
+
+/// The overlaps of shapes first .. first + count - 1, at most OverlapItems::most_queries: one traversal finds the
+/// candidates of all, then each shape tests its own. list_of(i, add_all) as in concatenate.
+template <class Filter, class ListOf>
+void list_overlaps(const Scene& scene, gphys_shape_type type, const Strided<char>& shapes, uint32_t first,
+                   uint32_t count, const Filter& filter, const ListOf& list_of) {
+    Shape queries[OverlapItems::most_queries];
+    OverlapItems candidates[OverlapItems::most_queries];
+    // Valid when they were checked. If another thread has made one invalid since, all lists are empty.
+    bool valid = true;
+    for (uint32_t k = 0; k < count; ++k) valid &= read_shape(type, &shapes[first + k], queries[k]) == GPHYS_OK;
+    QueryFilter storage;
+    // The layers only select what is prefetched, so those of the first filter do for all.
+    if (valid) scene.meet(queries, count, layers_of(filter_of(filter, first, storage)), candidates);
+    for (uint32_t k = 0; k < count; ++k) {
+        list_of(first + k, [&](auto& models) {
+            if (valid) scene.overlap(queries[k], filter_of(filter, first + k, storage), models, candidates + k);
+        });
+    }
+}
+
+inline gphys_status check_max_distance(float max_distance) {
+    GPHYS_REQUIRE_IN_RANGE(max_distance >= 0, "max_distance", max_distance, "0 or more");
+    return GPHYS_OK;
+}
+
+template <class Filter>
+gphys_status scene_raycast(const gphys_scene* scene, const gphys_ray* ray, const Filter& filter, gphys_hit* out_hit) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    GPHYS_REQUIRE_POINTERS(ray);
+    GPHYS_REQUIRE_VALID(*ray);
+    GPHYS_REQUIRE_POINTERS(out_hit);
+    return unwrap(scene)->raycast(widen(*ray), filter, *out_hit);
+}
+
+template <class Filter>
+gphys_status scene_raycast_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride, uint32_t count,
+                                 const Filter& filter, gphys_hit* out_hits, uint32_t out_stride) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
+    GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
+    const Strided<gphys_ray> ray(rays, ray_stride);
+    const StridedOut<gphys_hit> out(out_hits, out_stride);
+    raycast_each(*unwrap(scene), ray, ray_coordinates, count, filter, out, [](const gphys_ray& given, Ray& r) {
+        r = widen(given);
+        return true;
+    });
+    return GPHYS_OK;
+}
+
+template <class Filter>
+gphys_status scene_raycast_any(const gphys_scene* scene, const gphys_ray* ray, const Filter& filter, int32_t* out_hit) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    GPHYS_REQUIRE_POINTERS(ray);
+    GPHYS_REQUIRE_VALID(*ray);
+    GPHYS_REQUIRE_POINTERS(out_hit);
+    *out_hit = unwrap(scene)->raycast_any(widen(*ray), filter);
+    return GPHYS_OK;
+}
+
+template <class Filter>
+gphys_status scene_raycast_any_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
+                                     uint32_t count, const Filter& filter, int32_t* out_hits, uint32_t out_stride) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
+    GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
+    const Strided<gphys_ray> ray(rays, ray_stride);
+    const StridedOut<int32_t> out(out_hits, out_stride);
+    const auto ray_of = [&](uint32_t i, Ray& r) {
+        r = widen(ray[i]);
+        return true;
+    };
+    const ImageTiles tiles(ray.beginnings<float>(), ray_coordinates, count);
+    cast_by_tiles(*unwrap(scene), tiles, ray_of, prefetch_elements(ray, out),
+                  [&](Ray* tile, const uint32_t* items, uint32_t size) {
+                      cast_by(filter, items, size, [&](uint32_t first, uint32_t some, const auto& by) {
+                          const uint64_t hit_mask = unwrap(scene)->raycast_any_many(tile + first, some, by);
+                          for (uint32_t k = 0; k < some; ++k) {
+                              out[items[first + k]] = static_cast<int32_t>(hit_mask >> k & 1);
+                          }
+                      });
+                  });
+    return GPHYS_OK;
+}
+
+template <class Filter>
+gphys_status scene_raycast_all(const gphys_scene* scene, const gphys_ray* ray, const Filter& filter,
+                               gphys_hit* out_hits, uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    GPHYS_REQUIRE_POINTERS(ray);
+    GPHYS_REQUIRE_VALID(*ray);
+    GPHYS_TRY(check_list("out_hits", out_hits, capacity, out_total));
+    Smallest<gphys_hit, FirstHit> hits(out_hits, capacity);
+    unwrap(scene)->raycast_all(widen(*ray), filter, hits);
+    return listed(hits.finish(), capacity, out_total);
+}
+
+template <class Filter>
+gphys_status scene_raycast_all_batch(const gphys_scene* scene, const gphys_ray* rays, uint32_t ray_stride,
+                                     uint32_t count, const Filter& filter, gphys_hit* out_hits, uint32_t capacity,
+                                     uint32_t* out_offsets) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_inputs(workers, "rays", rays, "ray_stride", ray_stride, count));
+    GPHYS_TRY(check_concatenation("out_hits", out_hits, capacity, out_offsets));
+    const Strided<gphys_ray> ray(rays, ray_stride);
+    return concatenate<gphys_hit, FirstHit>(
+        workers, out_hits, capacity, count, out_offsets, [&](uint32_t begin, uint32_t end, const auto& list_of) {
+            QueryFilter storage;
+            for (uint32_t i = begin; i < end; ++i) {
+                list_of(i, [&](auto& hits) {
+                    unwrap(scene)->raycast_all(widen(ray[i]), filter_of(filter, i, storage), hits);
+                });
+            }
+        });
+}
+
+template <class Filter>
+gphys_status scene_segment_test(const gphys_scene* scene, const gphys_segment* segment, const Filter& filter,
+                                gphys_hit* out_hit) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    GPHYS_REQUIRE_POINTERS(segment);
+    GPHYS_REQUIRE_VALID(*segment);
+    GPHYS_REQUIRE_POINTERS(out_hit);
+    return unwrap(scene)->raycast(ray_along(widen(*segment)), filter, *out_hit);
+}
+
+template <class Filter>
+gphys_status scene_segment_test_batch(const gphys_scene* scene, const gphys_segment* segments, uint32_t segment_stride,
+                                      uint32_t count, const Filter& filter, gphys_hit* out_hits, uint32_t out_stride) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_inputs(workers, "segments", segments, "segment_stride", segment_stride, count));
+    GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
+    const Strided<gphys_segment> segment(segments, segment_stride);
+    const StridedOut<gphys_hit> out(out_hits, out_stride);
+    raycast_each(*unwrap(scene), segment, ray_coordinates, count, filter, out,
+                 [](const gphys_segment& given, Ray& ray) {
+                     ray = ray_along(widen(given));
+                     return true;
+                 });
+    return GPHYS_OK;
+}
+
+template <class Filter>
+gphys_status scene_overlap(const gphys_scene* scene, gphys_shape_type type, const void* shape, const Filter& filter,
+                           gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    Shape query;
+    GPHYS_TRY(read_shape(type, shape, query));
+    GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
+    Smallest<gphys_model_id> models(out_models, capacity);
+    unwrap(scene)->overlap(query, filter, models);
+    return listed(models.finish(), capacity, out_total);
+}
+
+template <class Filter>
+gphys_status scene_overlap_batch(const gphys_scene* scene, gphys_shape_type type, const void* shapes,
+                                 uint32_t shape_stride, uint32_t count, const Filter& filter,
+                                 gphys_model_id* out_models, uint32_t capacity, uint32_t* out_offsets) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_stride("shape_stride", shape_stride, shape_struct_size(type)));
+    const Strided<char> shape(static_cast<const char*>(shapes), shape_stride);
+    GPHYS_TRY(check_each(workers, distinct(shape_stride, count), [&](uint32_t i) {
+        Shape query;
+        return read_shape(type, shapes ? &shape[i] : nullptr, query);
+    }));
+    GPHYS_TRY(check_concatenation("out_models", out_models, capacity, out_offsets));
+    return concatenate<gphys_model_id, std::less<gphys_model_id>>(
+        workers, out_models, capacity, count, out_offsets, [&](uint32_t begin, uint32_t end, const auto& list_of) {
+            for (uint32_t first = begin; first < end; first += OverlapItems::most_queries) {
+                const uint32_t size = std::min(end - first, OverlapItems::most_queries);
+                list_overlaps(*unwrap(scene), type, shape, first, size, filter, list_of);
+            }
+        });
+}
+
+template <class Filter>
+gphys_status scene_cull(const gphys_scene* scene, const gphys_frustum* frustum, const Filter& filter,
+                        gphys_model_id* out_models, uint32_t capacity, uint32_t* out_total) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    GPHYS_REQUIRE_POINTERS(frustum);
+    GPHYS_REQUIRE_VALID(*frustum);
+    GPHYS_TRY(check_list("out_models", out_models, capacity, out_total));
+    const uint32_t total = unwrap(scene)->cull(widen(*frustum), filter, out_models, capacity);
+    return listed(total, capacity, out_total);
+}
+
+template <class Filter>
+gphys_status scene_nearest(const gphys_scene* scene, const gphys_vec3* point, float max_distance, const Filter& filter,
+                           gphys_nearest* out_nearest) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    GPHYS_REQUIRE_POINTERS(point);
+    GPHYS_REQUIRE_VALID(*point);
+    GPHYS_TRY(check_max_distance(max_distance));
+    GPHYS_REQUIRE_POINTERS(out_nearest);
+    return unwrap(scene)->nearest(widen(*point), max_distance, filter, *out_nearest);
+}
+
+template <class Filter>
+gphys_status scene_nearest_batch(const gphys_scene* scene, const gphys_vec3* points, uint32_t point_stride,
+                                 uint32_t count, float max_distance, const Filter& filter, gphys_nearest* out_nearest,
+                                 uint32_t out_stride) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_inputs(workers, "points", points, "point_stride", point_stride, count));
+    GPHYS_TRY(check_max_distance(max_distance));
+    GPHYS_TRY(check_outputs("out_nearest", out_nearest, out_stride, count));
+    const Strided<gphys_vec3> point(points, point_stride);
+    const StridedOut<gphys_nearest> out(out_nearest, out_stride);
+    for_each_item(workers, count, [&](uint32_t i) {
+        QueryFilter storage;
+        gphys_nearest nearest = no_nearest;
+        unwrap(scene)->nearest(widen(point[i]), max_distance, filter_of(filter, i, storage), nearest);
+        out[i] = nearest;
+    });
+    return GPHYS_OK;
+}
+
+template <class Filter>
+gphys_status scene_sweep_sphere(const gphys_scene* scene, const gphys_sphere* sphere, const gphys_vec3* displacement,
+                                const Filter& filter, gphys_hit* out_hit) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    GPHYS_REQUIRE_POINTERS(sphere);
+    GPHYS_REQUIRE_VALID(*sphere);
+    GPHYS_REQUIRE_POINTERS(displacement);
+    GPHYS_REQUIRE_VALID(*displacement);
+    GPHYS_REQUIRE_POINTERS(out_hit);
+    return unwrap(scene)->sweep(widen(*sphere), widen(*displacement), filter, *out_hit);
+}
+
+template <class Filter>
+gphys_status scene_sweep_sphere_batch(const gphys_scene* scene, const gphys_sphere* spheres, uint32_t sphere_stride,
+                                      const gphys_vec3* displacements, uint32_t displacement_stride, uint32_t count,
+                                      const Filter& filter, gphys_hit* out_hits, uint32_t out_stride) {
+    GPHYS_REQUIRE_POINTERS(scene);
+    const Workers& workers = unwrap(scene)->workers();
+    GPHYS_TRY(check_filters(workers, filter, count));
+    GPHYS_TRY(check_inputs(workers, "spheres", spheres, "sphere_stride", sphere_stride, count));
+    GPHYS_TRY(check_inputs(workers, "displacements", displacements, "displacement_stride", displacement_stride, count));
+    GPHYS_TRY(check_outputs("out_hits", out_hits, out_stride, count));
+    const Strided<gphys_sphere> sphere(spheres, sphere_stride);
+    const Strided<gphys_vec3> displacement(displacements, displacement_stride);
+    const StridedOut<gphys_hit> out(out_hits, out_stride);
+    for_each_item(workers, count, [&](uint32_t i) {
+        QueryFilter storage;
+        gphys_hit hit = no_hit;
+        unwrap(scene)->sweep(widen(sphere[i]), widen(displacement[i]), filter_of(filter, i, storage), hit);
+        out[i] = hit;
+    });
+    return GPHYS_OK;
+}
+
+}  // namespace gphys
