@@ -13,7 +13,7 @@ command -v clang++ >/dev/null || {
 cd "$SOURCE"
 
 # extensions FILE...: words by which they are told where clang has no warning.
-extensions() { grep -nE '__builtin_|__attribute__|__extension__|__int128|__restrict|\[\[(gnu|clang)::|_Pragma|#pragma [^o]|\basm\b|vector_size' "$@"; }
+extensions() { grep -nE '__builtin_|__attribute__|__extension__|__int128|__restrict|\[\[(gnu|clang)::|_Pragma|#pragma [^o]|\b(__)?asm(__)?\b|vector_size' "$@"; }
 if found=$(extensions -r src --exclude=compiler.h --exclude=simd_plain.h); then fail "extensions outside of src/foundation/compiler.h and simd_plain.h: $found"; fi
 
 flags=(-std=c++17 -fms-extensions -pedantic-errors -Wgnu -Werror -Wno-microsoft -Wno-language-extension-token
@@ -45,5 +45,7 @@ refused arrays 'int sum(int n) { int all[n]; return all[0]; }'
 refused conditionals 'int either(int a, int b) { return a ?: b; }'
 printf 'int place(unsigned a) { return __builtin_ctz(a); }\n' >"$WORK/builtin.cpp"
 extensions "$WORK/builtin.cpp" >/dev/null || fail "a builtin is taken"
+printf 'void stop() { __asm__ volatile("hlt"); }\n' >"$WORK/assembly.cpp"
+extensions "$WORK/assembly.cpp" >/dev/null || fail "inline assembly is taken"
 printf '#include "foundation/simd_sse2.h"\n__m128 twice(__m128 a) { return _mm_add_ps(a, a); }\n' >"$WORK/intrinsics.cpp"
 check "$WORK/intrinsics.cpp"

@@ -1,11 +1,11 @@
-// A state as a row of 32-bit words, for snapshots and their hashes. What is listed once,
-// as in visit(archive, state) of src/solver/snapshot/snapshot.cpp, is written, hashed and read in the same order:
+// Serialization of a state as 32-bit words, for snapshots and hashes. One function visits the members, such as
+// visit(archive, state) of src/solver/snapshot/snapshot.cpp; the archive it is given writes, hashes or reads them:
 //
 //   archive.value(x)   one value, a multiple of four bytes
 //   archive.flag(b)    a bool
 //   archive.array(v)   the number of elements, then the elements
 //
-// Words are in the machine's own byte order; structs among them must have no padding.
+// Words have the byte order of the machine. Structs must have no padding.
 #pragma once
 
 #include <cstring>
@@ -32,7 +32,7 @@ struct WordCopy {
     }
 };
 
-/// Gives words to one of the above.
+/// The writing archive: passes all words to one of the sinks above.
 template <class Sink>
 class Writer {
 public:
@@ -55,7 +55,7 @@ private:
     Sink& sink_;
 };
 
-/// Takes words. Once they have run out, or were no state's, everything that is left reads as nothing.
+/// The reading archive. After the end of the words, or invalid ones, every value reads as 0 and every array as empty.
 class Reader {
 public:
     Reader(const uint32_t* words, size_t count) : next_(words), left_(count) {}
@@ -80,7 +80,7 @@ public:
     }
 
     bool good() const { return good_; }
-    /// Whether all was taken, and nothing else wanted.
+    /// Whether all words were read and nothing failed.
     bool finished() const { return good_ && left_ == 0; }
 
 private:

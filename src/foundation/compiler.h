@@ -1,5 +1,6 @@
-// All that this code asks of compilers beyond C++17, but the intrinsics of simd_*.h. gcc and clang have it
-// as builtins and attributes, Microsoft's compiler as intrinsics and keywords.
+// Everything beyond C++17 that this code needs of a compiler, except the intrinsics of simd_*.h and the vectors of
+// simd_plain.h: builtins, attributes and inline assembly for gcc and clang, intrinsics and keywords for Microsoft's
+// compiler.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +18,12 @@
 #define GPHYS_X86 0
 #endif
 
-// GPHYS_INLINE            inlined wherever it is called: calls would hand eight lanes over in memory, and leave
-//                         functions outside of the namespaces of kernels (isa.h)
-// GPHYS_INLINE_LAMBDA     behind the parameters of a lambda: the same
+// GPHYS_INLINE            always inlined: a call would pass eight lanes through memory, and the function would exist
+//                         outside of the kernels' namespaces (isa.h)
+// GPHYS_INLINE_LAMBDA     after the parameters of a lambda: the same
 // GPHYS_NOINLINE          never inlined
-// GPHYS_FLATTEN           all that it calls is inlined into it
-// GPHYS_UNROLLED          before a loop that is to be written out as often as it runs
+// GPHYS_FLATTEN           all calls in it are inlined
+// GPHYS_UNROLLED          before a loop: unrolled completely
 #if defined(__GNUC__)
 #define GPHYS_INLINE [[gnu::always_inline]] inline
 #define GPHYS_INLINE_LAMBDA __attribute__((always_inline))
@@ -56,25 +57,25 @@ __extension__ using UInt128 = unsigned __int128;
 
 #if defined(__GNUC__)
 
-/// Where the lowest set bit of a number is that is not 0.
+/// Index of the lowest set bit. bits != 0.
 GPHYS_INLINE int lowest_bit(uint32_t bits) { return __builtin_ctz(bits); }
 GPHYS_INLINE int lowest_bit(uint64_t bits) { return __builtin_ctzll(bits); }
-/// Of a number that is not 0.
+/// bits != 0.
 GPHYS_INLINE int leading_zeros(uint64_t bits) { return __builtin_clzll(bits); }
 GPHYS_INLINE int popcount(uint32_t bits) { return __builtin_popcount(bits); }
 
-/// Begin to bring a line of memory to the cache, to be read or to be written.
+/// Prefetch a cache line to read it or to write it.
 GPHYS_INLINE void prefetch(const void* memory) { __builtin_prefetch(memory); }
 GPHYS_INLINE void prefetch_to_write(const void* memory) { __builtin_prefetch(memory, 1); }
 
-/// The same pointer, to so aligned memory.
+/// The same pointer. The compiler may assume the alignment.
 template <size_t alignment, class T>
 GPHYS_INLINE const T* assume_aligned(const T* memory) {
     return static_cast<const T*>(__builtin_assume_aligned(memory, alignment));
 }
 
 #if GPHYS_X86
-/// Whether this processor, and the system, have the sets of isa.h.
+/// Whether the processor and the operating system support an instruction set of isa.h.
 inline bool processor_has_sse2() { return __builtin_cpu_supports("sse2"); }
 inline bool processor_has_avx2() { return __builtin_cpu_supports("avx2"); }
 inline bool processor_has_avx512() {
@@ -100,7 +101,7 @@ GPHYS_INLINE int leading_zeros(uint64_t bits) {
     _BitScanReverse(&place, high != 0 ? high : static_cast<uint32_t>(bits));
     return (high != 0 ? 31 : 63) - static_cast<int>(place);
 }
-/// By sums of two, four and eight bits: not every processor has an instruction for it.
+/// By sums of pairs, nibbles and bytes (Warren, Hacker's Delight): not every processor has the instruction.
 GPHYS_INLINE int popcount(uint32_t bits) {
     bits -= bits >> 1 & 0x55555555;
     bits = (bits & 0x33333333) + (bits >> 2 & 0x33333333);
@@ -123,7 +124,7 @@ GPHYS_INLINE const T* assume_aligned(const T* memory) {
 
 #if GPHYS_X86
 inline bool processor_has_sse2() { return true; }
-/// `features` of ebx of leaf 7 (Intel's manual, volume 2, CPUID), and registers that the system saves.
+/// CPUID (Intel's manual, volume 2): `features` in ebx of leaf 7, and `saved`, the registers that the system saves.
 inline bool processor_has(uint32_t features, uint64_t saved) {
     int registers[4];
     __cpuidex(registers, 1, 0);
@@ -138,7 +139,40 @@ inline bool processor_has_avx512() { return processor_has(1u << 5 | 1u << 16 | 1
 
 #endif
 
-/// In a loop that waits for another thread.
+#if GPHYS_X86
+/// The control word of the x87 unit, which computes in 32-bit programs only; else 0.
+inline uint16_t x87_control() {
+    uint16_t control = 0;
+#if defined(__i386__)
+    __asm__ volatile("fnstcw %0" : "=m"(control));
+#endif
+    return control;
+}
+inline void set_x87_control([[maybe_unused]] uint16_t control) {
+#if defined(__i386__)
+    __asm__ volatile("fldcw %0" : : "m"(control));
+#endif
+}
+
+/// The same value, of which the compiler knows nothing: it does not evaluate what is computed from it.
+GPHYS_INLINE __m128 opaque(__m128 value) {
+#if defined(__GNUC__)
+    __asm__ volatile("" : "+x"(value));
+#endif
+    return value;
+}
+#elif defined(__aarch64__) && defined(__GNUC__)
+#define GPHYS_HAS_FPCR 1
+/// The floating-point control register of 64-bit ARM.
+inline uint64_t read_fpcr() {
+    uint64_t fpcr;
+    __asm__ volatile("mrs %0, fpcr" : "=r"(fpcr));
+    return fpcr;
+}
+inline void write_fpcr(uint64_t fpcr) { __asm__ volatile("msr fpcr, %0" : : "r"(fpcr)); }
+#endif
+
+/// A hint to the processor in a spin loop.
 GPHYS_INLINE void pause_briefly() {
 #if GPHYS_X86
     _mm_pause();

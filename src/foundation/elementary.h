@@ -1,22 +1,21 @@
-// Elementary functions, correctly rounded: each result is the double nearest to the true value, the same
-// on every machine, whatever its C library, its compiler and the rounding mode in force. What the C library
-// has for them differs by version and by processor (glibc takes other code where there is FMA).
+// Correctly rounded elementary functions: each result is the double nearest to the true value, on every machine and
+// with every C library, compiler and rounding mode. Those of the C library differ by version and by processor (glibc
+// has other code for processors with FMA).
 //
-// Each is computed twice at most (Ziv 1991). A first phase in 128-bit integers has an error of at most 2^-66 of
-// the value: tables and short series (Tang 1989; in integers: Le Maire, Brunie, de Dinechin, Muller 2016). If the
-// middle between two doubles is not further than that, less than once in a thousand times, a second phase in
-// 256-bit integers compares the true value with that middle (elementary_wide.h). Its error is below 2^-200. The
-// hardest values known of such functions are 2^-120 of themselves or more from a middle (Lefevre and Muller 2001);
-// one at 2^-200 is not to be expected among 2^64 doubles. Floating-point arithmetic only chooses the entry of a
-// table or begins a quotient or a root, where a last bit more or less makes no difference.
+// Two phases (Ziv 1991). The first computes in 128-bit integers with a relative error of at most 2^-66: tables and
+// short series (Tang 1989; in integers: Le Maire, Brunie, de Dinechin, Muller 2016). If the midpoint of two doubles
+// is within that error, less than once in a thousand calls, the second compares the true value with the midpoint in
+// 256-bit integers (elementary_wide.h), with an error below 2^-200. The hardest known cases are 2^-120 or more from a
+// midpoint (Lefevre and Muller 2001); none at 2^-200 is to be expected among 2^64 doubles. Floating-point arithmetic
+// only selects table entries and starts quotients and roots, where the last bit does not matter.
 //
-// Square roots, remainders and rounding to integers are exact or correctly rounded in every C library
-// (IEEE 754) and are taken from there.
+// Square roots, remainders and rounding to integers come from the C library: IEEE 754 requires them to be exact or
+// correctly rounded.
 #pragma once
 
 namespace gphys {
 
-/// What a time does to something that decays: exp(-z) is kept and 1 - exp(-z) is lost.
+/// Exponential decay: `kept` is exp(-z), `lost` is 1 - exp(-z).
 struct Decay {
     double kept, lost;
 };

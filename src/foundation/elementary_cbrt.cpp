@@ -9,14 +9,14 @@ double cbrt(double x) {
     // x = m 8^scale, 1 <= m < 8
     const int exponent = std::ilogb(x), scale = (exponent - (exponent % 3 + 3) % 3) / 3;
     const double m = std::scalbn(x, -3 * scale);
-    // Halley's method; three times as many digits each time, of 0.1 at first.
+    // Halley's method: each step triples the number of correct digits. The first guess is within 0.1.
     double root = 0.85 + 0.15 * m;
     for (int i = 0; i < 3; ++i) {
         const double cube = root * root * root;
         root *= (cube + 2 * m) / (2 * cube + m);
     }
-    // One step of Newton's method for what is left of m. Its 124 bits behind the point hold all of m, and of
-    // root^3 all but what does not matter.
+    // One step of Newton's method for the remainder m - root^3. The 124 fractional bits hold all of m, and of root^3
+    // all that affects the result.
     const Parts r = parts_of(root), whole = parts_of(m);
     const int shift = -(3 * r.exponent + 124);
     const U128 square = product(r.integer, r.integer);

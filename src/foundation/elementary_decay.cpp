@@ -6,7 +6,7 @@
 namespace gphys {
 namespace {
 
-/// What is kept in 1 to 32 steps.
+/// 2^(-i/32) for i = 1 .. 32.
 struct Powers {
     Wide all[33];
     U128 fraction[33];
@@ -22,8 +22,8 @@ struct Powers {
 constexpr Powers powers;
 
 /// s with 1 - exp(-h) = h (1 - s), times 2^69, within 2^-67; h < 2^-5.5 is given times 2^69.
-/// s = h/2! - h^2/3! + ...; the first term left out is h^9/10! < 2^-71. Odd and even powers are summed apart, which
-/// takes half of the time.
+/// s = h/2! - h^2/3! + ...; the first omitted term is h^9/10! < 2^-71. Odd and even powers are summed separately, two
+/// shorter dependency chains, which takes half of the time.
 uint64_t series(uint64_t h) {
     constexpr uint64_t odd[] = {0x8000000000000000, 0x0aaaaaaaaaaaaaaa, 0x005b05b05b05b05b, 0x0001a01a01a01a01};
     constexpr uint64_t even[] = {0x2aaaaaaaaaaaaaaa, 0x0222222222222222, 0x000d00d00d00d00d, 0x00002e3bc74aad8e};
@@ -82,7 +82,7 @@ Decay decay(double z) {
     const U128 lost_in_rest = h - (product(h69, series(h69)) >> 10);
     const U128 table = powers.fraction[steps.entry], kept = table - high_product(table, lost_in_rest);
     Decay result{rounded_kept({kept, -steps.halvings}, 70, parts, steps), 1};
-    // At least 2^-5.6 is lost; and where kept is below 2^-54, all of it.
+    // lost >= 2^-5.6; it rounds to 1 where kept is below 2^-54.
     if (steps.halvings < 54) result.lost = rounded_lost({U128{} - (kept >> steps.halvings), 0}, 66, parts, steps);
     return result;
 }

@@ -1,4 +1,4 @@
-// What the elementary functions share: doubles as integers, and the rounding test.
+// Shared by the elementary functions: doubles split into integers, and Ziv's rounding test.
 #pragma once
 
 #include <cmath>
@@ -36,15 +36,14 @@ struct Approximation {
 /// Of a normal double.
 inline Approximation approximation(Parts x) { return {{x.integer << 11, 0}, x.exponent + 53}; }
 
-/// With the first bit of the fraction set.
+/// Normalized: the highest bit of the fraction is set.
 inline Approximation normalized(Approximation y) {
     const int zeros = leading_zeros(y.fraction.high);
     return {y.fraction << zeros, y.exponent - zeros};
 }
 
-/// The double nearest to a value of which y is an approximation, with an error of at most 2^-accuracy of itself;
-/// the accuracy is at least 64. `exceeds(Parts middle)`: whether the value is above the middle between two doubles;
-/// asked if that is in doubt.
+/// The double nearest to a value that y approximates with a relative error of at most 2^-accuracy, accuracy >= 64.
+/// exceeds(Parts middle) says whether the value is above the midpoint of two doubles; called if y does not decide it.
 template <class Exceeds>
 double rounded(Approximation y, int accuracy, const Exceeds& exceeds) {
     constexpr int lowest = -1021;  // of normal doubles; those below have fewer bits
@@ -54,13 +53,13 @@ double rounded(Approximation y, int accuracy, const Exceeds& exceeds) {
         y.fraction = y.fraction >> (lowest - y.exponent);
         y.exponent = lowest;
     }
-    // 53 bits that are kept, and the next 64.
+    // The 53 bits of the result, and the next 64.
     const uint64_t kept = y.fraction.high >> 11, rest = y.fraction.high << 53 | y.fraction.low >> 11;
     constexpr uint64_t middle = uint64_t{1} << 63;
     const uint64_t error = (uint64_t{1} << (117 - accuracy)) + 1;
     bool up = rest >= middle;
     if (rest - (middle - error) <= 2 * error) up = exceeds(Parts{2 * kept + 1, y.exponent - 54});
-    // The first bit of a normal mantissa adds 1 to the exponent's field, as does a carry out of it.
+    // The hidden bit of a normal mantissa adds 1 to the exponent field, and so does a carry out of it.
     const uint64_t bits = (static_cast<uint64_t>(y.exponent - lowest) << 52) + kept + up;
     double result;
     std::memcpy(&result, &bits, sizeof result);

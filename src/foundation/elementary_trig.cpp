@@ -1,4 +1,4 @@
-// sin and cos by a table of every sixteenth and the series of the rest; tan is their quotient.
+// sin and cos by a table in steps of 1/16 and a series for the remainder (Tang 1989); tan is their quotient.
 #include <limits>
 
 #include "foundation/elementary.h"
@@ -35,11 +35,11 @@ struct Table {
 };
 constexpr Table table;
 
-/// So many right angles that at most 45 degrees are left. 0 <= x <= 4.
+/// The multiple of a right angle that is nearest to x. 0 <= x <= 4.
 int quarters_of(double x) { return static_cast<int>(x * 0.63661977236758134 + 0.5); }
 
-/// How far it is from them, for the first phase. In units of 2^-126, as no double up to 4 but 0 comes closer to a
-/// multiple of pi / 2 than 2^-54.
+/// Argument reduction of the first phase, in units of 2^-126: no double up to 4 but 0 is closer to a multiple of
+/// pi / 2 than 2^-54.
 struct Angle {
     Parts parts;
     int quarters;
@@ -64,7 +64,7 @@ struct Angle {
     }
     wide::SinCos exact() const { return wide::sin_cos(parts.wide(), quarters); }
 
-    // Which functions of the rest, with which signs, are sin and cos of the whole.
+    // Which functions of the remainder, with which signs, are sin x and cos x.
     bool exchanged() const { return (quarters & 1) != 0; }
     bool sin_negative() const { return ((quarters & 2) != 0) != (below && !exchanged()); }
     bool cos_negative() const { return (((quarters + 1) & 2) != 0) != (below && exchanged()); }
@@ -82,7 +82,7 @@ struct ApproximateSinCos {
     Approximation sin, cos;
 };
 
-/// The first phase: of what is left of the angle, within 2^-69 of the value. With sin h = h (1 - s) and
+/// The first phase: sin and cos of the reduced angle, within 2^-69. With sin h = h (1 - s) and
 /// cos h = 1 - v.
 ApproximateSinCos approximate_sin_cos(const Angle& x) {
     constexpr uint64_t odd[5] = {0x2aaaaaaaaaaaaaaa, 0x0222222222222222, 0x000d00d00d00d00d, 0x00002e3bc74aad8e,
@@ -106,7 +106,7 @@ double negated_if(double size, bool negative) { return negative ? -size : size; 
 
 }  // namespace
 
-// What is left is an entry of the table and a difference h of at most 1/32 (and a little more beside the middle).
+// The reduced angle is a table entry plus a difference h of at most 1/32, or slightly more near the middle.
 // The series end where h^30 / 30! < 2^-250.
 wide::SinCos wide::sin_cos(const Wide& x, int quarters) {
     const Wide turned = half_pi * Wide::of(static_cast<uint64_t>(quarters), 0),
@@ -148,7 +148,7 @@ double tan(double x) {
     const bool exchange = angle.exchanged();
     const Approximation above = normalized(exchange ? first.cos : first.sin);
     const Approximation below = normalized(exchange ? first.sin : first.cos);
-    // A quotient in double, and what it leaves of the dividend.
+    // A quotient in double, and its remainder.
     const double divisor = to_double(below.fraction), quotient = to_double(above.fraction) / divisor;
     const Parts q = parts_of(quotient);
     const U128 whole = product(below.fraction.high, q.integer) + U128{0, high_product(below.fraction.low, q.integer)};
@@ -160,7 +160,7 @@ double tan(double x) {
         const wide::SinCos second = angle.exact();
         const Wide& dividend = exchange ? second.cos : second.sin;
         const Wide product = (exchange ? second.sin : second.cos) * Wide::of(middle.integer, -54);
-        const int exponent = middle.exponent + 54;  // the side that it makes larger stays below 2
+        const int exponent = middle.exponent + 54;  // so that the larger side stays below 2
         return exponent < 0 ? product < scaled(dividend, -exponent) : scaled(product, exponent) < dividend;
     });
     return negated_if(tangent, (angle.sin_negative() != angle.cos_negative()) != (x < 0));

@@ -1,5 +1,5 @@
-// The second phase of the elementary functions: values in 224 bits behind the point, with errors below 2^-200.
-// The tests compare them, and the constants that they are made of, with MPFR.
+// The second phase of the elementary functions: fixed-point values with 224 fractional bits and errors below 2^-200.
+// The tests compare them and their constants with MPFR.
 #pragma once
 
 #include "foundation/fixed_point.h"
@@ -18,7 +18,7 @@ constexpr Wide one{{0, 0, 0, 0, 0, 0, 0, 1}};
 struct Steps {
     int count, halvings, entry;
 
-    /// Of doubles: the rest is not negative, as what they are divided by is a part of 2^-40 too large.
+    /// From doubles. The rest is not negative, because the divisor is too large by 2^-40 of itself.
     explicit Steps(double z)
         : count(static_cast<int>(z * (46.166241308446829 * (1 - 0x1p-40)))),
           halvings(count == 0 ? 0 : (count - 1) / 32),
@@ -30,7 +30,7 @@ Wide kept(const Wide& z, const Steps& steps);
 struct SinCos {
     Wide sin, cos;
 };
-/// Of how far x is from so many right angles, the nearest ones. 0 <= x <= 4.
+/// sin and cos of the distance of x to the nearest multiple of a right angle. 0 <= x <= 4.
 SinCos sin_cos(const Wide& x, int quarters);
 
 }  // namespace gphys::wide

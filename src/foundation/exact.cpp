@@ -33,7 +33,7 @@ Split halves(double a) {
     return {high, a - high};
 }
 
-/// a * b without error (Dekker 1971). Not std::fma: a software fma would cost far more.
+/// a * b without error (Dekker 1971). std::fma would be far slower on processors without it.
 Split two_product(double a, double b) {
     const double product = a * b;
     const Split x = halves(a), y = halves(b);
@@ -43,8 +43,8 @@ Split two_product(double a, double b) {
 
 }  // namespace
 
-/// Sums doubles without error: a nonoverlapping expansion that grows term by term (Shewchuk 1997,
-/// theorem 10) and is compressed before it could outgrow its room.
+/// Exact sum of doubles: a nonoverlapping expansion that grows by one term at a time (Shewchuk 1997, theorem 10) and
+/// is compressed before it exceeds its capacity.
 class Accumulator {
 public:
     explicit Accumulator(const Exact& start) {
@@ -52,7 +52,7 @@ public:
     }
 
     void add(double value) {
-        if (size_ == room) compress();
+        if (size_ == max_terms) compress();
         int kept = 0;
         for (int i = 0; i < size_; ++i) {
             const Split sum = two_sum(value, term_[i]);
@@ -71,8 +71,8 @@ public:
     }
 
 private:
-    /// From the largest term down: each becomes the nearest double to all that is left, so the
-    /// next is at most half an ulp of it.
+    /// From the largest term down: each becomes the double nearest to the sum of the rest, so the next is at most half
+    /// an ulp of it.
     void compress() {
         if (size_ == 0) return;
         int bottom = size_;
@@ -87,14 +87,14 @@ private:
         if (top != 0) term_[--bottom] = top;
         std::copy(term_ + bottom, term_ + size_, term_);
         size_ -= bottom;
-        // Only what has overflowed, and is no number any more, keeps more: its sign is unknown.
+        // Only an expansion that has overflowed keeps more terms; its sign is unknown.
         if (size_ > Exact::capacity) size_ = 0;
     }
 
-    // Any multiple of the bound of a compressed expansion: a larger one is compressed less often.
-    static constexpr int room = 3 * Exact::capacity;
+    // A multiple of the length of a compressed expansion: the larger, the less often it is compressed.
+    static constexpr int max_terms = 3 * Exact::capacity;
     int size_ = 0;
-    double term_[room + 1];  // smallest first
+    double term_[max_terms + 1];  // smallest first
 };
 
 Exact operator+(const Exact& a, const Exact& b) {
@@ -152,8 +152,8 @@ double power_of_two(int exponent) {
     return value;
 }
 
-/// The factor that brings numbers of which this is the largest below 2^integer_bits. Four such
-/// factors, and the determinant, stay far within the range of doubles.
+/// The power of two that scales numbers up to `largest` to below 2^integer_bits. Products of four such factors and
+/// the determinant stay far within the range of doubles.
 bool scale_to_integers(double largest, int& scale) {
     const int e = largest == 0 ? 0 : exponent(largest);
     scale = integer_bits - 1 - e;
@@ -167,10 +167,9 @@ bool to_integer(double value, int64_t& out) {
 
 }  // namespace
 
-// Each axis has a scale of its own, at which the components of b and c are integers. Each term of the
-// determinant takes one component of every axis, so the components of a take the same scales and one
-// that they have in common. With all integers below 2^41, the cross product stays below 2^83 and the
-// determinant below 3 * 2^124 < 2^127.
+// Each axis has a scale that makes the components of b and c integers. Each term of the determinant has one component
+// of every axis, so the components of a use the same scales times one common scale. With all integers below 2^41, the
+// cross product is below 2^83 and the determinant below 3 * 2^124 < 2^127.
 bool integer_determinant(Vec3 a, Vec3 b, Vec3 c, double& out) {
     int64_t whole_a[3], whole_b[3], whole_c[3];
     double scale_of_all = 1;

@@ -1,6 +1,6 @@
-// Exact signs. A predicate is a polynomial in the input numbers, written once as a generic lambda
-// over its number type. sign_of evaluates it first in double with a running error bound, and only
-// if that bound straddles zero again with expansions, which round nothing (Shewchuk 1997).
+// Exact signs of polynomials: adaptive predicates (Shewchuk 1997). A predicate is written once, as a generic lambda
+// over its number type. sign_of evaluates it in double with a running error bound, and only if the bound straddles
+// zero again with expansions, which are exact.
 //
 // Domain: every float32 is a multiple of 2^-149, so a product of k of them is a multiple of
 // 2^(-149 k), which double represents without underflow for k <= 7; the largest is 1e15^7. All
@@ -12,7 +12,7 @@
 
 namespace gphys {
 
-/// A double and a bound of how far it is from the exact value.
+/// A double and a bound on its distance from the exact value.
 struct Bounded {
     double value = 0, error = 0;
 
@@ -24,8 +24,8 @@ struct Bounded {
     int sign() const { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 };
 
-// A result carries half an ulp, 2^-53 of it. Twice that is charged, which also pays for the
-// roundings made in computing the bound itself.
+// A result has an error of half an ulp, 2^-53 of it. The bound adds twice that, which also covers the
+// rounding of the bound itself.
 constexpr double rounding = 0x1p-52;
 
 inline Bounded operator+(Bounded a, Bounded b) {
@@ -82,11 +82,11 @@ double value_of(const Polynomial& polynomial) {
     return quick.error <= 0x1p-45 * std::fabs(quick.value) ? quick.value : polynomial(Exact()).value();
 }
 
-/// a - b, rounded. Together with the rest it is exact.
+/// a - b, rounded, and the rounding error: their sum is exact.
 Vec3 difference(Vec3 a, Vec3 b, Vec3& rest);
-/// Whether a - b holds no rounding; out is a - b in any case.
+/// Whether a - b is exact; out is a - b in any case.
 bool difference_is_exact(Vec3 a, Vec3 b, Vec3& out);
-/// value + rest, of which value is what rounding leaves.
+/// The unevaluated sum of a rounded value and its rounding error.
 template <class N>
 N two_terms(double value, double rest);
 template <>
@@ -102,19 +102,19 @@ inline Exact two_terms(double value, double rest) {
     return rest == 0 ? Exact(value) : Exact(value) + Exact(rest);
 }
 
-/// dot(a, cross(b, c)) with its exact sign and a relative error of 2^-52, in 128-bit integers: many
-/// times faster than Exact. False if the components along one axis of b and c, or those of a as
-/// compared with these, spread over more than 41 bits, or on a processor without such integers.
+/// dot(a, cross(b, c)) with its exact sign and a relative error of 2^-52, in 128-bit integers: many times faster
+/// than Exact. False if the components of b and c along one axis, or those of a relative to them, span more than 41
+/// bits, or if the compiler has no 128-bit integers.
 bool integer_determinant(Vec3 a, Vec3 b, Vec3 c, double& out);
 
 /// Sign of dot(cross(b - a, c - a), d - a): > 0 if d is on the side that the triangle's normal
 /// points to, 0 if the four points lie in a plane.
 int orientation(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
-/// Sign of component `axis` of cross(b - a, c - a): the turn a, b, c as seen along that axis.
+/// Sign of component `axis` of cross(b - a, c - a): the orientation of a, b, c in the projection along that axis.
 int orientation(Vec3 a, Vec3 b, Vec3 c, int axis);
-/// An axis along which the three points are seen to turn; -1 if they are collinear.
+/// An axis along which the projection of the three points is not collinear; -1 if they are collinear.
 int turning_axis(Vec3 a, Vec3 b, Vec3 c);
-/// cross(b - a, d - c) with a relative error below 2^-44 in each component, whatever cancels.
+/// cross(b - a, d - c) with a relative error below 2^-44 in each component, in spite of cancellation.
 Vec3 accurate_cross(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
 }  // namespace gphys

@@ -1,5 +1,5 @@
-// Unsigned fixed-point numbers of 128 and of 256 bits. Integers give the same bits on every machine, in
-// every rounding mode and whatever the compiler does with floating-point expressions.
+// Unsigned fixed-point numbers of 128 and 256 bits. Integer arithmetic gives the same bits on every machine, in every
+// rounding mode, and with every treatment of floating-point expressions by the compiler.
 #pragma once
 
 #include <cstdint>
@@ -46,12 +46,12 @@ constexpr U128 product(uint64_t a, uint64_t b) {
 }
 /// a b / 2^64, rounded down.
 constexpr uint64_t high_product(uint64_t a, uint64_t b) { return product(a, b).high; }
-/// a b / 2^128, less than 3 too small.
+/// a b / 2^128, too small by less than 3.
 constexpr U128 high_product(U128 a, U128 b) {
     return product(a.high, b.high) + U128{0, high_product(a.high, b.low)} + U128{0, high_product(a.low, b.high)};
 }
 
-/// 32 bits in front of the point and 224 behind it, the last ones first.
+/// 32 integer and 224 fractional bits, least significant word first.
 struct Wide {
     uint32_t limb[8] = {};
 
@@ -66,7 +66,7 @@ struct Wide {
         }
         return wide;
     }
-    /// What is behind the point, rounded down to 128 bits.
+    /// The fractional part, rounded down to 128 bits.
     constexpr U128 fraction() const { return {uint64_t{limb[6]} << 32 | limb[5], uint64_t{limb[4]} << 32 | limb[3]}; }
 };
 

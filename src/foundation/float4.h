@@ -1,5 +1,5 @@
-// Four floats side by side for ordinary code, in a register that every processor of the target has: for x, y,
-// z and one to spare. Plain IEEE arithmetic, so the bits are the same everywhere.
+// Four floats in a SIMD register for code outside of kernels: x, y, z and one more lane. Uses only instructions that
+// every processor of the target has, and plain IEEE arithmetic, so the bits are the same everywhere.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ namespace simd4 = simd_plain;
 namespace gphys {
 
 using Float4 = simd4::FloatRegister;
-/// All bits of a lane are set or none; or any bits, of what is compared as they are.
+/// The result of a comparison has all bits of a lane set or none. Other masks have arbitrary bits.
 using Mask4 = simd4::MaskRegister;
 inline Mask4 mask4(int32_t a, int32_t b, int32_t c, int32_t d) { return simd4::set_mask(a, b, c, d); }
 
@@ -52,7 +52,7 @@ inline Float4 load4(const gphys_quat& q) {
 inline Float4& operator+=(Float4& a, Float4 b) { return a = a + b; }
 inline Float4& operator-=(Float4& a, Float4 b) { return a = a - b; }
 inline Float4& operator*=(Float4& a, Float4 b) { return a = a * b; }
-/// With other signs, those of zeros too.
+/// Flips all signs, those of zeros too.
 inline Float4 operator-(Float4 v) { return as_floats(as_mask(v) ^ mask4(INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN)); }
 inline Float4 abs(Float4 v) { return as_floats(as_mask(v) & mask4(INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX)); }
 inline Mask4 operator>(Float4 a, Float4 b) { return b < a; }
@@ -63,13 +63,13 @@ inline Float4 positive(Float4 v) { return as_floats(as_mask(v) & (Float4(0.0f) <
 inline Float4 yzx(Float4 v) { return simd4::shuffle<1, 2, 0, 3>(v, v); }
 inline Float4 zxy(Float4 v) { return simd4::shuffle<2, 0, 1, 3>(v, v); }
 
-/// The sum of all four, in each.
+/// The sum of the four lanes, in all lanes.
 inline Float4 sum(Float4 v) {
     v += simd4::shuffle<1, 0, 3, 2>(v, v);
     return v + simd4::shuffle<2, 3, 0, 1>(v, v);
 }
 
-// As of any vectors (vec.h). The products are lane by lane, and a sum of lanes is in each.
+// The interface of vec.h. Products are lane by lane; a sum of lanes is in all lanes.
 inline Float4 by_component(Float4 a, Float4 b) { return a * b; }
 inline Float4 splat_as(Float4, float value) { return splat4(value); }
 inline Float4 plus(Float4 a, Float4 b) { return a + b; }
@@ -84,7 +84,7 @@ inline bool any(Mask4 mask) {
     return (halves[0] | halves[1]) != 0;
 }
 
-/// Lane by lane; and in the first three.
+/// Lane by lane; and whether it holds in the first three lanes.
 inline Mask4 at_most(Float4 a, Float4 b) { return a <= b; }
 inline bool all_axes(Mask4 mask) { return !any((mask ^ mask4(-1, -1, -1, -1)) & mask4(-1, -1, -1, 0)); }
 

@@ -1,5 +1,5 @@
-// Every answer depends on plain IEEE arithmetic. The build switches off what a compiler may do to it;
-// files that are compiled otherwise stop here.
+// Stops the compiler if its flags break IEEE arithmetic (-ffast-math and the like), on which all results depend. The
+// build system switches these flags off.
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \

@@ -1,6 +1,6 @@
-// The modes of the floating-point unit that a host may have changed: the direction of rounding, and whether denormal
-// numbers are flushed to zero, as game engines and audio code have it. All arithmetic here needs the modes that
-// programs start in: exact sums of two doubles, for one, are exact in no other (Shewchuk 1997).
+// Floating-point modes that a host may have changed: the rounding mode, and flush-to-zero, which game engines and
+// audio code turn on. The library needs the default modes: the error terms of exact arithmetic, for one, are exact in
+// no others (Shewchuk 1997). Every entry point sets them and restores those of the host.
 #pragma once
 
 #include <atomic>
@@ -12,43 +12,27 @@ namespace gphys {
 
 #if GPHYS_X86
 
-/// MXCSR; for 32-bit programs the control word of the x87 too, which rounds where 64-bit integers become doubles.
+/// MXCSR. In 32-bit programs also the control word of the x87, which converts 64-bit integers to doubles.
 struct HostModes {
     uint32_t mxcsr;
     uint16_t x87;
 };
 
-inline uint16_t x87_control() {
-    uint16_t control = 0;
-#if defined(__i386__)
-    __asm__ volatile("fnstcw %0" : "=m"(control));
-#endif
-    return control;
-}
-inline void set_x87_control([[maybe_unused]] uint16_t control) {
-#if defined(__i386__)
-    __asm__ volatile("fldcw %0" : : "m"(control));
-#endif
-}
 constexpr uint16_t x87_rounding = 0x0c00;
 
-/// By what they do: four sums, of which each mode that is not standard changes one. MXCSR itself takes 3 ns to read,
-/// this is not seen beside the shortest call.
+/// Tests the effect of the modes: four sums, one of which differs in each non-standard mode. Reading MXCSR takes 3 ns;
+/// this is too fast to measure in the shortest call.
 GPHYS_INLINE bool modes_are_standard() {
-    // Half a unit in the last place is rounded away, on both sides; a sum of normal numbers is denormal; a summand is.
+    // Rounding up, rounding down, a denormal result (flush to zero), a denormal operand (denormals are zero).
     alignas(16) static constexpr float first[] = {1, 1, 0x1.8p-126f, 0x1p-126f};
     alignas(16) static constexpr float second[] = {0x1p-30f, -0x1p-30f, -0x1p-126f, 0x1p-127f};
     alignas(16) static constexpr float sums[] = {1, 1, 0x1p-127f, 0x1.8p-126f};
-    __m128 sum = _mm_loadu_ps(first);
-#if defined(__GNUC__) || defined(__clang__)
-    __asm__ volatile("" : "+x"(sum));  // or it would be the compiler that adds
-#endif
-    sum = _mm_add_ps(sum, _mm_loadu_ps(second));
+    const __m128 sum = _mm_add_ps(opaque(_mm_loadu_ps(first)), _mm_loadu_ps(second));
     const __m128i same = _mm_cmpeq_epi32(_mm_castps_si128(sum), _mm_castps_si128(_mm_loadu_ps(sums)));
     return _mm_movemask_epi8(same) == 0xffff && (x87_control() & x87_rounding) == 0;
 }
 
-/// The modes so far.
+/// Returns the modes of the host.
 inline HostModes set_standard_modes() {
     constexpr uint32_t rounding = 0x6000, flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
     const HostModes host{_mm_getcsr(), x87_control()};
@@ -57,38 +41,33 @@ inline HostModes set_standard_modes() {
     return host;
 }
 
-/// Exceptions that have been raised since then stay raised.
+/// Keeps exception flags that have been raised since.
 inline void set_modes(HostModes host) {
     constexpr uint32_t raised = 0x003f;
     _mm_setcsr(host.mxcsr | (_mm_getcsr() & raised));
     set_x87_control(host.x87);
 }
 
-#elif defined(__aarch64__) && defined(__GNUC__)
+#elif defined(GPHYS_HAS_FPCR)
 
 struct HostModes {
     uint64_t fpcr;
 };
 
-/// In FPCR: the direction of rounding, FZ, and FIZ of FEAT_AFP.
+/// Bits of FPCR: rounding mode, FZ, and FIZ of FEAT_AFP.
 constexpr uint64_t modes_in_fpcr = 0x00c00000 | 0x01000000 | 0x1;
 
-inline HostModes host_modes() {
-    HostModes host;
-    __asm__ volatile("mrs %0, fpcr" : "=r"(host.fpcr));
-    return host;
-}
-inline void set_modes(HostModes host) { __asm__ volatile("msr fpcr, %0" : : "r"(host.fpcr)); }
-inline bool modes_are_standard() { return (host_modes().fpcr & modes_in_fpcr) == 0; }
+inline void set_modes(HostModes host) { write_fpcr(host.fpcr); }
+inline bool modes_are_standard() { return (read_fpcr() & modes_in_fpcr) == 0; }
 inline HostModes set_standard_modes() {
-    const HostModes host = host_modes();
+    const HostModes host{read_fpcr()};
     set_modes({host.fpcr & ~modes_in_fpcr});
     return host;
 }
 
 #else
 
-/// WebAssembly has no others.
+/// WebAssembly has no such modes.
 struct HostModes {};
 inline bool modes_are_standard() { return true; }
 inline HostModes set_standard_modes() { return {}; }
@@ -96,7 +75,7 @@ inline void set_modes(HostModes) {}
 
 #endif
 
-/// While it lives this thread has the standard modes; then it has the host's again.
+/// Sets the standard modes of this thread; the destructor restores those of the host.
 class StandardModes {
 public:
     StandardModes() noexcept : changed_(!modes_are_standard()) {
@@ -109,8 +88,8 @@ public:
     StandardModes& operator=(const StandardModes&) = delete;
 
 private:
-    // The compiler knows nothing of modes: the fences keep on this side of them what is read and written. Out of
-    // line, as almost no host needs it.
+    // The fences keep the compiler from moving loads and stores across the change of modes. Not inlined, because few
+    // hosts need it.
     GPHYS_NOINLINE void set() {
         host_ = set_standard_modes();
         std::atomic_signal_fence(std::memory_order_seq_cst);

@@ -14,11 +14,11 @@ const char* IdTable::defect() const {
     uint32_t slot = oldest_;
     for (uint32_t i = 0; i < free_; ++i) {
         if (slot >= slots() || live(slot)) return "the queue of free slots holds one that is not free";
-        // A queue that came back to a slot would come to its end more than once.
+        // A cycle through the newest slot would reach it more than once.
         if ((i + 1 == free_) != (slot == newest_)) return "the queue of free slots does not end where it should";
         slot = slot_of(entries_[slot]);
     }
-    // A queue that passed a slot twice would go round for ever, and never come to its end.
+    // A cycle would never reach the end mark.
     if (free_ > 0 && slot != slot_mask) return "the queue of free slots has no end";
     return nullptr;
 }

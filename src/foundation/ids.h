@@ -1,12 +1,11 @@
-// Ids of things that come and go: slot in the low 24 bits, generation in the high 8. A generation
-// is never 0, so no id is 0; it advances when a slot is freed, so a stale id never names the next
-// one in its slot until all 255 generations have been used.
+// A table of generational ids (handles): slot in the low 24 bits, generation in the high 8. Generations start at 1, so
+// no id is 0. Freeing a slot advances its generation, so a stale id is not valid again until all 255 generations of
+// its slot have been used.
 //
-// Freed slots wait in a queue, and the one that has been free for longest is taken first, but only
-// while `least_free` slots are free; else a new slot is made. After the first time that a slot is taken
-// from the queue, 1023 others are always there before it is taken again: a stale id names something
-// after 254 * 1024 = 260 096 additions at the earliest. The price is up to 1023 slots more than were
-// ever in use at a time. Only where no slot can be added, with almost 2^24 in use, is the queue used up.
+// Free slots are in a FIFO queue. A slot is reused only while at least `least_free` slots are free; else a new slot is
+// added. So 1023 other slots are reused before the same one again, and a stale id becomes valid after
+// 254 * 1024 = 260 096 additions at the earliest. The cost is up to 1023 slots more than were ever in use at a time.
+// Only if no slot can be added, with almost 2^24 in use, is the queue emptied further.
 #pragma once
 
 #include <algorithm>
@@ -18,18 +17,18 @@ namespace gphys {
 class IdTable {
 public:
     static constexpr uint32_t capacity = (1u << 24) - 1;
-    /// Free slots without which none is used again.
+    /// Slots are reused only while at least this many are free.
     static constexpr uint32_t least_free = 1024;
     static constexpr uint32_t slot_of(uint32_t id) { return id & slot_mask; }
 
     explicit IdTable(std::pmr::memory_resource* memory) : entries_(memory) {}
 
-    /// At most so many slots are there while up to `live` are in use.
+    /// Upper bound of slots() while at most `live` slots are in use.
     static constexpr uint32_t slots_for(uint32_t live) {
         return live > capacity - (least_free - 1) ? capacity : live + (least_free - 1);
     }
 
-    /// Make room so that the next `count` calls of add cannot throw. False beyond `capacity`.
+    /// Reserve memory so that the next `count` calls of add do not throw. False beyond `capacity`.
     bool reserve(uint32_t count) {
         if (count > capacity - live_) return false;
         const uint32_t added = std::min(count - std::min(count, ready()), capacity - slots());
@@ -50,7 +49,7 @@ public:
         return entries_[slot] = (entries_[slot] & ~slot_mask) | slot;
     }
 
-    /// The slots that the next `count` calls of add will take, if there is room for them.
+    /// The slots that the next `count` calls of add will use, after reserve(count).
     void next_slots(uint32_t count, uint32_t* out) const {
         const uint32_t used_again = std::min(count, ready()), added = std::min(count - used_again, capacity - slots());
         uint32_t slot = oldest_;
@@ -80,15 +79,15 @@ public:
 
     bool has(uint32_t id) const { return slot_of(id) < slots() && entries_[slot_of(id)] == id; }
     bool live(uint32_t slot) const { return slot_of(entries_[slot]) == slot; }
-    /// Of a live slot.
+    /// The id of a live slot.
     uint32_t id(uint32_t slot) const { return entries_[slot]; }
-    /// What id() reads of slot 0, and behind it of the others.
+    /// The array that id() reads, indexed by slot.
     const uint32_t* ids() const { return entries_.data(); }
-    /// Live and free ones; each slot is below this.
+    /// The number of slots, live and free.
     uint32_t slots() const { return static_cast<uint32_t>(entries_.size()); }
     uint32_t size() const { return live_; }
 
-    /// For archives (foundation/archive.h) to write a table or to read it; what was read is to be checked.
+    /// Serialization (foundation/archive.h). Check defect() after reading.
     template <class Archive, class Table>
     static void visit(Archive& archive, Table& table) {
         archive.array(table.entries_);
@@ -97,20 +96,20 @@ public:
         archive.value(table.oldest_);
         archive.value(table.newest_);
     }
-    /// What is wrong with the queue of free slots, or nullptr.
+    /// What is inconsistent in the table, or nullptr.
     const char* defect() const;
 
 private:
-    static constexpr uint32_t slot_mask = (1u << 24) - 1;  // as a slot: none, for capacity is below it
+    static constexpr uint32_t slot_mask = (1u << 24) - 1;  // as a slot: no slot, because capacity is below it
     static constexpr uint32_t first_generation = 1u << 24;
 
-    /// How many free slots will be used before one is added.
+    /// The number of free slots that can be reused before one is added.
     uint32_t ready() const {
         if (slots() == capacity) return free_;
         return free_ < least_free ? 0 : free_ - (least_free - 1);
     }
 
-    // A live entry is the id itself; a free one has the generation of its next tenant and the next
+    // The entry of a live slot is its id. That of a free slot has its next generation and, as a linked list, the next
     // free slot, which is never the slot itself.
     Vector<uint32_t> entries_;
     uint32_t live_ = 0, free_ = 0;

@@ -6,8 +6,8 @@ namespace gphys {
 
 namespace {
 
-/// Squares of how far items are apart.
-struct Apart {
+/// Squared distance of two items.
+struct SquaredDistance {
     const Strided<float>& items;
     uint32_t floats;
 
@@ -22,38 +22,37 @@ struct Apart {
     }
 };
 
-/// From where on items are back near the first: where they jump there, or else come nearest. A lidar's turn closes, so
-/// that its end is near the beginning as well.
-uint32_t begin_of_row(const Apart& apart, uint32_t from, uint32_t end, double step, double near) {
+/// The item that begins the second row: the first after a jump, else the one nearest to the first item. The turn of a
+/// lidar is closed, so the end of its row is near the beginning as well.
+uint32_t begin_of_row(const SquaredDistance& distance, uint32_t from, uint32_t end, double step, double near) {
     uint32_t nearest = from;
-    for (uint32_t i = from; i < end && apart(0, i) <= near; ++i) {
-        if (apart(i - 1, i) > 2 * step) return i;
-        if (apart(0, i) < apart(0, nearest)) nearest = i;
+    for (uint32_t i = from; i < end && distance(0, i) <= near; ++i) {
+        if (distance(i - 1, i) > 2 * step) return i;
+        if (distance(0, i) < distance(0, nearest)) nearest = i;
     }
     return nearest;
 }
 
-/// How many items there are until they come back to the first, after they have gone away from it in even steps; 0 if
-/// they do not.
-uint32_t row_length(const Apart& apart, uint32_t count) {
+/// The number of items of a row: they move away from the first in even steps and come back. 0 if they do not.
+uint32_t row_length(const SquaredDistance& distance, uint32_t count) {
     constexpr uint32_t even_steps = 7, longest = 1 << 14, samples = 8;
     if (count < 2 * ImageTiles::most) return 0;
-    const double step = apart(0, 1), near = 36 * step;
-    // Most that come in no rows are told by the first few.
+    const double step = distance(0, 1), near = 36 * step;
+    // The first few steps reject most batches without rows.
     for (uint32_t i = 1; i < even_steps; ++i) {
-        const double next = apart(i, i + 1);
+        const double next = distance(i, i + 1);
         if (!(0 < next && next <= 4 * step && step <= 4 * next)) return 0;
     }
     const uint32_t end = std::min(count, longest);
     uint32_t row = 1;
-    while (row < end && apart(0, row) <= near) ++row;
-    while (row < end && !(apart(0, row) <= near)) ++row;
+    while (row < end && distance(0, row) <= near) ++row;
+    while (row < end && !(distance(0, row) <= near)) ++row;
     if (row == end) return 0;
-    row = begin_of_row(apart, row, end, step, near);
-    // So it is to go on.
+    row = begin_of_row(distance, row, end, step, near);
+    // Further rows must have the same length.
     for (uint32_t k = 0; k < samples; ++k) {
         const auto i = static_cast<uint32_t>(uint64_t{count - 1 - row} * k / samples);
-        if (!(apart(i, i + row) <= 4 * near)) return 0;
+        if (!(distance(i, i + row) <= 4 * near)) return 0;
     }
     return row;
 }
@@ -61,13 +60,13 @@ uint32_t row_length(const Apart& apart, uint32_t count) {
 }  // namespace
 
 ImageTiles::ImageTiles(const Strided<float>& items, uint32_t floats, uint32_t count) : count_(count) {
-    const Apart apart{items, floats};
-    const uint32_t row = row_length(apart, count);
+    const SquaredDistance distance{items, floats};
+    const uint32_t row = row_length(distance, count);
     if (row == 0) return;
     row_ = row;
     width_ = 8;
-    // As wide as high, where neighbours in a row are not as far apart as rows.
-    const double along = apart(0, 1), across = apart(0, row);
+    // Tiles are square in space, not in items: neighbours in a row and rows may have different distances.
+    const double along = distance(0, 1), across = distance(0, row);
     const auto twice = [](double a, uint32_t as, double b, uint32_t bs) { return a * as * as > 4 * b * bs * bs; };
     while (width_ > 1 && twice(along, width_, across, height())) width_ /= 2;
     while (width_ < most && twice(across, height(), along, width_)) width_ *= 2;

@@ -1,5 +1,6 @@
-// The order in which a batch is taken. Items that come row by row, as the pixels of an image or the beams of a lidar,
-// are taken by tiles, as neighbours above and below have as much in common as those of a row.
+// The order in which the items of a batch are processed. If they come row by row, such as the pixels of an image or
+// the beams of a lidar, they are grouped into square tiles: neighbours above and below are as coherent as those in a
+// row. The row length is detected from the distances between items.
 #pragma once
 
 #include "foundation/floating_point.h"
@@ -9,18 +10,18 @@ namespace gphys {
 
 class ImageTiles {
 public:
-    static constexpr uint32_t most = 64;  // items of a tile
+    static constexpr uint32_t most = 64;  // largest number of items of a tile
 
-    /// Items are near one another where so many floats are that they begin with. Those of the first row are looked at,
-    /// and a few others; a wrong guess costs nothing but time. Without rows, a tile is the next in order.
+    /// The first `floats` floats of an item are its coordinates. Reads the items of the first row and a few others; a
+    /// wrong guess costs time only. Without rows, a tile is a run of consecutive items.
     ImageTiles(const Strided<float>& items, uint32_t floats, uint32_t count);
 
-    /// How many tiles there are.
+    /// The number of tiles.
     uint32_t count() const;
-    /// The items of a tile; returns how many there are, maybe none.
+    /// The items of a tile. Returns their number, which may be 0.
     uint32_t items(uint32_t tile, uint32_t* out) const;
-    /// visit(items, size) for tiles begin .. end - 1. Each time those of the tile after that are fetched before, by
-    /// fetch(item): memory that is read in several places comes late.
+    /// visit(items, size) for tiles begin .. end - 1, with fetch(item) before it for the items of the next tile: tiles
+    /// read several streams, which the hardware prefetcher follows late.
     template <class Fetch, class Visit>
     void for_each(uint32_t begin, uint32_t end, const Fetch& fetch, const Visit& visit) const {
         if (begin == end) return;
@@ -39,7 +40,7 @@ private:
 
     uint32_t count_;  // of items
     uint32_t row_ = most, width_ = most;
-    uint32_t in_band_ = 1;  // tiles beside one another
+    uint32_t in_band_ = 1;  // tiles side by side
 };
 
 }  // namespace gphys

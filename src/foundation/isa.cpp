@@ -21,7 +21,7 @@ Isa look_up() {
     for (const Isa isa : all_sets) {
         if (!has(isa)) continue;
         if (wanted && !std::strcmp(wanted, name_of(isa))) return isa;
-        best = isa;  // from the plainest to the widest
+        best = isa;  // in order of width
     }
     return best;
 }

@@ -1,13 +1,12 @@
-// Which instruction set the kernels use. A file *_kernels.cpp is compiled once for each set,
-// with its own compiler options, into a namespace named after the set (GPHYS_ISA, given by the
-// build); a table of function pointers leads to each of them. All sets give the same answers.
+// Runtime dispatch by instruction set. A file *_kernels.cpp is compiled once for each set, with its own compiler
+// options, into a namespace named after the set (GPHYS_ISA, defined by the build). Each kind of kernels has a table of
+// function pointers for each set. All sets give the same bits.
 //
-// Kernels call nothing outside of their own namespace, so that no function compiled for a newer
-// processor can be taken for its namesake elsewhere. What they are handed is plain data, prepared
-// by ordinary code.
+// Kernels call no function outside of their namespace: otherwise the linker could keep the copy of an inline function
+// that was compiled for a newer processor. Their arguments are plain data, prepared by ordinary code.
 //
-// Some are for the wide sets only, whose registers hold four doubles or more (GAMEPHYS_WIDE_KERNELS in
-// cmake/gamephys_targets.cmake): with narrower ones, what they do takes longer than going without.
+// Some kernels exist for the wide sets only, whose registers hold four doubles or more (GAMEPHYS_WIDE_KERNELS in
+// cmake/gamephys_targets.cmake): with narrower registers they are slower than scalar code.
 #pragma once
 
 #if defined(__x86_64__) || defined(__i386__) || defined(_M_X64) || defined(_M_IX86)
@@ -32,14 +31,14 @@ enum class Isa {
 #undef GPHYS_ISA_NAME
 };
 
-/// Whether this processor has it.
+/// Whether this processor supports the set.
 bool has(Isa isa);
-/// The best that this processor has, or the one that the environment variable GAMEPHYS_ISA names.
-/// Looked up once, so that no object changes sides.
+/// The widest set that this processor supports, or the one named by the environment variable GAMEPHYS_ISA. Determined
+/// once, so that all objects use the same.
 Isa chosen_isa();
 const char* name_of(Isa isa);
 
-/// Declares the tables of a kind, one for each set, and table(isa), which gives the one of a set.
+/// Declares the tables of one kind of kernels, one for each set, and table(isa), which returns that of a set.
 #define GPHYS_DECLARE_KERNELS(Table, table)                     \
     GPHYS_FOR_EACH_ISA(GPHYS_DECLARE_TABLE, Table, table)       \
     inline const Table& table(Isa isa) {                        \
@@ -53,7 +52,7 @@ const char* name_of(Isa isa);
 #define GPHYS_RETURN_TABLE_IF(set, Table, table) \
     if (isa == Isa::set) return set::table;
 
-/// The same for the wide sets; null for the others.
+/// The same for the wide sets; table(isa) returns null for the others.
 #define GPHYS_DECLARE_WIDE_KERNELS(Table, table)                           \
     GPHYS_FOR_EACH_WIDE_ISA(GPHYS_DECLARE_TABLE, Table, table)             \
     inline const Table* table([[maybe_unused]] Isa isa) {                  \

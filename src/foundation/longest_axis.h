@@ -1,4 +1,4 @@
-// Of which axis a direction is longest, for formulas that are written for one number or many (numbers.h).
+// The axis of the largest component of a direction, for formulas over one number or several lanes (numbers.h).
 #pragma once
 
 #include "foundation/compiler.h"
@@ -7,8 +7,8 @@
 
 namespace gphys {
 
-/// The axis along which a direction is longest, the first of equal ones: y and not x, z and neither.
-/// Found without a branch, for of directions nothing is to be foreseen.
+/// The axis of the largest component, the first of equal ones: is_y and not x, is_z and neither. Without a branch,
+/// which would be unpredictable.
 template <class Number>
 struct LongestAxis {
     using Mask = decltype(Number() < Number());
@@ -17,7 +17,7 @@ struct LongestAxis {
         : is_z_(largest(absolute(direction[0]), absolute(direction[1])) < absolute(direction[2])),
           y_beats_x_(absolute(direction[0]) < absolute(direction[1])) {}
 
-    /// The component along it, and those along the axes after it, in turn.
+    /// The component along it, and those along the next two axes in cyclic order.
     template <class Value>
     GPHYS_INLINE Number of(const Value (&v)[3]) const {
         return select(is_z_, v[2], select(y_beats_x_, v[1], v[0]));
@@ -35,7 +35,7 @@ private:
     Mask is_z_, y_beats_x_;
 };
 
-/// Of a single number the axis has an index.
+/// For a single direction, the index of the axis.
 template <>
 struct LongestAxis<double> {
     explicit LongestAxis(const double (&direction)[3])

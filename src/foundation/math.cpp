@@ -4,7 +4,7 @@ namespace gphys {
 
 Quat quaternion(const Mat3& m) {
     const double trace = m.x.x + m.y.y + m.z.z;
-    // Divide by the largest of the four components: none of them can be small together.
+    // Divide by the largest of the four components, which is at least 1/2.
     if (trace >= m.x.x && trace >= m.y.y && trace >= m.z.z) {
         return normalized(Quat{m.y.z - m.z.y, m.z.x - m.x.z, m.x.y - m.y.x, 1 + trace});
     }

@@ -1,5 +1,5 @@
-// Vectors, rotations and placements in double precision. Every answer is computed with these and
-// rounded to float32 once, at the C boundary.
+// Vectors, rotations and transforms in double precision. Results are computed in double and rounded to float32 once,
+// at the C interface.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using Vec3 = Vec<double>;
 inline int longest_axis(Vec3 a) {
     const Vec3 size = abs(a);
     const int of_x_and_y = size.y > size.x, is_z = size.z > std::max(size.x, size.y);
-    return of_x_and_y + is_z * (2 - of_x_and_y);  // a branch would be the toss of a coin
+    return of_x_and_y + is_z * (2 - of_x_and_y);  // a branch would be unpredictable
 }
 
 /// A unit vector perpendicular to the unit vector n (Duff et al. 2017).
@@ -67,12 +67,12 @@ constexpr Quat widen(gphys_quat q) { return {q.x, q.y, q.z, q.w}; }
 inline Transform widen(const gphys_transform& t) {
     return {widen(t.position), rotation_matrix(widen(t.rotation)), t.scale};
 }
-/// What `local` below `parent` is in the world: computed in double, each number rounded once.
+/// The world transform of `local` below `parent`: computed in double, each number rounded once.
 gphys_transform composed(const gphys_transform& parent, const gphys_transform& local);
 /// The local transform below `parent` that gives `world`, up to that rounding.
 gphys_transform relative(const gphys_transform& parent, const gphys_transform& world);
 
-/// Cut off at a limit of either sign: beyond all floats, the cast would trap.
+/// Clamped to -limit .. limit: the conversion of a larger double raises an exception.
 inline float to_float(double value, double limit = std::numeric_limits<float>::max()) {
     return static_cast<float>(std::clamp(value, -limit, limit));
 }
@@ -83,8 +83,8 @@ constexpr gphys_quat narrow(Quat q) {
     return {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
 }
 
-/// A place in the world whose position is counted in floats from an origin that moves. As long as the
-/// position is the one that was last derived from it, it is what that position stands for.
+/// The exact world position behind a float position relative to a movable origin. Moving the origin derives the new
+/// float position from it, so that rounding does not accumulate. A float position that was set since replaces it.
 class WorldPlace {
 public:
     /// The position from the new origin.
@@ -98,10 +98,9 @@ private:
     Vec3 world_;
 };
 
-/// The float before f, or f itself: without a branch, for whether is the toss of a coin wherever a
-/// double is rounded down.
+/// The float before f if `whether`, else f. Without a branch, which is unpredictable where doubles are rounded down.
 inline float float_before(float f, bool whether) {
-    // Of one sign, floats are ordered as their bits are; below both zeros is the negative least one.
+    // Floats of one sign are ordered as their bits are. Below both zeros is the smallest negative denormal.
     int32_t bits;
     std::memcpy(&bits, &f, sizeof bits);
     const int32_t down = bits > 0 ? -1 : 1;
@@ -111,8 +110,8 @@ inline float float_before(float f, bool whether) {
     return f;
 }
 
-/// Largest float <= v + rest, and smallest >= v + rest, where |rest| is at most half an ulp of v; what
-/// is beyond all floats becomes the last of them, as the cast would trap.
+/// Largest float <= v + rest, and smallest float >= v + rest, where |rest| is at most half an ulp of v. Clamped to the
+/// finite floats: the conversion of a larger double raises an exception.
 inline float round_down(double v, double rest = 0) {
     constexpr double last = std::numeric_limits<float>::max();
     const float f = to_float(v);

@@ -1,6 +1,5 @@
-// Doubles one by one, under the names that simd_double.h gives to those side by side: for formulas that
-// are written once for both, as templates of the type of their numbers. Such templates are inlined
-// wherever they are used, so that kernels (isa.h) define nothing outside of their own namespace.
+// Scalar doubles with the function names of simd_double.h, for formulas that are templates over the type of number.
+// These templates are always inlined, so that kernels (isa.h) define nothing outside of their own namespace.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A dense store of one kind of record under stable indices; freed places are used again.
+// A pool: records of one type in an array, with stable indices and a free list.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class Pool {
 public:
     explicit Pool(std::pmr::memory_resource* memory) : records_(memory) {}
 
-    /// Make room so that the next `count` calls of add cannot throw.
+    /// Reserve memory so that the next `count` calls of add do not throw.
     void reserve(uint32_t count) {
         if (count > free_count_) reserve_more(records_, count - free_count_);
     }
@@ -31,7 +31,7 @@ public:
         records_[index] = record;
         return index;
     }
-    /// The freed record itself holds the link to the next free one.
+    /// The free list is linked through the freed records.
     void remove(uint32_t index) {
         std::memcpy(static_cast<void*>(&records_[index]), &free_, sizeof free_);
         free_ = index;

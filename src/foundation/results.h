@@ -1,4 +1,4 @@
-// Lists of query results in an array of the caller's, of any size and without allocation.
+// Lists of query results in an array of the caller, without allocation.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,8 @@
 
 namespace gphys {
 
-/// Keeps the `capacity` smallest of all values added. The array is filled first, then kept as a
-/// max-heap whose top gives way to each smaller value; finish() sorts it. What is kept therefore
-/// does not depend on the order in which a tree happens to deliver.
+/// Keeps the `capacity` smallest of all values added. The array is filled first, then it is a max-heap whose top is
+/// replaced by each smaller value; finish() sorts it. So the result does not depend on the order of traversal.
 template <class T, class Less = std::less<T>>
 class Smallest {
 public:
@@ -30,8 +29,8 @@ public:
         if (total_ < std::numeric_limits<uint32_t>::max()) ++total_;
     }
 
-    /// The same if `is_one`, without a branch. Else what is there is stored again: what a caller keeps behind the
-    /// results stays. The masks, not two exclusive ors, keep memory checkers from taking the result for uninitialised.
+    /// add(value) if `is_one`, without a branch. Else the next element is stored unchanged, because the caller may keep
+    /// data behind the results. With masks rather than two exclusive ors, which memory checkers take for uninitialised.
     void add_if(bool is_one, const T& value) {
         static_assert(std::is_unsigned_v<T>);
         if (total_ + 1 < capacity_) {
@@ -45,7 +44,7 @@ public:
     }
 
     bool full() const { return capacity_ > 0 && total_ >= capacity_; }
-    /// The value that the next smaller one replaces; only when full.
+    /// The value that the next smaller one replaces. Only if full().
     const T& largest() const { return out_[0]; }
     uint32_t total() const { return total_; }
 
@@ -65,11 +64,11 @@ public:
 private:
     static constexpr uint32_t few = 32;
 
-    /// Each goes behind all that are less: more comparisons than a sort takes, but side by side, and none that the
-    /// processor would have to foresee. Equal ones go to the same place, and leave the next for a copy of it.
+    /// Rank sort: each value goes to the index that is the number of smaller ones. More comparisons than std::sort, but
+    /// vectorized and without branches. Equal values go to the same index; the gaps behind are then filled with copies.
     void sort_few(uint32_t count) {
         constexpr uint32_t at_once = 8;
-        using Signed = std::make_signed_t<T>;  // what registers compare; in the same order
+        using Signed = std::make_signed_t<T>;  // SIMD registers compare signed integers
         constexpr T sign = T{1} << std::numeric_limits<Signed>::digits;
         Signed values[few];
         std::fill_n(values, few, std::numeric_limits<Signed>::max());

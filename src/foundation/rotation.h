@@ -1,4 +1,4 @@
-// Rotations as quaternions and as matrices, over any type of numbers (vec.h).
+// Rotations as quaternions and as matrices, templates over the type of number (vec.h).
 #pragma once
 
 #include "foundation/vec.h"
@@ -39,14 +39,14 @@ GPHYS_INLINE Matrix<N> abs(const Matrix<N>& m) {
     return {abs(m.x), abs(m.y), abs(m.z)};
 }
 
-/// With this diagonal, and with the other elements of the rotation by q: p is a multiple of q.
+/// The matrix with this diagonal and the off-diagonal elements of the rotation by q; p is a multiple of q.
 template <class N>
 GPHYS_INLINE constexpr Matrix<N> matrix_of(const Quaternion<N>& q, const Quaternion<N>& p, const Vec<N>& diagonal) {
     const N xy = p.x * q.y, xz = p.x * q.z, yz = p.y * q.z;
     const N wx = p.w * q.x, wy = p.w * q.y, wz = p.w * q.z;
     return {{diagonal.x, xy + wz, xz - wy}, {xy - wz, diagonal.y, yz + wx}, {xz + wy, yz - wx, diagonal.z}};
 }
-/// The exact rotation that q stands for, whatever its length.
+/// The rotation by q, which need not be of unit length.
 template <class N>
 GPHYS_INLINE constexpr Matrix<N> rotation_matrix(const Quaternion<N>& q) {
     const N s = 2.0 / norm_squared(q);

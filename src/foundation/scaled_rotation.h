@@ -1,17 +1,17 @@
-// |q|^2 times the rotation by a quaternion q, applied to vectors of floats without making a matrix and
-// without a division: w^2 v + (u . v) u + 2 w (u x v) - u x (u x v), u being the vector of q.
+// |q|^2 times the rotation by a quaternion q = (u, w), applied to float vectors without a matrix and without a
+// division: w^2 v + (u . v) u + 2 w (u x v) - u x (u x v).
 #pragma once
 
 #include "foundation/float4.h"
 
 namespace gphys {
 
-/// Vector: Float4 for one rotation, with its three axes in a register, or a Vec of registers for as many as
-/// these have lanes. Both compute the same bits.
+/// Vector: Float4 for one rotation, with x, y, z in a register, or a Vec of registers for one rotation per lane. Both
+/// compute the same bits.
 template <class Vector>
 class ScaledRotation {
 public:
-    /// Of a Float4 all lanes are the same.
+    /// For Float4 all lanes are the same.
     using Number = decltype(dot(Vector(), Vector()));
 
     GPHYS_INLINE ScaledRotation(const Vector& u, Number w) : u_(u), w_(w) {
@@ -27,12 +27,11 @@ public:
     GPHYS_INLINE Vector operator()(const Vector& v) const {
         return rest_ * v + twice(dot(u_, v) * u_ + w_ * cross(u_, v));
     }
-    /// By the conjugate, the inverse rotation.
+    /// The inverse rotation, by the conjugate.
     GPHYS_INLINE Vector inverse(const Vector& v) const {
         return rest_ * v + twice(dot(u_, v) * u_ + w_ * cross(v, u_));
     }
-    /// How far a box with these half sizes reaches along each axis of the world (Arvo 1990): the absolute values
-    /// of the matrix times them.
+    /// The half extents of the AABB of a rotated box (Arvo 1990): the absolute values of the matrix times `half`.
     GPHYS_INLINE Vector extents(const Vector& half) const {
         const Vector products = by_component(u_, yzx(u_)), turns = zxy(w_ * u_);
         const Vector same = abs(plus(by_component(twice(u_), u_), rest_));

@@ -1,6 +1,6 @@
-// Eight floats side by side, for kernels (isa.h), in registers of simd_plain.h, simd_sse2.h, simd_avx.h,
-// simd_neon.h or simd_wasm.h, which have what differs between instruction sets. Everything is plain IEEE
-// arithmetic without fused operations, so each set gives the same bits.
+// Eight floats in SIMD registers, for kernels (isa.h). The registers are those of simd_plain.h, simd_sse2.h,
+// simd_avx.h, simd_neon.h or simd_wasm.h, which implement the differences between instruction sets. Plain IEEE
+// arithmetic without fused operations, so all sets give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 #define GPHYS_ISA_JOIN(prefix, set) prefix##set
 #define GPHYS_ISA_NUMBER(set) GPHYS_ISA_JOIN(GPHYS_ISA_IS_, set)
 #define GPHYS_ISA_IS(set) (GPHYS_ISA_NUMBER(GPHYS_ISA) == GPHYS_ISA_NUMBER(set))
-// The wider set has the instructions of the narrower one.
+// AVX-512 includes AVX2.
 #define GPHYS_HAS_AVX2 (GPHYS_ISA_IS(avx2) || GPHYS_ISA_IS(avx512))
 
 #if GPHYS_HAS_AVX2
@@ -62,7 +62,7 @@ GPHYS_INLINE FloatRegister load_lanes_from(const At& at, int first) {
     return {*at(first), *at(first + 1), *at(first + 2), *at(first + 3)};
 }
 GPHYS_INLINE float first_lane(FloatRegister a) { return a[0]; }
-/// The best of all lanes, in each.
+/// Horizontal reduction: the best of all lanes, in all lanes.
 template <class Better>
 GPHYS_INLINE FloatRegister best_lane(FloatRegister a, const Better& better) {
     a = better(a, shuffle<2, 3, 0, 1>(a, a));
@@ -83,7 +83,7 @@ GPHYS_INLINE Float8 load(const float* from) {
     for (int i = 0; i < register_count; ++i) v.part[i] = load_register(from + register_lanes * i);
     return v;
 }
-/// The same from where a register would be stored. What is not known to be so, gcc 12 loads apart with AVX-512.
+/// The same from aligned memory. gcc 12 splits AVX-512 loads whose alignment it does not know.
 GPHYS_INLINE Float8 load_aligned(const float* from) { return load(assume_aligned<sizeof(FloatRegister)>(from)); }
 GPHYS_INLINE void store(float* to, Float8 v) {
     for (int i = 0; i < register_count; ++i) store_register(to + register_lanes * i, v.part[i]);
@@ -93,7 +93,7 @@ GPHYS_INLINE Float8 splat(float value) {
     for (FloatRegister& part : v.part) part = FloatRegister(value);
     return v;
 }
-/// Floats of eight places: at(i) is where.
+/// Gather: lane i is loaded from at(i).
 template <class At>
 GPHYS_INLINE Float8 load_lanes(const At& at) {
     Float8 v;
@@ -130,7 +130,7 @@ GPHYS_INLINE Float8 max(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = maximum(a.part[i], b.part[i]);
     return a;
 }
-/// The best of all lanes, in each.
+/// Horizontal reduction: the best of all lanes, in all lanes.
 template <class Better>
 GPHYS_INLINE Float8 best_of_all(Float8 a, const Better& better) {
     FloatRegister best = a.part[0];
@@ -149,24 +149,24 @@ GPHYS_INLINE float first_lane(Float8 a) { return first_lane(a.part[0]); }
 
 GPHYS_INLINE Float8 abs(Float8 a) { return max(a, splat(0) - a); }
 
-/// Whole numbers as they are in memory as integers.
+/// Floats with integer values to the bits of these integers.
 GPHYS_INLINE Float8 integer_bits(Float8 a) {
     for (FloatRegister& part : a.part) part = integer_bits(part);
     return a;
 }
 
-/// In lanes that are set a, else b.
+/// Blend: a in the lanes that are set, else b.
 GPHYS_INLINE Float8 choose(Mask8 mask, Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = choose(mask.part[i], a.part[i], b.part[i]);
     return a;
 }
-/// In lanes that are set a, else b, as they are in memory.
+/// Blend of integers.
 GPHYS_INLINE Float8 choose_bits(Mask8 mask, int32_t a, int32_t b) {
     Float8 v;
     for (int i = 0; i < register_count; ++i) v.part[i] = choose_bits(mask.part[i], a, b);
     return v;
 }
-/// Set where the sign is, even of zero.
+/// The sign bits, also of zeros.
 GPHYS_INLINE Mask8 signs(Float8 a) {
     Mask8 mask;
     for (int i = 0; i < register_count; ++i) mask.part[i] = signs(a.part[i]);
@@ -177,7 +177,7 @@ GPHYS_INLINE Mask8 operator<=(Float8 a, Float8 b) {
     for (int i = 0; i < register_count; ++i) mask.part[i] = a.part[i] <= b.part[i];
     return mask;
 }
-/// Also of numbers that hosts take for zero.
+/// Compares bits, so that denormals are distinct even in a host that flushes them to zero.
 GPHYS_INLINE Mask8 equal_bits(Float8 a, Float8 b) {
     Mask8 mask;
     for (int i = 0; i < register_count; ++i) mask.part[i] = equal_bits(a.part[i], b.part[i]);
@@ -191,21 +191,21 @@ GPHYS_INLINE Mask8 operator|(Mask8 a, Mask8 b) {
     for (int i = 0; i < register_count; ++i) a.part[i] = a.part[i] | b.part[i];
     return a;
 }
-/// Bit i is set if lane i is.
+/// Movemask: bit i is lane i.
 GPHYS_INLINE uint32_t bits(Mask8 mask) {
     uint32_t result = 0;
     for (int i = 0; i < register_count; ++i) result |= bits(mask.part[i]) << (register_lanes * i);
     return result;
 }
 
-// Under the names of other numbers (numbers.h).
+// The function names of other numbers (numbers.h).
 inline Float8 absolute(Float8 a) { return abs(a); }
 inline Float8 least(Float8 a, Float8 b) { return min(a, b); }
 inline Float8 largest(Float8 a, Float8 b) { return max(b, a); }
 inline Float8 select(Mask8 mask, Float8 a, Float8 b) { return choose(mask, a, b); }
 inline Float8 splat_as(Float8, float value) { return splat(value); }
 
-/// Eight quadruples of floats, each at a place of its own, component by component: at(i) is where.
+/// Eight quadruples of floats as four registers, one for each component (structure of arrays).
 struct Quads8 {
     Float8 x, y, z, w;
 };
@@ -242,7 +242,7 @@ GPHYS_INLINE void store_quads(const At& at, const Quads8& quads) {
     }
 #endif
 }
-/// The same of an array of quadruples, by their indices.
+/// The same from an array of quadruples, by index.
 GPHYS_INLINE Quads8 load_quads(const float* from, const uint32_t* index) {
     return load_quads([&](int i) GPHYS_INLINE_LAMBDA { return from + 4 * size_t{index[i]}; });
 }
@@ -250,7 +250,7 @@ GPHYS_INLINE void store_quads(float* to, const uint32_t* index, const Quads8& qu
     store_quads([&](int i) GPHYS_INLINE_LAMBDA { return to + 4 * size_t{index[i]}; }, quads);
 }
 
-/// Of two quadruples behind each other: the last float of each four times, and 0 in its place.
+/// From two consecutive quadruples: the last float of each in its four lanes, 0 in the last.
 GPHYS_INLINE Float8 last_of_quads(Float8 a) {
     for (FloatRegister& part : a.part) part = last_of_quads(part);
     return a;

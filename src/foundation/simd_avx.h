@@ -1,5 +1,4 @@
-// Registers of AVX2 and AVX-512, which is used for masks and for doubles. What the functions are for is said
-// in simd.h and simd_double.h.
+// Registers of AVX2, and of AVX-512 for masks and doubles. The functions are described in simd.h and simd_double.h.
 #pragma once
 
 #include <cstring>
@@ -36,7 +35,7 @@ GPHYS_INLINE FloatRegister square_root(FloatRegister a) { return _mm256_sqrt_ps(
 GPHYS_INLINE FloatRegister integer_bits(FloatRegister a) { return _mm256_castsi256_ps(_mm256_cvttps_epi32(a.v)); }
 GPHYS_INLINE float first_lane(FloatRegister a) { return _mm256_cvtss_f32(a.v); }
 
-/// The best of all lanes, in each.
+/// Horizontal reduction: the best of all lanes, in all lanes.
 template <class Better>
 GPHYS_INLINE FloatRegister best_lane(FloatRegister a, const Better& better) {
     a = better(a, FloatRegister(_mm256_permute2f128_ps(a.v, a.v, 1)));
@@ -47,7 +46,7 @@ GPHYS_INLINE FloatRegister last_of_quads(FloatRegister a) { return _mm256_permut
 GPHYS_INLINE FloatRegister without_last_of_quads(FloatRegister a) {
     return _mm256_blend_ps(a.v, _mm256_setzero_ps(), 0x88);
 }
-/// Within each half of the registers, which hold four quadruples twice: rows become columns, and back.
+/// 4x4 transposition in each half of the registers.
 GPHYS_INLINE void transpose(FloatRegister (&v)[4]) {
     const __m256 a = _mm256_unpacklo_ps(v[0].v, v[1].v), b = _mm256_unpackhi_ps(v[0].v, v[1].v);
     const __m256 c = _mm256_unpacklo_ps(v[2].v, v[3].v), d = _mm256_unpackhi_ps(v[2].v, v[3].v);
@@ -56,7 +55,7 @@ GPHYS_INLINE void transpose(FloatRegister (&v)[4]) {
     v[2] = _mm256_shuffle_ps(b, d, 0x44);
     v[3] = _mm256_shuffle_ps(b, d, 0xee);
 }
-/// Two quadruples.
+/// Two quadruples in one register.
 GPHYS_INLINE FloatRegister load_pair(const float* low, const float* high) {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(low)), _mm_loadu_ps(high), 1);
 }
@@ -69,7 +68,7 @@ GPHYS_INLINE void store_pair(float* low, float* high, FloatRegister a) {
 
 constexpr int double_register_lanes = 8;
 
-/// Bit i is set if lane i is.
+/// A mask register: bit i is lane i.
 struct MaskRegister {
     __mmask8 v;
 };
@@ -141,11 +140,11 @@ GPHYS_INLINE DoubleRegister select(DoubleMaskRegister mask, DoubleRegister a, Do
     return _mm512_mask_blend_pd(mask.v, b.v, a.v);
 }
 
-/// Rounded to floats, and back.
+/// Rounded to floats, and widened.
 GPHYS_INLINE FloatRegister narrowed(const DoubleRegister (&a)[1]) { return _mm512_cvtpd_ps(a[0].v); }
 GPHYS_INLINE void widen_to(DoubleRegister (&to)[1], FloatRegister a) { to[0] = _mm512_cvtps_pd(a.v); }
 
-/// Within each half of the registers, which hold four rows twice: rows become columns, and back.
+/// 4x4 transposition in each half of the registers.
 GPHYS_INLINE void transpose(DoubleRegister (&v)[4]) {
     const __m512d a = _mm512_unpacklo_pd(v[0].v, v[1].v), b = _mm512_unpackhi_pd(v[0].v, v[1].v);
     const __m512d c = _mm512_unpacklo_pd(v[2].v, v[3].v), d = _mm512_unpackhi_pd(v[2].v, v[3].v);
@@ -156,7 +155,7 @@ GPHYS_INLINE void transpose(DoubleRegister (&v)[4]) {
     v[2] = _mm512_permutex2var_pd(a, odd, c);
     v[3] = _mm512_permutex2var_pd(b, odd, d);
 }
-/// Rows of four doubles, row(i) and row(i + 4), in a register; and back.
+/// Load and store row(i) and row(i + 4), of four doubles each, as one register.
 template <class Row>
 GPHYS_INLINE DoubleRegister join_rows(const Row& row, int i) {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(row(i)), row(i + 4), 1);
@@ -247,7 +246,7 @@ GPHYS_INLINE DoubleRegister select(DoubleMaskRegister mask, DoubleRegister a, Do
     return _mm256_blendv_pd(b.v, a.v, mask.v);
 }
 
-/// Two registers of doubles, rounded to floats, and back.
+/// Two registers of doubles rounded to floats, and floats widened to two registers.
 GPHYS_INLINE FloatRegister narrowed(const DoubleRegister (&a)[2]) {
     return _mm256_set_m128(_mm256_cvtpd_ps(a[1].v), _mm256_cvtpd_ps(a[0].v));
 }
@@ -256,7 +255,7 @@ GPHYS_INLINE void widen_to(DoubleRegister (&to)[2], FloatRegister a) {
     to[1] = _mm256_cvtps_pd(_mm256_extractf128_ps(a.v, 1));
 }
 
-/// Rows become columns, and back.
+/// 4x4 transposition.
 GPHYS_INLINE void transpose(DoubleRegister (&v)[4]) {
     const __m256d a = _mm256_unpacklo_pd(v[0].v, v[1].v), b = _mm256_unpackhi_pd(v[0].v, v[1].v);
     const __m256d c = _mm256_unpacklo_pd(v[2].v, v[3].v), d = _mm256_unpackhi_pd(v[2].v, v[3].v);
@@ -265,7 +264,7 @@ GPHYS_INLINE void transpose(DoubleRegister (&v)[4]) {
     v[2] = _mm256_permute2f128_pd(a, c, 0x31);
     v[3] = _mm256_permute2f128_pd(b, d, 0x31);
 }
-/// A row of four doubles, row(i), in a register; and back.
+/// Load and store row(i), of four doubles, as a register.
 template <class Row>
 GPHYS_INLINE DoubleRegister join_rows(const Row& row, int i) {
     return row(i);
@@ -279,7 +278,7 @@ GPHYS_INLINE void give_rows(DoubleRegister a, const Give& give, int i) {
 
 GPHYS_INLINE __m256d load_four(const double* from) { return _mm256_loadu_pd(from); }
 GPHYS_INLINE void store_four(double* to, __m256d a) { _mm256_storeu_pd(to, a); }
-/// Nothing behind the third is touched.
+/// Reads no memory behind the third double.
 GPHYS_INLINE __m256d load_three(const double* from) {
     return _mm256_maskload_pd(from, _mm256_setr_epi64x(-1, -1, -1, 0));
 }

@@ -1,5 +1,5 @@
-// Doubles, one or eight side by side, for kernels (isa.h) that are written once for both: what a lane
-// computes does not depend on the others, nor on how many there are.
+// One double or eight in SIMD registers, for kernels (isa.h) that are written once for both. A lane computes the same
+// bits whatever the other lanes are and however many there are.
 #pragma once
 
 #include <cmath>
@@ -83,7 +83,7 @@ GPHYS_INLINE Double8 square_root(Double8 a) {
     return a;
 }
 
-/// Without their signs; and with the signs of others, which may be those of zeros.
+/// fabs and copysign.
 GPHYS_INLINE Double8 absolute(Double8 a) {
     for (DoubleRegister& part : a.part) part = absolute(part);
     return a;
@@ -119,7 +119,7 @@ GPHYS_INLINE Double8 select(DoubleMask8 mask, Double8 a, Double8 b) {
     for (int i = 0; i < double_register_count; ++i) a.part[i] = select(mask.part[i], a.part[i], b.part[i]);
     return a;
 }
-/// Bit i is set if lane i is.
+/// Movemask: bit i is lane i.
 GPHYS_INLINE uint32_t bits(DoubleMask8 mask) {
     uint32_t result = 0;
     for (int i = 0; i < double_register_count; ++i) result |= bits(mask.part[i]) << (double_register_lanes * i);
@@ -143,7 +143,7 @@ GPHYS_INLINE Double8 largest(Double8 a, Double8 b) {
     return a;
 }
 
-/// Rounded to floats, and floats as they are.
+/// Rounded to floats; floats unchanged.
 GPHYS_INLINE Float8 narrowed(Double8 a) {
     constexpr int of_each = double_register_count / register_count;
     Float8 narrow;
@@ -174,7 +174,7 @@ GPHYS_INLINE DoubleRegister load_doubles_from(const At& at, int first) {
 }
 #endif
 
-/// Four floats of each of eight places, widened.
+/// Four floats from each of eight addresses, widened to doubles.
 struct Four8 {
     Double8 x, y, z, w;
 
@@ -185,7 +185,7 @@ struct Four8 {
     }
 };
 
-/// Doubles behind one another at each of eight places, component by component: at(i) is where.
+/// `count` consecutive doubles from each of eight addresses at(i), as one register for each component.
 template <int count, class At>
 GPHYS_INLINE void load_components(const At& at, Double8 (&to)[count]) {
     for (int k = 0; k < count; ++k) {
@@ -201,7 +201,7 @@ GPHYS_INLINE void store_components(const At& at, const Double8 (&from)[count]) {
         for (int k = 0; k < count; ++k) at(i)[k] = from[k].part[i / double_register_lanes][i % double_register_lanes];
     }
 }
-/// One at a single place.
+/// The same for one address.
 template <int count, class At>
 GPHYS_INLINE void load_components(const At& at, double (&to)[count]) {
     for (int k = 0; k < count; ++k) to[k] = at(0)[k];
@@ -212,7 +212,7 @@ GPHYS_INLINE void store_components(const At& at, const double (&from)[count]) {
 }
 
 #if GPHYS_HAS_AVX2
-/// Eight rows of four doubles, row(i), as four columns of eight.
+/// 8x4 transposition: eight rows of four doubles, row(i), as four registers of eight.
 template <class Row>
 GPHYS_INLINE void columns_of(const Row& row, Double8 (&to)[4]) {
     for (int part = 0; part < double_register_count; ++part) {
@@ -222,7 +222,7 @@ GPHYS_INLINE void columns_of(const Row& row, Double8 (&to)[4]) {
         for (int k = 0; k < 4; ++k) to[k].part[part] = v[k];
     }
 }
-/// And back: give(i, row).
+/// The inverse: give(i, row).
 template <class Give>
 GPHYS_INLINE void give_rows_of(const Double8 (&from)[4], const Give& give) {
     for (int part = 0; part < double_register_count; ++part) {
@@ -241,7 +241,7 @@ template <class At>
 GPHYS_INLINE void store_components(const At& at, const Double8 (&from)[4]) {
     give_rows_of(from, [&](int i, const auto& row) GPHYS_INLINE_LAMBDA { store_four(at(i), row); });
 }
-/// Nothing behind the third is touched.
+/// Reads no memory behind the third double.
 template <class At>
 GPHYS_INLINE void load_components(const At& at, Double8 (&to)[3]) {
     Double8 all[4];

@@ -1,4 +1,4 @@
-// Registers of NEON on 64-bit ARM. What the functions are for is said in simd.h, simd_double.h and float4.h.
+// Registers of NEON on 64-bit ARM. The functions are described in simd.h, simd_double.h and float4.h.
 #pragma once
 
 #include <arm_neon.h>
@@ -74,7 +74,7 @@ GPHYS_INLINE FloatRegister operator+(FloatRegister a, FloatRegister b) { return 
 GPHYS_INLINE FloatRegister operator-(FloatRegister a, FloatRegister b) { return vsubq_f32(a.v, b.v); }
 GPHYS_INLINE FloatRegister operator*(FloatRegister a, FloatRegister b) { return vmulq_f32(a.v, b.v); }
 GPHYS_INLINE FloatRegister operator/(FloatRegister a, FloatRegister b) { return vdivq_f32(a.v, b.v); }
-// The instructions for these are others if one is NaN or both are zeros.
+// Not fmin and fmax, which differ for NaN and for zeros of different sign.
 GPHYS_INLINE FloatRegister minimum(FloatRegister a, FloatRegister b) { return choose(a < b, a, b); }
 GPHYS_INLINE FloatRegister maximum(FloatRegister a, FloatRegister b) { return choose(b < a, a, b); }
 GPHYS_INLINE FloatRegister square_root(FloatRegister a) { return vsqrtq_f32(a.v); }
@@ -92,7 +92,7 @@ GPHYS_INLINE MaskRegister signs(FloatRegister a) {
 GPHYS_INLINE MaskRegister operator&(MaskRegister a, MaskRegister b) { return {vandq_u32(a.v, b.v)}; }
 GPHYS_INLINE MaskRegister operator|(MaskRegister a, MaskRegister b) { return {vorrq_u32(a.v, b.v)}; }
 GPHYS_INLINE MaskRegister operator^(MaskRegister a, MaskRegister b) { return {veorq_u32(a.v, b.v)}; }
-/// Masks as integers: added, shifted, and converted to floats.
+/// Masks as integers: addition, shift, conversion to floats.
 GPHYS_INLINE MaskRegister add_integers(MaskRegister a, MaskRegister b) { return {vaddq_u32(a.v, b.v)}; }
 template <int count>
 GPHYS_INLINE MaskRegister shift_right(MaskRegister a) {
@@ -152,7 +152,7 @@ GPHYS_INLINE DoubleRegister with_sign(DoubleRegister a, DoubleRegister sign) {
     return vbslq_f64(vdupq_n_u64(uint64_t{1} << 63), sign.v, a.v);
 }
 
-/// Two registers of doubles, rounded to floats, and back.
+/// Two registers of doubles rounded to floats, and floats widened to two registers.
 GPHYS_INLINE FloatRegister narrowed(const DoubleRegister (&a)[2]) {
     return vcvt_high_f32_f64(vcvt_f32_f64(a[0].v), a[1].v);
 }

@@ -1,6 +1,6 @@
-// Registers of four floats or two doubles for targets without an instruction set of their own here, and to compare
-// the others with: plain C++, but in vectors of gcc and clang, which make the best of what a processor has, where
-// these compile it. What the functions are for is said in simd.h, simd_double.h and float4.h.
+// Registers of four floats or two doubles for targets without an instruction set of their own here, and as a reference
+// for the others. Plain C++; gcc and clang use their vector types, which they compile to the SIMD instructions of the
+// target. The functions are described in simd.h, simd_double.h and float4.h.
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,7 @@ struct DoubleRegister {
     GPHYS_INLINE double operator[](int i) const { return lane[i]; }
 };
 
-/// to(i) for each lane.
+/// Lane i is to(i).
 template <class Register, class To>
 GPHYS_INLINE Register each(const To& to) {
     Register result;
@@ -76,7 +76,7 @@ GPHYS_INLINE Mask compare(const Lanes& a, const Lanes& b, const Comparison& comp
     return each<Mask>([&](int i) { return comparison(a[i], b[i]) ? -1 : 0; });
 #endif
 }
-/// In lanes that are set a, else b.
+/// Blend: a in the lanes that are set, else b.
 template <class Register, class Mask>
 GPHYS_INLINE Register choose_lanes(const Mask& mask, const Register& a, const Register& b) {
 #if defined(__GNUC__)
@@ -113,7 +113,7 @@ GPHYS_INLINE MaskRegister set_mask(int32_t a, int32_t b, int32_t c, int32_t d) {
     return result;
 }
 
-/// Masks as integers: added, shifted, and converted to floats.
+/// Masks as integers: addition, shift, conversion to floats.
 GPHYS_INLINE MaskRegister add_integers(MaskRegister a, MaskRegister b) {
     return combine(a, b, [](auto x, auto y) { return x + y; });
 }
@@ -259,8 +259,8 @@ GPHYS_INLINE DoubleRegister select(DoubleMaskRegister mask, DoubleRegister a, Do
     return choose_lanes(mask, a, b);
 }
 
-/// Two registers of doubles, rounded to floats, and back. By way of memory: gcc 12 takes two conversions of the lanes
-/// of vectors for none.
+/// Two registers of doubles rounded to floats, and floats widened to two registers. Through memory, because gcc 12
+/// optimizes a pair of lane conversions away.
 GPHYS_INLINE FloatRegister narrowed(const DoubleRegister (&a)[2]) {
     float lanes[4];
     for (int i = 0; i < 4; ++i) lanes[i] = static_cast<float>(a[i / 2].lane[i % 2]);

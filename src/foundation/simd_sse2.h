@@ -1,4 +1,4 @@
-// Registers of SSE2. What the functions are for is said in simd.h, simd_double.h and float4.h.
+// Registers of SSE2. The functions are described in simd.h, simd_double.h and float4.h.
 #pragma once
 
 #include <cstring>
@@ -78,7 +78,7 @@ GPHYS_INLINE MaskRegister signs(FloatRegister a) {
 GPHYS_INLINE MaskRegister operator&(MaskRegister a, MaskRegister b) { return {_mm_and_ps(a.v, b.v)}; }
 GPHYS_INLINE MaskRegister operator|(MaskRegister a, MaskRegister b) { return {_mm_or_ps(a.v, b.v)}; }
 GPHYS_INLINE MaskRegister operator^(MaskRegister a, MaskRegister b) { return {_mm_xor_ps(a.v, b.v)}; }
-/// Masks as integers: added, shifted, and converted to floats.
+/// Masks as integers: addition, shift, conversion to floats.
 GPHYS_INLINE MaskRegister add_integers(MaskRegister a, MaskRegister b) {
     return {_mm_castsi128_ps(_mm_add_epi32(_mm_castps_si128(a.v), _mm_castps_si128(b.v)))};
 }
@@ -136,7 +136,7 @@ GPHYS_INLINE DoubleRegister select(DoubleMaskRegister mask, DoubleRegister a, Do
     return _mm_or_pd(_mm_and_pd(mask.v, a.v), _mm_andnot_pd(mask.v, b.v));
 }
 
-/// Two registers of doubles, rounded to floats, and back.
+/// Two registers of doubles rounded to floats, and floats widened to two registers.
 GPHYS_INLINE FloatRegister narrowed(const DoubleRegister (&a)[2]) {
     return _mm_movelh_ps(_mm_cvtpd_ps(a[0].v), _mm_cvtpd_ps(a[1].v));
 }

@@ -1,4 +1,4 @@
-// Registers of WebAssembly's SIMD. What the functions are for is said in simd.h, simd_double.h and float4.h.
+// Registers of WebAssembly SIMD. The functions are described in simd.h, simd_double.h and float4.h.
 #pragma once
 
 #include <wasm_simd128.h>
@@ -73,7 +73,7 @@ GPHYS_INLINE MaskRegister signs(FloatRegister a) { return {wasm_i32x4_shr(a.v, 3
 GPHYS_INLINE MaskRegister operator&(MaskRegister a, MaskRegister b) { return {wasm_v128_and(a.v, b.v)}; }
 GPHYS_INLINE MaskRegister operator|(MaskRegister a, MaskRegister b) { return {wasm_v128_or(a.v, b.v)}; }
 GPHYS_INLINE MaskRegister operator^(MaskRegister a, MaskRegister b) { return {wasm_v128_xor(a.v, b.v)}; }
-/// Masks as integers: added, shifted, and converted to floats.
+/// Masks as integers: addition, shift, conversion to floats.
 GPHYS_INLINE MaskRegister add_integers(MaskRegister a, MaskRegister b) { return {wasm_i32x4_add(a.v, b.v)}; }
 template <int count>
 GPHYS_INLINE MaskRegister shift_right(MaskRegister a) {
@@ -131,7 +131,7 @@ GPHYS_INLINE DoubleRegister select(DoubleMaskRegister mask, DoubleRegister a, Do
     return wasm_v128_bitselect(a.v, b.v, mask.v);
 }
 
-/// Two registers of doubles, rounded to floats, and back.
+/// Two registers of doubles rounded to floats, and floats widened to two registers.
 GPHYS_INLINE FloatRegister narrowed(const DoubleRegister (&a)[2]) {
     return wasm_i32x4_shuffle(wasm_f32x4_demote_f64x2_zero(a[0].v), wasm_f32x4_demote_f64x2_zero(a[1].v), 0, 1, 4, 5);
 }

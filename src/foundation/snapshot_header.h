@@ -1,4 +1,4 @@
-// How the words of a snapshot begin.
+// The header of a snapshot: magic number, format, length and checksum.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace gphys {
 
 struct SnapshotHeader {
     uint32_t magic, format, words;
-    uint32_t checksum[2];  // of what each kind of snapshot says
+    uint32_t checksum[2];  // over the words that each kind of snapshot defines
 
     void set_checksum(uint64_t sum) {
         checksum[0] = static_cast<uint32_t>(sum);
@@ -18,8 +18,8 @@ struct SnapshotHeader {
 };
 constexpr uint32_t snapshot_header_words = sizeof(SnapshotHeader) / 4;
 
-/// Read the header of a snapshot of one kind, of this format or an earlier one; returns what is wrong with it, or
-/// nullptr. The checksum is for the caller to compare.
+/// Read the header of a snapshot of one kind, of this format or an earlier one. Returns what is wrong, or nullptr. The
+/// caller compares the checksum.
 inline const char* read_header(const uint32_t* words, uint32_t count, uint32_t magic, uint32_t format,
                                SnapshotHeader& header) {
     if (count < snapshot_header_words) return "words: too few for a snapshot";

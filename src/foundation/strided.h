@@ -1,4 +1,4 @@
-// Arrays whose elements are a given number of bytes apart, as callers hand them over.
+// Arrays of the caller whose elements are `stride` bytes apart.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ public:
         return *reinterpret_cast<const T*>(first_ + static_cast<size_t>(i) * stride_);
     }
 
-    /// What elements begin with.
+    /// The first member of each element.
     template <class Part>
     Strided<Part> beginnings() const {
         return {reinterpret_cast<const Part*>(first_), static_cast<uint32_t>(stride_)};

@@ -1,9 +1,9 @@
-// Workers that share one long piece of work, phase after phase, with too little in a phase to wake
-// anybody for. Whoever comes first leads; those who come later help, waiting busily between phases.
-// The leader never waits for one who has not come, so a team of one does all the work itself.
+// A team of workers for work in many short phases, each too short to wake threads for. The first thread to arrive is
+// the leader; later ones help and spin between phases. The leader never waits for a thread that has not arrived, so a
+// team of one does all the work itself.
 //
-// Members take tasks from both ends, by turns: what two of them did in a phase they mostly do in the next, and
-// find it in their caches.
+// Members take tasks alternately from both ends, so that two of them mostly get the same tasks in each phase, with
+// the data in their caches.
 #pragma once
 
 #include <atomic>
@@ -16,11 +16,11 @@ namespace gphys {
 
 class Team {
 public:
-    /// More tasks are not in a phase.
+    /// The largest number of tasks in a phase.
     static constexpr uint32_t most_tasks = (1u << 20) - 1;
 
-    /// To be called by each member. The first one does the work, which calls share; the others help and
-    /// return when it is done.
+    /// Called by each member. The first one runs the work, which calls share(); the others help and return when the
+    /// work is done.
     template <class Work>
     void join(Work&& work) noexcept {
         const uint32_t member = members_.fetch_add(1, std::memory_order_relaxed);
@@ -29,7 +29,8 @@ public:
         done_.store(true, std::memory_order_release);
     }
 
-    /// Of the leader: task(i, member) for each i below count, by whoever is there; returns when all are done.
+    /// Called by the leader: task(i, member) for each i below count, on all members that have arrived. Returns when all
+    /// tasks are done.
     template <class Task>
     void share(uint32_t count, Task&& task) noexcept {
         call_ = [](void* context, uint32_t i, uint32_t member) {
@@ -45,7 +46,7 @@ public:
 private:
     static constexpr int end_shift = 20;
 
-    /// A little of the processor's time, then, if others need it, the system's.
+    /// Spins with pause instructions first, then yields to the system.
     class SpinBackoff {
     public:
         void wait() {
@@ -60,8 +61,8 @@ private:
         uint32_t turns_ = 0;
     };
 
-    /// The tasks that are left of the phase under way. The ticket holds the phase, the end of those tasks and the
-    /// first, so that nobody takes a task of one phase for that of another.
+    /// Runs the remaining tasks of the current phase. The ticket holds the number of the phase and the range of its
+    /// remaining tasks, so that no member takes a task of another phase.
     void take_all(uint32_t member) {
         const bool from_end = member % 2 == 1;
         uint64_t ticket = ticket_.load(std::memory_order_acquire);
@@ -84,12 +85,12 @@ private:
     std::atomic<uint64_t> ticket_{0};
     std::atomic<bool> done_{false};
     uint64_t phase_ = 0;
-    // Of the phase under way: written while none is.
+    // Of the current phase; written between phases.
     void (*call_)(void*, uint32_t, uint32_t) = nullptr;
     void* context_ = nullptr;
 };
 
-/// For work that may be done alone: null stands for the caller.
+/// With a null team the caller runs all tasks.
 template <class Task>
 void share(Team* team, uint32_t count, Task&& task) noexcept {
     if (team && count > 1) {

@@ -1,16 +1,15 @@
-// Vectors of three numbers: doubles, numbers of exact arithmetic (exact.h), or registers of floats or
-// doubles (simd.h, simd_double.h). Each formula stands here once; the type of the numbers says how it is
-// computed, and for how many vectors at a time.
+// Vectors of three numbers of any type: doubles, numbers of exact arithmetic (exact.h), or SIMD registers (simd.h,
+// simd_double.h), which hold one vector per lane.
 //
-// Everything is inlined: kernels (isa.h) define nothing outside of their own namespace, and calls would
-// hand registers over in memory.
+// Everything is inlined: kernels (isa.h) define nothing outside of their own namespace, and calls would pass registers
+// through memory.
 #pragma once
 
 #include "foundation/numbers.h"
 
 namespace gphys {
 
-/// value + rest, of which value is what rounding leaves (exact.h).
+/// The unevaluated sum of a rounded value and its rounding error (exact.h).
 template <class N>
 N two_terms(double value, double rest);
 
@@ -18,7 +17,7 @@ template <class N>
 struct Vec {
     N x{}, y{}, z{};
 
-    // Of doubles, for predicates (exact.h): v, a - b, and v + rest, nothing of which N rounds.
+    // From doubles, for predicates (exact.h): v, a - b and v + rest, exact if N is.
     static Vec of(const Vec<double>& v) { return {N(v.x), N(v.y), N(v.z)}; }
     static Vec difference(const Vec<double>& a, const Vec<double>& b) {
         return {N(a.x) - N(b.x), N(a.y) - N(b.y), N(a.z) - N(b.z)};
@@ -27,7 +26,7 @@ struct Vec {
         return {gphys::two_terms<N>(v.x, rest.x), gphys::two_terms<N>(v.y, rest.y), gphys::two_terms<N>(v.z, rest.z)};
     }
 
-    // Not (&x)[axis]: that is undefined and was seen miscompiled. To read from a copy costs no branch.
+    // Not (&x)[axis], which is undefined behaviour and was miscompiled. Reading from a copy needs no branch.
     GPHYS_INLINE constexpr N operator[](int axis) const {
         const N all[] = {x, y, z};
         return all[axis];
@@ -35,7 +34,7 @@ struct Vec {
     GPHYS_INLINE constexpr N& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
-/// N where it is not to be deduced, so that numbers are converted to those of the vector beside them.
+/// N in a non-deduced context, so that numbers are converted to the type of the vector beside them.
 template <class N>
 struct SameAs {
     using Number = N;
@@ -109,7 +108,7 @@ GPHYS_INLINE N distance(const Vec<N>& a, const Vec<N>& b) {
     return length(a - b);
 }
 
-// Component by component. Of two that are equal, zeros of either sign among them, it is that of a.
+// Component by component. Of equal components, such as zeros of either sign, that of a.
 template <class N>
 GPHYS_INLINE Vec<N> abs(const Vec<N>& a) {
     return {absolute(a.x), absolute(a.y), absolute(a.z)};
@@ -132,14 +131,14 @@ GPHYS_INLINE constexpr Vec<N> positive(const Vec<N>& a) {
     const N zero{};
     return {largest(a.x, zero), largest(a.y, zero), largest(a.z, zero)};
 }
-/// With its sign turned on axes along which the direction does not go back.
+/// The vector with its sign flipped on the axes along which the direction is not negative.
 template <class N>
 GPHYS_INLINE constexpr Vec<N> against(const Vec<N>& a, const Vec<N>& direction) {
     const N zero{};
     return {select(zero <= direction.x, zero - a.x, a.x), select(zero <= direction.y, zero - a.y, a.y),
             select(zero <= direction.z, zero - a.z, a.z)};
 }
-/// On all axes.
+/// Whether it holds on all axes.
 template <class N>
 GPHYS_INLINE constexpr auto at_most(const Vec<N>& a, const Vec<N>& b) {
     return (a.x <= b.x) & (a.y <= b.y) & (a.z <= b.z);

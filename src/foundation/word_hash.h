@@ -1,4 +1,4 @@
-// A hash of rows of 32-bit words: of states, and of what they depend on.
+// A 64-bit hash of sequences of 32-bit words, for states and snapshots. Not cryptographic.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace gphys {
 
-/// A 64-bit hash of words: each is mixed in by a multiplication that loses nothing (odd) and a shift
-/// that brings the high bits down; no change of a single word keeps the hash.
+/// Each word is mixed in by an odd multiplication and a shift right, both of which are invertible, so that changing a
+/// single word changes the hash.
 class WordHash {
 public:
     static constexpr uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 / golden ratio: no pattern in its bits

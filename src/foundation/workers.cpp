@@ -16,9 +16,8 @@ namespace {
 #if defined(__unix__) || defined(__APPLE__)
 long this_process() { return getpid(); }
 
-/// A thread inherits the mask of signals of its creator: while this lives, new threads leave those
-/// of the outside to the host's threads. Faults, which strike the thread that causes them, and a
-/// profiler's clock still come through.
+/// Blocks asynchronous signals while threads are created, which inherit the mask: the host's own threads handle them.
+/// Synchronous faults and the signals of profilers are not blocked.
 class SignalsBlocked {
 public:
     SignalsBlocked() {
@@ -41,7 +40,7 @@ public:
 };
 #endif
 
-/// A module of WebAssembly has none unless it is built for shared memory.
+/// A WebAssembly module has no threads unless it is built with shared memory.
 #if defined(__wasm__) && !defined(__wasm_atomics__)
 constexpr bool platform_has_threads = false;
 #else
@@ -59,7 +58,7 @@ Workers::Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memo
         const SignalsBlocked blocked;
         threads_.reserve(count_ - 1);
         while (threads_.size() < count_ - 1) threads_.emplace_back([this] { serve(); });
-    } catch (const std::system_error&) {  // the system has no more threads
+    } catch (const std::system_error&) {  // no more threads
         stop();
         throw std::bad_alloc();
     } catch (...) {
@@ -74,8 +73,8 @@ Workers::~Workers() {
 
 void Workers::stop() {
     if (in_forked_child()) {
-        // There are no threads to join here, and what they wait at can never be left: destroying
-        // either would not return.
+        // In a forked child the threads do not exist, and the state of the condition variables is theirs: joining or
+        // destroying would block.
         for (std::thread& lost : threads_) new (&lost) std::thread();
     } else {
         {
@@ -103,9 +102,9 @@ void Workers::share(Job& job) const noexcept {
         };
         try {
             runner_.run(runner_.user, take_part, &job, std::min(count_, job.count));
-        } catch (...) {  // one in C++ that could not go on
+        } catch (...) {  // a runner written in C++
         }
-        // What it has left undone; half a step cannot be taken back.
+        // Run the tasks that the runner has not: half a step cannot be undone.
         job.drain();
         while (job.taking_part.load(std::memory_order_acquire) > 0) std::this_thread::yield();
         return;
@@ -126,7 +125,7 @@ void Workers::share(Job& job) const noexcept {
     meeting_->done.wait(lock, [this] { return meeting_->working == 0; });
 }
 
-/// The life of a thread.
+/// The main function of a thread.
 void Workers::serve() const {
     std::unique_lock<std::mutex> lock(meeting_->mutex);
     for (;;) {

@@ -1,14 +1,12 @@
-// The threads that share the work of one object: started when it is created, or the caller's own.
+// The thread pool of one object (fork-join): threads started when it is created, or the job system of the host.
 //
-// run(count, task) calls task(0) .. task(count - 1), each once, and returns when all are done. The
-// threads and the caller take the numbers from one counter, so that none of them waits while there
-// is work, and a thread that never comes (asleep, busy elsewhere, lost to fork) costs only its
-// share. Which thread gets which number differs from run to run: a task writes to places that its
-// number alone decides, and results are the same for any count of workers.
+// run(count, task) calls task(0) .. task(count - 1), each once, and returns when all are done. The threads and the
+// caller take task numbers from one atomic counter, so none waits while there is work, and a thread that never arrives
+// (asleep, busy, lost to fork) does no harm. Which thread runs which task differs from run to run; a task writes only
+// to elements that its number determines, so results are the same for any number of workers.
 //
-// A task neither throws nor allocates: the hooks of an object's memory are called on the caller's
-// thread only. What tasks need is made ready before. A runner may throw, if it is written in C++; then the caller's
-// thread does what is left, and the results are those of any other count of workers.
+// A task neither throws nor allocates: an object's allocator is called on the caller's thread only, before the run. A
+// task runner written in C++ may throw; then the caller's thread runs the remaining tasks.
 #pragma once
 
 #include <atomic>
@@ -22,22 +20,22 @@ namespace gphys {
 
 class Workers {
 public:
-    /// More are taken for a mistake: no machine's threads are that many, and none would help.
+    /// More than any machine has; a larger count is taken for a mistake.
     static constexpr uint32_t max_count = 1024;
 
-    /// `count` threads, the caller's included; 0 stands for 1. Those of `runner` if there is one,
-    /// else count - 1 are started. Throws std::bad_alloc, with none left running, if they cannot be;
-    /// on a platform without threads the caller's is all there is.
+    /// `count` threads including the caller's; 0 means 1. Uses those of `runner` if it is not null, else starts count
+    /// - 1. Throws std::bad_alloc, with none left running, if they cannot be started. A platform without threads has
+    /// the caller's only.
     Workers(uint32_t count, const gphys_task_runner* runner, std::pmr::memory_resource* memory);
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
     ~Workers();
 
-    /// How many may work at the same time, at least 1: what to divide work by.
+    /// The number of threads that may run tasks at the same time, at least 1.
     uint32_t count() const { return count_; }
 
-    /// Runs may be asked for by several threads at once: the workers serve one of them and the
-    /// others do their own work. No run from within a task.
+    /// May be called by several threads at once: the workers serve one of them, the others run their tasks alone. Not
+    /// to be called within a task.
     template <class Task>
     void run(uint32_t count, Task&& task) const noexcept {
         if (count_ == 1 || count <= 1) {
@@ -50,7 +48,7 @@ public:
     }
 
 private:
-    /// What is being run: lives on the stack of the caller.
+    /// The run in progress, on the stack of the caller.
     struct Job {
         Job(gphys_task call_, void* context_, uint32_t count_) : call(call_), context(context_), count(count_) {}
         void drain() {
@@ -62,16 +60,16 @@ private:
         gphys_task call;
         void* context;
         uint32_t count;
-        std::atomic<uint64_t> next{0};         // wider than count: every thread goes one beyond
+        std::atomic<uint64_t> next{0};         // 64 bits: each thread increments it once past count
         std::atomic<uint32_t> taking_part{0};  // threads of a runner
     };
 
-    /// Where a caller and the threads meet.
+    /// The synchronisation of a caller and the threads.
     struct Meeting {
-        std::mutex serving;  // held by the caller that the threads work for
-        std::mutex mutex;    // guards what is below
+        std::mutex serving;  // held by the caller whose run the threads serve
+        std::mutex mutex;    // guards the members below
         std::condition_variable wake, done;
-        Job* job = nullptr;  // with work left to take
+        Job* job = nullptr;  // with tasks left
         uint32_t working = 0;
         bool stopping = false;
     };
@@ -84,11 +82,11 @@ private:
     uint32_t count_;
     gphys_task_runner runner_{};
     Vector<std::thread> threads_;
-    Meeting* meeting_ = nullptr;  // if there are threads
-    long process_;                // that they are in
+    Meeting* meeting_ = nullptr;  // null without threads
+    long process_;                // of the threads
 };
 
-/// For objects that may have been given none: null stands for the caller's thread alone.
+/// With null workers the caller's thread runs all tasks.
 template <class Task>
 void run(const Workers* workers, uint32_t count, Task&& task) noexcept {
     if (workers) {
