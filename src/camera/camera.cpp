@@ -7,13 +7,12 @@ namespace gphys {
 
 namespace {
 
-/// Smallest length of the part of a unit vector perpendicular to another one that still is more
-/// than rounding: v - n dot(v, n) carries about six roundings of 2^-53.
+/// The smallest length of v - n dot(v, n), for unit vectors, that is more than rounding: it has about six roundings of
+/// 2^-53.
 constexpr double smallest_perpendicular = 0x1p-50;
 
-/// The part of v perpendicular to the unit vector n, made unit; false if they are parallel. The
-/// second pass removes what rounding left of n after a strong cancellation in the first: twice is
-/// enough (Parlett 1980, after Kahan).
+/// The component of v perpendicular to the unit vector n, normalized; false if they are parallel. Gram-Schmidt, twice:
+/// the second pass removes the error of a cancellation in the first (Parlett 1980, after Kahan).
 bool perpendicular_part(Vec3 v, Vec3 n, Vec3& out) {
     const Vec3 unit = normalized(v);
     const Vec3 first = unit - n * dot(unit, n);
@@ -112,9 +111,8 @@ void Camera::image_size(double& width, double& height) const {
         projection_);
 }
 
-// The position is rounded to float here, once, so that matrices, frustum, rays and
-// gphys_camera_get_transform speak of the same point. An orbit around a target at the end of the
-// range of coordinates could leave it.
+// The position is rounded to float here, once, so that matrices, frustum, rays and gphys_camera_get_transform agree. It
+// is clamped, because an orbit around a target at the limit of the range could leave it.
 void Camera::place(Vec3 position, const Mat3& axes) {
     constexpr double furthest = GPHYS_MAX_COORDINATE;
     const Vec3 within = max(min(position, {furthest, furthest, furthest}), {-furthest, -furthest, -furthest});
@@ -287,7 +285,7 @@ bool Camera::pick_ray(double pixel_x, double pixel_y, Ray& ray) const {
         return false;
     }
     ray = {to_world(lens_ray.origin), axes_ * lens_ray.direction, lens_ray.t_max};
-    // A camera at the border of the range may see what lies beyond it, where nothing can be asked.
+    // A camera at the limit of the range may see points beyond it, which no query accepts.
     return max_component(abs(ray.origin)) <= GPHYS_MAX_COORDINATE && length_squared(ray.direction) > 0;
 }
 

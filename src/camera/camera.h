@@ -1,6 +1,6 @@
-// The camera: a projection, a viewport and a place, and what follows from them. Everything is
-// computed in double precision from the camera's own parameters and relative to its position; no
-// view-projection matrix is ever inverted (Upchurch and Desbrun 2012 on why).
+// The camera: a projection, a viewport and a pose, and what is derived from them. Everything is computed in double from
+// the camera's parameters and relative to its position; no view-projection matrix is inverted (Upchurch and Desbrun
+// 2012 say why).
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ public:
 
     Memory memory;
 
-    /// An aspect or a width of 0 follows the viewport. False if it would see further than GPHYS_MAX_COORDINATE to the
-    /// side, as only an orthographic camera can.
+    /// An aspect or width of 0 means that of the viewport. False if an orthographic camera would see further than
+    /// GPHYS_MAX_COORDINATE to the side.
     void set_perspective(double fov_y, double near_distance, double far_distance, double aspect = 0);
     bool set_orthographic(double height, double near_distance, double far_distance, double width = 0);
     /// From the camera's own axes to clip space.
@@ -30,7 +30,7 @@ public:
     void set_viewport_origin(double x, double y) { left_ = x, top_ = y; }
     void set_pick_start(gphys_pick_start start) { pick_start_ = start; }
 
-    /// As they were set: radians or metres, 0 of a matrix, which has no distances either.
+    /// As they were set: radians or metres. 0 for a matrix, which has no distances either.
     struct ProjectionSettings {
         gphys_projection kind;
         double size, near_distance, far_distance;
@@ -41,10 +41,11 @@ public:
     double viewport_left() const { return left_; }
     double viewport_top() const { return top_; }
     gphys_pick_start pick_start() const { return pick_start_; }
-    /// Width over height of what is seen.
+    /// Width over height of the image.
     double aspect() const { return aspect_ > 0 ? aspect_ : width_ / height_; }
     bool has_own_aspect() const { return aspect_ > 0; }
-    /// What is seen, across: at distance 1 of a perspective, in metres of an orthographic projection, 0 of a matrix.
+    /// The size of the image: at distance 1 for a perspective, in metres for an orthographic projection, 0 for a
+    /// matrix.
     void image_size(double& width, double& height) const;
 
     /// The rotation takes the camera's own axes to the world's.
@@ -57,7 +58,7 @@ public:
     /// Null until set_orbit.
     Orbit* orbit() { return orbit_ ? &*orbit_ : nullptr; }
     const Orbit* orbit() const { return orbit_ ? &*orbit_ : nullptr; }
-    /// Place the camera where its orbit now is.
+    /// Set the pose of the camera from its orbit.
     void follow_orbit();
 
     /// The camera stays where it is in the world; false if that is out of the range of coordinates.
@@ -72,11 +73,11 @@ public:
     Mat4 projection_matrix() const;
     Mat4 view_projection_matrix() const;
 
-    /// What is seen in a window of the image.
+    /// The frustum of a window of the image.
     Frustum frustum(const Window& window = {}) const;
-    /// What is seen in a rectangle of pixels whose corners come in any order.
+    /// The frustum of a rectangle of pixels, whose corners may be in any order.
     Frustum frustum_of_pixels(double x0, double y0, double x1, double y1) const;
-    /// In the order of gphys_frustum_corners; false with an infinite far plane, or a corner beyond all floats.
+    /// In the order of gphys_frustum_corners. False with an infinite far plane, or a corner beyond the largest float.
     bool corners(Vec3 out[8], const Window& window = {}) const;
     /// The rectangle of pixels whose corners come in any order.
     Window window_of_pixels(double x0, double y0, double x1, double y1) const;

@@ -22,10 +22,10 @@ Mat4 operator*(const Mat4& a, const Mat4& b);
 Mat4 widen(const gphys_mat4& matrix);
 gphys_mat4 narrow(const Mat4& matrix);
 
-/// The largest difference between the products of its axes and those of orthonormal ones.
+/// The largest deviation of the dot products of its axes from those of orthonormal axes.
 double orthonormality(const Mat4& matrix);
 
-/// False if the matrix is singular, or so nearly that double precision cannot tell.
+/// False if the matrix is singular, or so close to it that double precision does not decide.
 bool inverse(const Mat4& matrix, Mat4& out);
 
 /// Depth of the near and of the far plane in clip space: 0 and 1, -1 and 1, or reversed.

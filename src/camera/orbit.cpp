@@ -30,7 +30,7 @@ void Orbit::pan(double units_right, double units_up) {
     pending_up_ += units_up;
 }
 
-// Panning goes first: the input was given to the picture as the last update had left it.
+// Panning first: the input refers to the image of the last update.
 void Orbit::update() {
     const Mat3 seen = axes();
     target_ += seen.x * (pending_right_ * speeds_.pan_x) + seen.y * (pending_up_ * speeds_.pan_y);
@@ -61,8 +61,7 @@ gphys_orbit Orbit::settings() const {
     return now;
 }
 
-// Straight from the angles: they know the way when the view is parallel to up, which a look-at
-// construction does not.
+// Computed from the angles, which are well defined where the view is parallel to up; a look-at matrix is not.
 Mat3 Orbit::axes() const {
     const SinCos pitch = sin_cos(pitch_), yaw = sin_cos(yaw_);
     const Vec3 level = yaw_zero_ * yaw.cos + yaw_quarter_ * yaw.sin;

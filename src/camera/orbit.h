@@ -1,4 +1,4 @@
-// Orbit control: a view that circles a target. Knows angles, limits and input; knows no camera.
+// Orbit control: a view that circles a target, with angles, limits and input. Independent of the camera.
 #pragma once
 
 #include "foundation/math.h"
@@ -11,14 +11,14 @@ public:
     /// cross(forward, up). Angles and distance outside their limits are brought inside.
     Orbit(const gphys_orbit& settings, double right_sign);
 
-    // Input adds up until the next update.
+    // Input accumulates until the next update.
     void rotate(double units_x, double units_y);
     void zoom(double units);
     void pan(double units_right, double units_up);
     void update();
     void set_speeds(const gphys_orbit_speeds& speeds) { speeds_ = speeds; }
     const gphys_orbit_speeds& speeds() const { return speeds_; }
-    /// Move the target with everything else.
+    /// Move the target: the origin of the world has changed.
     void shift(Vec3 offset) { target_ += offset; }
 
     gphys_orbit settings() const;

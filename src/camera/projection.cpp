@@ -143,7 +143,7 @@ bool UserProjection::cast(const DepthRange& depth_range, double x, double y, Ray
     const Vec4 start = from_clip * Vec4{x, y, depth_range.near_depth, 1};
     const Vec4 end = from_clip * Vec4{x, y, depth_range.far_depth, 1};
     const Vec3 along = direction_part(end) * start.w - direction_part(start) * end.w;
-    // Of planes too close for doubles to tell apart, a pixel has no line of sight.
+    // A pixel has no ray if double does not distinguish the two planes.
     if (start.w <= 0 || along == Vec3{}) return false;
     ray.origin = direction_part(start) / start.w;
     ray.direction = normalized(along);

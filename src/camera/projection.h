@@ -1,7 +1,7 @@
-// How a camera images space, in lens coordinates: x to the right, y up, z forward from the camera's
+// The projections of a camera, in lens coordinates: x to the right, y up, z forward from the camera's
 // position, whatever its handedness. An image point is (x, y, depth) in normalised device
 // coordinates: x and y from -1 to 1 over the viewport, y up. Each kind of projection answers the
-// same questions:
+// same functions:
 //   matrix     lens to clip space
 //   project    where is the image of a point? False if the point is not in front of the camera.
 //   unproject  which point has this image? False if it would be at infinity or beyond.

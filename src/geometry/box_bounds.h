@@ -1,20 +1,20 @@
-// Boxes along the axes of the world around boxes that are rotated, in floats, for trees: they may be larger than
-// they have to be, never smaller. The smallest ones are bounds(Obb) in shapes.h.
+// Conservative AABBs of rotated boxes in float, for trees: never too small, but not the smallest. The smallest are
+// bounds(Obb) in shapes.h.
 #pragma once
 
 #include "foundation/scaled_rotation.h"
 
 namespace gphys {
 
-/// How far a rotated box reaches from its centre. A component of a rotated half size takes 13 roundings of 2^-24 of
-/// what it is summed from, the square of the quaternion's norm six; 2^-19 stands for 32.
+/// The half extents of the AABB of a rotated box. A component has 13 roundings of 2^-24 of its summands, the squared
+/// norm of the quaternion six; the margin of 2^-19 covers 32.
 template <class Vector>
 GPHYS_INLINE Vector outer_extents(const ScaledRotation<Vector>& rotation, const Vector& half) {
     const auto norm_squared = rotation.norm_squared();
     return plus(rotation.extents(half) / norm_squared, splat_as(norm_squared, 0x1p-19f) * sum(half));
 }
 
-/// How far out to move a corner that was computed by two roundings, and what underflow may have taken.
+/// The outward margin of a corner: two roundings, and the loss by underflow.
 template <class Vector>
 GPHYS_INLINE Vector corner_margin(const Vector& corner) {
     const decltype(sum(corner)) number{};

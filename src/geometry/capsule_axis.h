@@ -1,5 +1,5 @@
-// Directions from the axis of a capsule that is so long, in parts of its radius, that a point computed on
-// the axis is off by a part of the radius that shows in a normal.
+// Normals of capsules that are very long relative to their radius: there the rounding error of a point on the axis
+// would be visible in a normal that is computed from it.
 #pragma once
 
 #include "foundation/exact.h"
@@ -7,21 +7,20 @@
 
 namespace gphys {
 
-/// Whether a point on the axis, computed as a + along (b - a), may be off by more than 2^-30 of a radius
-/// that is not 0. It goes through some four roundings of 2^-53 of `size`: of the coordinates of a, of those
-/// that the query counts from there, and of the axis.
+/// Whether a point on the axis, computed as a + along (b - a), may have an error above 2^-30 of the radius. It has
+/// about four roundings of 2^-53 of `size`, the largest of the coordinates of a, those of the query relative to a, and
+/// the axis.
 constexpr bool is_coarse(double size, double radius) { return radius > 0 && size > radius * 0x1p21; }
 
-/// The part of v, from `start` to `end`, that is perpendicular to the axis, which has a length:
-/// (axis x v) x axis / |axis|^2. The inner product loses nothing to cancellation, and the outer one is of
-/// perpendicular vectors.
+/// The component of v = end - start perpendicular to the axis: (axis x v) x axis / |axis|^2. The inner product is
+/// accurate in spite of cancellation, and the outer one is of perpendicular vectors. The axis is not zero.
 inline Vec3 perpendicular_part(const Capsule& capsule, Vec3 start, Vec3 end) {
     const Vec3 axis = capsule.b - capsule.a;
     return cross(accurate_cross(capsule.a, capsule.b, start, end), axis) / length_squared(axis);
 }
 /// From the line of the axis to a point.
 inline Vec3 away_from_line(const Capsule& capsule, Vec3 point) { return perpendicular_part(capsule, capsule.a, point); }
-/// How a vector leads across it.
+/// The component of a vector perpendicular to the axis.
 inline Vec3 across_line(const Capsule& capsule, Vec3 vector) { return perpendicular_part(capsule, {}, vector); }
 
 }  // namespace gphys

@@ -9,8 +9,8 @@ double height(Vec3 point, const PlaneAt& plane) {
     return value_of([&](auto number) { return height_above<decltype(number)>(plane, point); });
 }
 
-/// height - reach for the sphere's reach r |n|, whose root would round: where the two cancel, the
-/// difference of squares is exact, and (h - R) = (h^2 - R^2) / (h + R).
+/// height - reach, reach R = r |n| of the sphere. Where the two cancel, the root in |n| would round the sign, so
+/// (h - R) = (h^2 - R^2) / (h + R) with an exact difference of squares.
 double lowered(const Sphere& sphere, const PlaneAt& plane) {
     const double reach = sphere.radius * length(plane.normal);
     const double h = height(sphere.center, plane);

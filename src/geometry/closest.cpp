@@ -1,5 +1,5 @@
-// contains: exact signs where the tolerance is 0. closest_point: in double, everything relative to
-// the query point or to a corner of the shape, so that an offset from the origin costs nothing.
+// contains: exact signs if the tolerance is 0. closest_point: in double, relative to the query point or to a corner of
+// the shape, so that no digits are lost far from the origin. Formulas: Ericson 2005, chapter 5.
 #include "foundation/exact.h"
 #include "geometry/heights.h"
 #include "geometry/intersect.h"
@@ -37,7 +37,7 @@ bool contains(const Ray& ray, Vec3 point, double tolerance) {
         });
     };
     if (crossed(0, 1) != 0 || crossed(1, 2) != 0 || crossed(2, 0) != 0) return false;
-    // On the line: one coordinate that changes along it tells t.
+    // On the line: any coordinate that changes along it gives t.
     const int k = d.x != 0 ? 0 : d.y != 0 ? 1 : 2;
     if ((point[k] - ray.origin[k]) * (d[k] > 0 ? 1 : -1) < 0) return false;
     if (ray.t_max == infinity) return true;
@@ -120,7 +120,7 @@ bool contains(const Frustum& frustum, Vec3 point, double tolerance) {
         const PlaneAt plane = plane_at(frustum, i);
         const double height = value_of([&](auto number) { return height_above<decltype(number)>(plane, point); });
         if (height >= 0) continue;
-        // Beyond one plane by more than the tolerance (and what was rounded here): most points are.
+        // Early out: beyond one plane by more than the tolerance and the rounding error here.
         if (-height > tolerance * length(plane.normal) * (1 + 0x1p-40)) return false;
         inside = false;
     }
@@ -176,7 +176,7 @@ namespace {
 
 double sum(Vec3 v) { return v.x + v.y + v.z; }
 
-/// Whether a point, seen along the triangle's normal, is on its side of an edge, exactly.
+/// Whether a point, projected along the triangle's normal, is on the inner side of an edge, exactly.
 bool is_beside_edge(const Triangle& triangle, Vec3 from, Vec3 to, Vec3 point) {
     return sign_of([&](auto number) {
                using V = Vec<decltype(number)>;
@@ -185,14 +185,14 @@ bool is_beside_edge(const Triangle& triangle, Vec3 from, Vec3 to, Vec3 point) {
            }) >= 0;
 }
 
-/// Whether a point, seen along the normal, is on the triangle's side of all its edges. True is exact: the foot of a
-/// point that is not may be far outside of a sliver. False may be rounding, but then an edge is as near.
+/// Whether a point, projected along the normal, is inside all edges. True is exact, because for a sliver the foot of a
+/// point that is outside may be far away. False may be wrong by rounding, but then an edge is as near as the face.
 bool is_above(const Triangle& triangle, Vec3 normal, Vec3 point) {
     const auto& [a, b, c] = triangle;
     const auto side = [&](Vec3 from, Vec3 to) { return dot(cross(normal, to - from), point - from); };
     if (!(side(a, b) >= 0 && side(b, c) >= 0 && side(c, a) >= 0)) return false;
-    // The six products of a side are off by the 2^-44 of the normal, and by less than 16 roundings of 2^-53 of what
-    // they are made of. No edge is longer than the two together, no corner further away than a and these.
+    // The six products of a side have the error 2^-44 of the normal and less than 16 roundings of 2^-53 of their
+    // factors. No edge is longer than the other two together, no corner further away than a and these.
     const double edges = sum(abs(b - a)) + sum(abs(c - a));
     const double error = 0x1p-43 * sum(abs(normal)) * edges * (sum(abs(point - a)) + edges);
     const auto is_certain = [&](Vec3 from, Vec3 to) {
@@ -205,7 +205,7 @@ bool is_above(const Triangle& triangle, Vec3 normal, Vec3 point) {
 
 Vec3 closest_point(const Triangle& triangle, Vec3 point) {
     const auto& [a, b, c] = triangle;
-    // The normal without cancellation: of a sliver, cross(b - a, c - a) is mostly rounding.
+    // An accurate normal: for a sliver, cross(b - a, c - a) is mostly rounding error.
     const Vec3 normal = accurate_cross(a, b, a, c);
     if (normal != Vec3{} && is_above(triangle, normal, point)) {
         return point - normal * (dot(normal, point - a) / length_squared(normal));
@@ -220,9 +220,8 @@ Vec3 closest_point(const Triangle& triangle, Vec3 point) {
 
 namespace {
 
-/// The best of the candidates for the closest point of a frustum. The closest point of a polyhedron
-/// is the foot of the point on a face, on the line of two faces or on the corner of three, and of
-/// all feet that lie in the polyhedron it is the nearest.
+/// The closest point of a frustum, by enumeration. It is the nearest of those projections of the point on a face, on
+/// the line of two faces or on the corner of three that lie in the polyhedron.
 class NearestFoot {
 public:
     NearestFoot(const Plane (&planes)[6], Vec3 point) : point_(point) {
@@ -233,7 +232,7 @@ public:
         }
     }
 
-    /// The foot that a search names; false if the polyhedron does not hold it.
+    /// The projection on a basis of planes that a search has found; false if it is not in the polyhedron.
     bool try_likely() {
         Plane from_point[6];
         for (int i = 0; i < bounding_count_; ++i) from_point[i] = seen_from_point(bounding_[i]);
@@ -257,7 +256,7 @@ public:
     }
 
     bool found() const { return square_ < infinity; }
-    /// A foot well inside all planes but its own was met, so the frustum is not empty.
+    /// Whether a projection was clearly inside all other planes, so that the frustum is not empty.
     bool proves_a_point() const { return proves_a_point_; }
     Vec3 foot() const { return foot_; }
 
@@ -266,7 +265,7 @@ private:
         return {planes_[i].normal, planes_[i].distance - dot(planes_[i].normal, point_)};
     }
     void try_face(int i) { add(point_ + foot_on(seen_from_point(i)), 1 << i); }
-    /// On the plane through the point across the line: as accurate as a corner, however small the angle of the two.
+    /// The corner of the two planes and the one through the point perpendicular to their line: accurate at any angle.
     void try_edge(int i, int j) {
         const Vec3 line = accurate_cross({}, planes_[i].normal, {}, planes_[j].normal);
         Vec3 foot;
@@ -284,8 +283,8 @@ private:
         const double reach = length(foot) + length(point_);
         for (int i = 0; i < 6; ++i) {
             const Plane& plane = planes_[i];
-            // Rounding moves a foot by some 2^-50 of its distance; through a corner of more than
-            // three planes none may be lost, so 2^-40 is forgiven.
+            // The error of a projection is about 2^-50 of its distance. The tolerance of 2^-40 keeps corners of more
+            // than three planes.
             const double slack = 0x1p-40 * size_[i] * reach;
             const double height = dot(plane.normal, foot) - plane.distance;
             if (height < -slack) return;
@@ -328,11 +327,11 @@ void closest_points(const Segment& a, const Segment& b, Vec3& out_a, Vec3& out_b
     if (normal != Vec3{}) {
         s = std::clamp(dot(cross(between, along_b), normal) / length_squared(normal), 0.0, 1.0);
     } else if (aa > 0 && bb > 0) {
-        // Parallel: the first point along a that lies beside b.
+        // Parallel: the first point of a whose projection is on b.
         const double start = dot(between, along_a) / aa, end = dot(b.b - a.a, along_a) / aa;
         s = std::clamp(std::min(start, end), 0.0, 1.0);
     }
-    // The foot of that point on b's line; where it is beyond an end, that end's foot on a.
+    // Project that point on the line of b; if that is beyond an end of b, project the end on a.
     const double t = bb > 0 ? (dot(along_a, along_b) * s - dot(between, along_b)) / bb : 0;
     out_b = t <= 0 ? b.a : t >= 1 ? b.b : b.a + along_b * t;
     if (t > 0 && t < 1) {

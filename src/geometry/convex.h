@@ -1,10 +1,10 @@
-// Two convex shapes as one: the set of all differences of a point of the other shape and a point of the moving one
-// (the Minkowski difference). The shapes meet where that set holds the origin, are as far apart as it is from the
-// origin, and to move the one is to move the set against it.
+// The Minkowski difference of two convex shapes: all differences of a point of the other shape and a point of the
+// moving one. The shapes overlap if it contains the origin; their distance is its distance from the origin; moving the
+// one moves the difference the opposite way.
 //
-// Spheres, capsules and boxes are a core, which is a point, a segment or a box, grown by a radius; a triangle is a core
-// by itself. The difference of two cores is a polytope: a point or a triangle, extended along up to six axes. The radii
-// only add up. Everything counts from a point of the moving shape, so that an offset from the origin costs nothing.
+// Spheres, capsules and boxes are a core (a point, a segment or a box) rounded by a radius; a triangle is a core. The
+// difference of two cores is a polytope: a point or a triangle, swept along up to six axes. The radii add up. All
+// coordinates are relative to a point of the moving shape, so that no digits are lost far from the origin.
 #pragma once
 
 #include "foundation/exact.h"
@@ -12,12 +12,12 @@
 
 namespace gphys {
 
-/// What can be swept and pushed out: the centre + the sum of the axes times -half .. half, grown by the radius.
+/// A shape that can be swept and pushed out: centre + the sum of axes times -half .. half, rounded by the radius.
 struct Core {
     Vec3 center;
     double radius = 0;
     int axis_count = 0;  // 0, 1 or 3
-    Vec3 axes[3] = {};   // of length 1 if they are three, which are perpendicular then
+    Vec3 axes[3] = {};   // three are orthonormal
     double half[3] = {};
 };
 Core core_of(const Sphere& sphere);
@@ -25,13 +25,13 @@ Core core_of(const Capsule& capsule);
 Core core_of(const Aabb& box);
 Core core_of(const Obb& box);
 
-/// A point of a shape to count from.
+/// A point of a shape, as the origin of relative coordinates.
 inline Vec3 reference_point(const Sphere& sphere) { return sphere.center; }
 inline Vec3 reference_point(const Capsule& capsule) { return capsule.a; }
 inline Vec3 reference_point(const Aabb& box) { return box.min; }
 inline Vec3 reference_point(const Obb& box) { return box.center; }
 
-/// The point of a polytope of differences that is nearest to the origin, and the point of the other core in it.
+/// The point of the difference that is nearest to the origin, and the point of the other core that belongs to it.
 struct NearestDifference {
     Vec3 offset;  // 0 if the polytope holds the origin
     Vec3 on_other;
@@ -42,39 +42,39 @@ public:
     ConvexDifference(const Core& other, const Core& moving);
     ConvexDifference(const Triangle& other, const Core& moving);
 
-    /// Of both shapes, and of the other.
+    /// The sum of both radii, and that of the other shape.
     double radius() const { return radius_; }
     double other_radius() const { return other_radius_; }
-    /// No coordinate of the set, grown by the radius, is larger.
+    /// An upper bound of the coordinates of the difference, radius included.
     double size() const;
-    /// Whether the normals of for_each_normal tell inside from outside even if the polytope is flat: those of a box are
-    /// among them, and it is what a box of some thickness shrinks to.
+    /// Whether the normals of for_each_normal bound the polytope even if it is flat: they include those of a box, of
+    /// which it is a limit.
     bool has_box() const { return other_axis_count_ == 3 || axis_count_ - other_axis_count_ == 3; }
-    /// The set when the moving shape has gone some way.
+    /// The difference after a displacement of the moving shape.
     ConvexDifference after(Vec3 displacement) const;
 
-    /// From where to where the polytope reaches along a vector.
+    /// The interval of the projection of the polytope on a vector.
     void project(Vec3 vector, double& low, double& high) const;
-    /// How far the cores are apart along a unit vector that leads from the other to the moving one.
+    /// The gap between the cores along a unit vector that points from the other to the moving one.
     double gap(Vec3 unit) const {
         double low, high;
         project(unit, low, high);
         return -high;
     }
-    /// The unit normals of all faces of the polytope, one for the two that are parallel: visit(unit) returns whether to
-    /// go on. False if it did not.
+    /// visit(unit) for the unit normals of all faces, one for each pair of parallel faces. Stops when visit returns
+    /// false, and returns false then.
     template <class Visit>
     bool for_each_normal(Visit&& visit) const;
 
-    /// A unit vector across a set without faces, which is a point or a line.
+    /// A unit vector perpendicular to a difference without faces, which is a point or a segment.
     Vec3 across() const;
 
-    /// Of a polytope that holds the origin no deeper than rounding: else 0, or the nearest point of a face. By the
-    /// algorithm of Gilbert, Johnson and Keerthi (1988), in the form that ends with a proof: the plane across the
-    /// offset has all of the polytope behind it, but for 2^-45 of the size. Where rounding leaves that open, as it does
-    /// for short offsets, by the features. The length is off by 2^-45 of the size.
+    /// The nearest point, for a polytope that contains the origin no deeper than rounding; for others 0 or the nearest
+    /// point of a face. GJK (Gilbert, Johnson, Keerthi 1988). It ends when the plane perpendicular to the offset has
+    /// the whole polytope behind it, within 2^-45 of the size. Where rounding leaves that open, as for short offsets,
+    /// all features are tested. The error of the length is 2^-45 of the size.
     NearestDifference nearest() const;
-    /// The same by asking all corners, edges and faces of both cores, which takes some thirty times as long.
+    /// The same by testing all corners, edges and faces of both cores, which takes about thirty times as long.
     NearestDifference nearest_by_features() const;
 
 private:
@@ -85,7 +85,7 @@ private:
     class BestProved;
     struct Features;
 
-    /// The corner furthest along a vector.
+    /// The support point: the corner furthest along a vector.
     Corner furthest(Vec3 vector) const;
     Features features_of_other() const;
     Features features_of_moving() const;
@@ -99,27 +99,27 @@ private:
     double radius_, other_radius_;
 };
 
-/// How far two cores are apart, or how far the moving one has to go to be.
+/// The distance of two cores, or the penetration depth if they overlap.
 struct Separation {
     double distance;  // below 0 where they overlap
     Vec3 normal;      // of length 1, the way that separates, from the other to the moving one
     Vec3 on_other;    // nearest to the moving core where the cores are apart, else unused
     bool apart;
 };
-/// The distance is off by at most 2^-43 of the size of the set. Where cores are apart by less than 2^-32 of it, the
-/// normal may be one of a face beside.
+/// The error of the distance is at most 2^-43 of the size of the difference. If the cores are closer than 2^-32 of it,
+/// the normal may be that of an adjacent face.
 Separation separation(const ConvexDifference& set);
 
-/// Where the other core is touched, if the two are that far apart along the normal: a point that is nearest to the
-/// moving core. They are taken for further apart, since it is rounding that tells where cores touch that overlap.
+/// The point of the other core nearest to the moving one, given the separation along the normal. Computed with the
+/// cores further apart, because the contact point of overlapping cores depends on rounding.
 Vec3 contact_on_other(const ConvexDifference& set, const Separation& separation);
 
-/// A vector, exact but for 2^-43 of itself, along cross(b - a, d - c) and of length 1, or 0.
+/// The unit vector along cross(b - a, d - c), with a relative error of 2^-43, or 0.
 inline Vec3 unit_across(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-    const Vec3 p = b - a, q = d - c, quick = cross(p, q);
+    const Vec3 p = b - a, q = d - c, rounded = cross(p, q);
     // Each component is off by less than 4 * 2^-53 |p| |q|.
-    const bool well = length_squared(quick) > 0x1p-14 * length_squared(p) * length_squared(q);
-    const Vec3 across = well ? quick : accurate_cross(a, b, c, d);
+    const bool well = length_squared(rounded) > 0x1p-14 * length_squared(p) * length_squared(q);
+    const Vec3 across = well ? rounded : accurate_cross(a, b, c, d);
     return across == Vec3{} ? across : normalized(across);
 }
 

@@ -1,4 +1,5 @@
-// The nearest point of a polytope of differences to the origin.
+// The point of a Minkowski difference that is nearest to the origin: GJK with a check of its result, and the test of
+// all features (convex.h).
 #include <algorithm>
 
 #include "geometry/convex.h"
@@ -8,17 +9,17 @@ namespace gphys {
 
 namespace {
 
-// Parts of the size of a polytope. Each product of an offset and a corner is off by a dozen roundings of 2^-53 of it.
+// Relative to the size of a polytope. A product of an offset and a corner has a dozen roundings of 2^-53 of it.
 constexpr double unproved = 0x1p-45, exact = 0x1p-51, rounded = 0x1p-48;
-// A tetrahedron whose volume is a smaller part of its edges' product may be on either side of a face for rounding.
+// For a smaller ratio of volume to product of edges, the orientation of a tetrahedron is not certain.
 constexpr double flat = 0x1p-44;
 
 }  // namespace
 
-/// Up to four corners, of which the nearest point is made, and their weights.
+/// The simplex of GJK: up to four corners, and the weights of its nearest point.
 class ConvexDifference::Simplex {
 public:
-    /// False if it is there already.
+    /// False if the corner is in the simplex already.
     bool add(const Corner& corner) {
         for (int i = 0; i < count_; ++i) {
             if (corners_[i].difference == corner.difference) return false;
@@ -27,7 +28,7 @@ public:
         return true;
     }
 
-    /// Keeps only the corners that the nearest point is between. Four are left if the origin is inside.
+    /// Reduce to the smallest simplex that contains the nearest point. Four corners are left if the origin is inside.
     void reduce() {
         Part best = nearest();
         Corner kept[4];
@@ -50,7 +51,7 @@ public:
     }
 
 private:
-    /// A corner, an edge, a face or all, with the weights of its nearest point.
+    /// A sub-simplex with the weights of its nearest point.
     struct Part {
         int count, corner[4];
         double weight[4];
@@ -82,7 +83,7 @@ private:
         if (t >= square) return {1, {b}, {1}};
         return {2, {a, b}, {1 - t / square, t / square}};
     }
-    /// By the region of the plane that the origin is above (Ericson 2005, 5.1.5).
+    /// By the Voronoi region of the origin's projection (Ericson 2005, 5.1.5).
     Part on_face(int a, int b, int c) const {
         const Vec3 ab = at(b) - at(a), ac = at(c) - at(a);
         const double ab_a = -dot(ab, at(a)), ac_a = -dot(ac, at(a)), ab_b = -dot(ab, at(b)), ac_b = -dot(ac, at(b)),
@@ -118,13 +119,13 @@ private:
     int count_ = 0;
 };
 
-/// Of all candidates, the one that comes nearest to a proof: their distances may differ by less than rounding where
-/// their directions differ by its root.
+/// Of all candidates, the one with the smallest violation of the optimality condition: distances may differ by less
+/// than rounding where directions differ by its square root.
 class ConvexDifference::BestProved {
 public:
     explicit BestProved(double size) : size_(size) {}
 
-    /// `beyond`: how much further the candidate is than the plane across it that has the polytope behind it.
+    /// `beyond`: distance of the candidate from its supporting plane.
     bool offer(const NearestDifference& candidate, double beyond) {
         if (!(beyond < beyond_)) return false;
         best_ = candidate;
@@ -145,7 +146,7 @@ NearestDifference ConvexDifference::nearest() const {
     simplex.add(furthest(-center_));
     BestProved found(size());
     int worse = 0;  // in turn
-    // A polytope of six axes has few faces in any direction: a dozen rounds are many.
+    // A dozen iterations are many for a polytope with at most six axes.
     for (int round = 0; round < 64 && worse < 8; ++round) {
         const NearestDifference candidate = simplex.point();
         const double distance = length(candidate.offset);
@@ -160,7 +161,7 @@ NearestDifference ConvexDifference::nearest() const {
     return found.is_proved() ? found.best() : nearest_by_features();
 }
 
-/// Of one core: at most those of a box.
+/// The features of one core: at most those of a box.
 struct ConvexDifference::Features {
     Vec3 corners[8];
     Segment edges[12];

@@ -1,12 +1,12 @@
-// A sphere, capsule or box and any other shape, as what the answers about them are made of: the set of differences of
-// two convex shapes, or a convex shape over a plane.
+// Pairs of a sphere, capsule or box and any other shape, for sweep and penetration: as a Minkowski difference
+// (convex.h), or as a convex shape above a plane.
 #pragma once
 
 #include "geometry/convex.h"
 
 namespace gphys {
 
-/// Counted from `from`, a point of the moving shape.
+/// Relative to `from`, a point of the moving shape.
 template <class Other, class Moving>
 ConvexDifference difference_of(const Other& other, const Moving& moving, Vec3 from) {
     return {core_of(relative_to(from, other)), core_of(relative_to(from, moving))};
@@ -16,12 +16,12 @@ ConvexDifference difference_of(const Triangle& other, const Moving& moving, Vec3
     return {relative_to(from, other), core_of(relative_to(from, moving))};
 }
 
-/// The side of a plane that the middle of a solid is on, and how far the solid is away from it.
+/// The side of a plane on which the centre of a solid is, and the distance of the solid from the plane.
 struct OverPlane {
     template <class Moving>
     OverPlane(const Plane& plane, const Moving& moving, Vec3 from)
         : OverPlane(relative_to(from, plane), core_of(relative_to(from, moving))) {}
-    /// A plane through the middle has the solid on its front.
+    /// A centre on the plane counts as in front.
     OverPlane(const Plane& plane, const Core& solid) {
         const double size = length(plane.normal);
         const double height = (dot(plane.normal, solid.center) - plane.distance) / size;
@@ -32,7 +32,7 @@ struct OverPlane {
         for (int k = 0; k < solid.axis_count; ++k) {
             const double slope = dot(normal, solid.axes[k]);
             gap -= solid.half[k] * std::fabs(slope);
-            // The middle of a face or an edge that lies flat.
+            // The centre of a face or edge that is parallel to the plane.
             const double way = slope > 0 ? -solid.half[k] : slope < 0 ? solid.half[k] : 0;
             foot += (solid.axes[k] - normal * slope) * way;
         }

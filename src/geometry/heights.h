@@ -1,5 +1,4 @@
-// How far a shape reaches above and below a plane: what classify and the overlaps of planes and
-// frusta share.
+// The interval of signed heights of a shape above a plane, for classify and for overlaps with planes and frusta.
 #pragma once
 
 #include "foundation/exact.h"
@@ -13,7 +12,7 @@ struct Heights {
     double low, high;
 };
 
-/// A plane whose distance counts from an origin, as in a frustum.
+/// A plane whose distance is relative to an origin, as in a frustum.
 struct PlaneAt {
     Vec3 normal, origin;
     double distance;

@@ -1,4 +1,4 @@
-// Parts of eight hits side by side, rounded as by to_hit (intersect.h), for kernels.
+// The conversion of to_hit (intersect.h) for eight hits at a time, for kernels.
 #pragma once
 
 #include <limits>
@@ -9,13 +9,13 @@
 
 namespace gphys::GPHYS_ISA {
 
-/// t and point, as they follow each other in a gphys_hit.
+/// t and point, in the order of gphys_hit.
 GPHYS_INLINE Quads8 rounded_place(Double8 t, const Vec<Double8>& point) {
     constexpr double last = std::numeric_limits<float>::max();
     const auto clamped = [](Double8 v) { return narrowed(least(last, largest(v, -last))); };
     return {narrowed(least(last, t)), clamped(point.x), clamped(point.y), clamped(point.z)};
 }
-/// A normal, which nothing can be beyond, and what follows it.
+/// A normal, which needs no clamping, and the member after it.
 GPHYS_INLINE Quads8 rounded_normal(const Vec<Double8>& normal, Float8 next) {
     return {narrowed(normal.x), narrowed(normal.y), narrowed(normal.z), next};
 }

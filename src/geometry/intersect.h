@@ -1,4 +1,4 @@
-// The questions, with one name and one argument order each:
+// The queries on primitives, each with one name and one argument order:
 //   contains       is a point in or on a shape?                  closest.cpp
 //   closest_point  which point of a shape is nearest?            closest.cpp
 //   overlaps       do two shapes share a point?                  overlap.cpp
@@ -23,15 +23,15 @@ struct Hit {
     uint32_t flags = 0;   // GPHYS_HIT_...
 };
 
-/// A point that lies beyond all floats (on a plane almost parallel to the ray, in a corner of planes that are almost
-/// parallel) stays at the largest: the cast would trap.
+/// Clamped to the finite floats: a point on a plane almost parallel to the ray, or in a corner of almost parallel
+/// planes, may be beyond them, and its conversion would raise an exception.
 inline gphys_vec3 rounded_point(Vec3 point) {
     constexpr double largest = std::numeric_limits<float>::max();
     constexpr Vec3 corner{largest, largest, largest};
     return narrow(min(max(point, -corner), corner));
 }
 
-/// The public form, rounded; model 0 when the question was not of a scene.
+/// The public struct, rounded. model is 0 if the query was not of a scene.
 inline gphys_hit to_hit(const Hit& hit, uint32_t model = 0, uint32_t tag = 0) {
     const float u = static_cast<float>(hit.u), v = static_cast<float>(hit.v);
     return {model, tag, reported(hit.t), rounded_point(hit.point), narrow(hit.normal), hit.triangle, u, v, hit.flags};
@@ -68,7 +68,7 @@ void closest_points(const Segment& a, const Segment& b, Vec3& out_a, Vec3& out_b
 
 /// Every pair of the alternatives of Shape; symmetric.
 bool overlaps(const Shape& a, const Shape& b);
-/// The pairs that tree leaves ask, without the detour through Shape.
+/// The pairs that leaves of trees test, without a Shape.
 bool overlaps(const Sphere& sphere, const Triangle& triangle);
 bool overlaps(const Aabb& box, const Triangle& triangle);
 bool overlaps(const Triangle& a, const Triangle& b);
@@ -77,7 +77,7 @@ bool overlaps(const Triangle& a, const Triangle& b);
 Side classify(const Shape& shape, const Plane& plane, double& signed_distance);
 Side classify(const Shape& shape, const Frustum& frustum);
 
-/// A ray of zero length (segment whose ends coincide) asks whether its origin is contained.
+/// A ray of zero length (a segment whose ends coincide) hits if its origin is contained.
 bool raycast(const Sphere& sphere, const Ray& ray, Hit& hit);
 bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit);
 bool raycast(const Aabb& box, const Ray& ray, Hit& hit);
@@ -86,31 +86,31 @@ bool raycast(const Plane& plane, const Ray& ray, Hit& hit);
 bool raycast(const Triangle& triangle, const Ray& ray, Hit& hit);
 bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit);
 bool raycast(const Shape& shape, const Ray& ray, Hit& hit);
-/// The hit of a ray whose origin is in a solid: at once. Always true.
+/// The hit of a ray whose origin is in a solid: t = 0, GPHYS_HIT_INSIDE. Returns true.
 bool started_inside(const Ray& ray, Hit& hit);
-/// The segment as a ray that ends at t = 1: exactly, whatever b - a rounds away.
+/// The segment as a ray that ends at t = 1. Exact: Ray::rest holds the rounding error of b - a.
 Ray ray_along(const Segment& segment);
 
-/// A ray prepared for many triangles by Woop's shear (Woop, Benthin, Wald 2013), which takes its
-/// direction to an axis.
+/// A ray with the constants of Woop's shear, which maps its direction to an axis (Woop, Benthin, Wald 2013), for
+/// tests of many triangles.
 struct ShearedRay : Ray {
     ShearedRay() = default;
     explicit ShearedRay(const Ray& ray);
 
-    // In fours, so that those of eight rays are read and written at once (triangle_lanes.h).
+    // In groups of four, so that eight rays are loaded and stored by transpositions (triangle_lanes.h).
     int kx, ky, kz, no_axis;  // kz: the axis along which the direction is longest
-    // On these axes.
+    // Components along these axes.
     double from[3], speed;
     double sx, sy, end, unused;
 };
-/// Where a ray first meets a triangle, of either side.
+/// The crossing of a ray and a triangle, from either side.
 struct TriangleCrossing {
     double t;
     double u, v;  // weights of b and c; rounding may leave them barely outside of 0..1
     int facing;   // sign of dot(normal, direction)
 };
 bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing);
-/// The whole answer, which costs more than the question: to be made of the nearest crossing.
+/// The hit at a crossing. More expensive than crosses(), so computed for the nearest crossing only.
 Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossing& crossing);
 
 /// Weights of b and c of a point on the triangle; both 0 if it is degenerate.
@@ -127,39 +127,39 @@ bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit
 /// The same for a moving sphere, capsule or box. The shape is no frustum, unless a sphere moves.
 bool sweep(const Shape& shape, const Shape& moving, Vec3 displacement, Hit& hit);
 bool sweep(const Triangle& triangle, const Shape& moving, Vec3 displacement, Hit& hit);
-/// The box around a sphere, capsule or box, its middle, and how far it reaches along each axis.
+/// The AABB of a moving sphere, capsule or box, with its centre and half extents.
 struct BoxInMotion {
     explicit BoxInMotion(const Shape& moving);
-    /// `half`, and how far a sweep may count as contact what rounding does not tell from it, of shapes in a box.
+    /// `half`, enlarged by the distance that a sweep against shapes in a box may count as contact because of rounding.
     Vec3 half_with_rounding(const Box& shapes, Vec3 displacement) const;
     Box box;
     Vec3 middle, half;
 };
 
-/// The shortest way for a solid out of a shape that it overlaps.
+/// The minimum translation that moves a solid out of a shape that it overlaps.
 struct Penetration {
     double depth;  // its length
     Vec3 normal;   // its direction, of length 1
     Vec3 point;    // where the two then touch
 };
-/// The public form; model 0 when the question was not of a scene.
+/// The public struct. model is 0 if the query was not of a scene.
 inline gphys_penetration to_penetration(const Penetration& way, uint32_t triangle = GPHYS_NO_TRIANGLE,
                                         uint32_t model = 0, uint32_t tag = 0) {
     return {model, tag, rounded_point(way.point), narrow(way.normal), reported(way.depth), triangle};
 }
-/// Deepest first, then by model and triangle: the order of lists of them.
+/// The order of lists: deepest first, then by model and triangle.
 struct DeepestFirst {
     bool operator()(const gphys_penetration& a, const gphys_penetration& b) const {
         if (a.depth != b.depth) return a.depth > b.depth;
         return a.model != b.model ? a.model < b.model : a.triangle < b.triangle;
     }
 };
-/// For a sphere, capsule or box, and shapes that are no frusta; they overlap (overlaps), but for rounding.
+/// `moving` is a sphere, capsule or box, `shape` is no frustum. They overlap, up to rounding.
 Penetration penetration(const Shape& shape, const Shape& moving);
 Penetration penetration(const Triangle& triangle, const Shape& moving);
 
-/// The public form of a sweep's hit. Its normal is against the motion as floats too, unless the sphere started
-/// touching.
+/// The public struct of a sweep's hit. Its normal opposes the motion after rounding to floats too, unless the sphere
+/// touched at the start.
 gphys_hit to_contact(const Hit& hit, Vec3 displacement, uint32_t model = 0, uint32_t tag = 0);
 
 }  // namespace gphys

@@ -1,5 +1,6 @@
-// Every pair of shapes, in the order of the alternatives of Shape. Triangles with triangles and
-// boxes are in overlap_triangle.cpp, capsules with what has edges in overlap_capsule.cpp.
+// overlaps for every pair of shapes, in the order of the alternatives of Shape; exact where signs decide (exact.h).
+// Triangles with triangles and boxes are in overlap_triangle.cpp, capsules with shapes that have edges in
+// overlap_capsule.cpp.
 #include "foundation/exact.h"
 #include "geometry/heights.h"
 #include "geometry/intersect.h"
@@ -11,22 +12,22 @@ namespace gphys {
 
 namespace {
 
-// Sphere: whatever comes within its radius of the centre.
+// Sphere: the closest point is within the radius.
 
 template <class Other>
-bool meet(const Sphere& sphere, const Other& other) {
+bool pair_overlaps(const Sphere& sphere, const Other& other) {
     return contains(other, sphere.center, sphere.radius);
 }
 
-// Plane: whatever reaches to both sides of it.
+// Plane: the shape has points on both sides.
 
 template <class Other>
-bool meet_plane(const Other& other, const Plane& plane) {
+bool overlaps_plane(const Other& other, const Plane& plane) {
     const Heights range = heights(other, plane_at(plane));
     return range.low <= 0 && range.high >= 0;
 }
 
-bool meet(const Plane& a, const Plane& b) {
+bool pair_overlaps(const Plane& a, const Plane& b) {
     const auto sign_of_minor = [](double a0, double a1, double b0, double b1) {
         return sign_of([=](auto number) {
             using N = decltype(number);
@@ -44,9 +45,9 @@ bool meet(const Plane& a, const Plane& b) {
 
 // Boxes.
 
-bool meet(const Aabb& a, const Aabb& b) { return boxes_overlap(a.min, a.max, b.min, b.max); }
+bool pair_overlaps(const Aabb& a, const Aabb& b) { return boxes_overlap(a.min, a.max, b.min, b.max); }
 
-/// A face of a box along a world axis: way -1 the low one, 1 the high one.
+/// A face of a box perpendicular to a world axis: way -1 the low one, 1 the high one.
 template <class N>
 N face(const Aabb& box, int k, double way) {
     return N(way < 0 ? box.min[k] : box.max[k]);
@@ -57,9 +58,9 @@ N face(const Obb& box, int k, double way) {
     return N(box.center[k]) + N(way) * dot(Vec<N>::of(size), Vec<N>::of(box.half));
 }
 
-/// Boxes whose faces all are parallel to the world's: exact, as between two Aabbs.
+/// Boxes whose axes are all parallel to world axes: exact, as for two Aabbs.
 template <class BoxA, class BoxB>
-bool parallel_boxes_meet(const BoxA& a, const BoxB& b) {
+bool parallel_boxes_overlap(const BoxA& a, const BoxB& b) {
     for (int k = 0; k < 3; ++k) {
         const auto gap = [k](const auto& low, const auto& high) {
             return sign_of([&](auto number) {
@@ -72,10 +73,10 @@ bool parallel_boxes_meet(const BoxA& a, const BoxB& b) {
     return true;
 }
 
-/// The separating axes of two boxes (Gottschalk 1996): their six normals and the nine products of
-/// these. Both boxes are projected on each axis as it stands: a product that is nearly zero because
-/// the edges are nearly parallel is a poor axis but a true one, so no epsilon has to guard it.
-bool boxes_meet(const Obb& a, const Obb& b) {
+/// The separating axis test of two boxes (Gottschalk 1996): six face normals and nine cross products. Both boxes are
+/// projected on the axis as computed: a nearly zero cross product of nearly parallel edges is a poor axis but a valid
+/// one, so no epsilon is needed.
+bool obbs_overlap(const Obb& a, const Obb& b) {
     const Vec3 offset = b.center - a.center;
     const auto reach = [](const Obb& box, Vec3 axis) {
         const Vec3 along = abs(transpose_times(box.axes, axis));
@@ -94,63 +95,63 @@ bool boxes_meet(const Obb& a, const Obb& b) {
     return true;
 }
 
-bool meet(const Aabb& a, const Obb& b) {
-    return axis_parallel(b.axes) ? parallel_boxes_meet(a, b) : boxes_meet(as_obb(a), b);
+bool pair_overlaps(const Aabb& a, const Obb& b) {
+    return axis_parallel(b.axes) ? parallel_boxes_overlap(a, b) : obbs_overlap(as_obb(a), b);
 }
-bool meet(const Obb& a, const Obb& b) {
-    return axis_parallel(a.axes) && axis_parallel(b.axes) ? parallel_boxes_meet(a, b) : boxes_meet(a, b);
+bool pair_overlaps(const Obb& a, const Obb& b) {
+    return axis_parallel(a.axes) && axis_parallel(b.axes) ? parallel_boxes_overlap(a, b) : obbs_overlap(a, b);
 }
-bool meet(const Aabb& box, const Plane& plane) { return meet_plane(box, plane); }
-bool meet(const Obb& box, const Plane& plane) { return meet_plane(box, plane); }
-bool meet(const Aabb& box, const Triangle& triangle) { return overlaps(box, triangle); }
-bool meet(const Obb& box, const Triangle& triangle) {
+bool pair_overlaps(const Aabb& box, const Plane& plane) { return overlaps_plane(box, plane); }
+bool pair_overlaps(const Obb& box, const Plane& plane) { return overlaps_plane(box, plane); }
+bool pair_overlaps(const Aabb& box, const Triangle& triangle) { return overlaps(box, triangle); }
+bool pair_overlaps(const Obb& box, const Triangle& triangle) {
     const auto local = [&](Vec3 p) { return transpose_times(box.axes, p - box.center); };
     return overlaps(Aabb{-box.half, box.half}, Triangle{local(triangle.a), local(triangle.b), local(triangle.c)});
 }
 
 // Capsule.
 
-bool meet(const Capsule& a, const Capsule& b) { return capsules_meet(a, b); }
-bool meet(const Capsule& capsule, const Aabb& box) { return capsule_meets(capsule, box); }
-bool meet(const Capsule& capsule, const Obb& box) { return capsule_meets(capsule, box); }
-bool meet(const Capsule& capsule, const Plane& plane) { return meet_plane(capsule, plane); }
-bool meet(const Capsule& capsule, const Triangle& triangle) { return capsule_meets(capsule, triangle); }
-bool meet(const Capsule& capsule, const Frustum& frustum) { return capsule_meets(capsule, frustum); }
+bool pair_overlaps(const Capsule& a, const Capsule& b) { return capsules_overlap(a, b); }
+bool pair_overlaps(const Capsule& capsule, const Aabb& box) { return capsule_overlaps(capsule, box); }
+bool pair_overlaps(const Capsule& capsule, const Obb& box) { return capsule_overlaps(capsule, box); }
+bool pair_overlaps(const Capsule& capsule, const Plane& plane) { return overlaps_plane(capsule, plane); }
+bool pair_overlaps(const Capsule& capsule, const Triangle& triangle) { return capsule_overlaps(capsule, triangle); }
+bool pair_overlaps(const Capsule& capsule, const Frustum& frustum) { return capsule_overlaps(capsule, frustum); }
 
 // Triangle.
 
-bool meet(const Plane& plane, const Triangle& triangle) { return meet_plane(triangle, plane); }
-bool meet(const Triangle& a, const Triangle& b) { return overlaps(a, b); }
+bool pair_overlaps(const Plane& plane, const Triangle& triangle) { return overlaps_plane(triangle, plane); }
+bool pair_overlaps(const Triangle& a, const Triangle& b) { return overlaps(a, b); }
 
-// Frustum: as half-spaces, after the cheap tests that nearly always decide.
+// Frustum: half-spaces (halfspaces.h), after cheap tests that nearly always decide.
 
-enum class TriState { apart, meet, open };
+enum class TriState { disjoint, overlapping, undecided };
 
-/// Wholly outside one plane or, by one of its points, inside all.
+/// Decided if the shape is outside of one plane, or one of its points is inside all.
 template <class Other>
-TriState verdict_of_planes(const Other& other, Vec3 point_of_other, const Frustum& frustum) {
+TriState test_planes(const Other& other, Vec3 point_of_other, const Frustum& frustum) {
     for (int i = 0; i < 6; ++i) {
-        if (heights(other, plane_at(frustum, i)).high < 0) return TriState::apart;
+        if (heights(other, plane_at(frustum, i)).high < 0) return TriState::disjoint;
     }
-    return contains(frustum, point_of_other, 0) ? TriState::meet : TriState::open;
+    return contains(frustum, point_of_other, 0) ? TriState::overlapping : TriState::undecided;
 }
 
 template <class BoxType>
-bool box_meets_frustum(const BoxType& box, Vec3 center, const Frustum& frustum) {
-    const TriState verdict = verdict_of_planes(box, center, frustum);
-    if (verdict != TriState::open) return verdict == TriState::meet;
+bool box_overlaps_frustum(const BoxType& box, Vec3 center, const Frustum& frustum) {
+    const TriState verdict = test_planes(box, center, frustum);
+    if (verdict != TriState::undecided) return verdict == TriState::overlapping;
     Halfspaces set;
     set.add(frustum);
     set.add(box);
     return set.have_common_point();
 }
 
-// The middle of a box may round out of it only if the box is flatter than 1 ulp; a corner cannot.
-bool meet(const Aabb& box, const Frustum& frustum) { return box_meets_frustum(box, box.min, frustum); }
-bool meet(const Obb& box, const Frustum& frustum) { return box_meets_frustum(box, box.center, frustum); }
+// The centre of a box may be rounded out of it if the box is flatter than 1 ulp; a corner cannot.
+bool pair_overlaps(const Aabb& box, const Frustum& frustum) { return box_overlaps_frustum(box, box.min, frustum); }
+bool pair_overlaps(const Obb& box, const Frustum& frustum) { return box_overlaps_frustum(box, box.center, frustum); }
 
-bool meet(const Plane& plane, const Frustum& frustum) {
-    // A convex set meets a plane if it reaches to both sides of it.
+bool pair_overlaps(const Plane& plane, const Frustum& frustum) {
+    // A convex set overlaps a plane if it has points on both sides.
     Halfspaces front, back;
     front.add(frustum);
     front.add(plane);
@@ -159,15 +160,15 @@ bool meet(const Plane& plane, const Frustum& frustum) {
     return front.have_common_point() && back.have_common_point();
 }
 
-bool meet(const Triangle& triangle, const Frustum& frustum) {
-    const TriState verdict = verdict_of_planes(triangle, triangle.a, frustum);
-    if (verdict != TriState::open) return verdict == TriState::meet;
+bool pair_overlaps(const Triangle& triangle, const Frustum& frustum) {
+    const TriState verdict = test_planes(triangle, triangle.a, frustum);
+    if (verdict != TriState::undecided) return verdict == TriState::overlapping;
     Halfspaces set;
     set.add(frustum);
-    return set.meet(triangle);
+    return set.intersect(triangle);
 }
 
-bool meet(const Frustum& a, const Frustum& b) {
+bool pair_overlaps(const Frustum& a, const Frustum& b) {
     Halfspaces set;
     set.add(a);
     set.add(b);
@@ -186,15 +187,15 @@ constexpr size_t place() {
 
 }  // namespace
 
-bool overlaps(const Sphere& sphere, const Triangle& triangle) { return meet(sphere, triangle); }
+bool overlaps(const Sphere& sphere, const Triangle& triangle) { return pair_overlaps(sphere, triangle); }
 
 bool overlaps(const Shape& a, const Shape& b) {
     return std::visit(
         [](const auto& first, const auto& second) {
             if constexpr (place<std::decay_t<decltype(first)>>() <= place<std::decay_t<decltype(second)>>()) {
-                return meet(first, second);
+                return pair_overlaps(first, second);
             } else {
-                return meet(second, first);
+                return pair_overlaps(second, first);
             }
         },
         a, b);

@@ -1,4 +1,4 @@
-// Whether two boxes share a point. Touching counts.
+// Overlap tests of boxes, over any type of number. Touching counts.
 #pragma once
 
 #include "foundation/rotation.h"
@@ -6,7 +6,7 @@
 
 namespace gphys {
 
-/// Boxes along the axes, by their corners: none begins behind the end of the other. Exact.
+/// AABBs, by their corners. Exact.
 template <class N>
 GPHYS_INLINE auto boxes_overlap(const Vec<N>& a_min, const Vec<N>& a_max, const Vec<N>& b_min, const Vec<N>& b_max) {
     return (a_min.x <= b_max.x) & (b_min.x <= a_max.x) & (a_min.y <= b_max.y) & (b_min.y <= a_max.y) &
@@ -18,11 +18,10 @@ inline bool overlaps(const Box& a, const Box& b) {
                                 {b.min[0], b.min[1], b.min[2]}, {b.max[0], b.max[1], b.max[2]});
 }
 
-/// A box along the axes and one with axes of its own, for the separating axis test (Gottschalk 1996): the six
-/// normals of faces, and the nine products of edges. All gaps are times `unit`.
+/// The separating axis test of an AABB and an OBB (Gottschalk 1996): six face normals and nine cross products of
+/// edges. All gaps are scaled by `unit`.
 ///
-/// This rounds, for conservative tests. Exact answers are overlap.cpp's, which projects on the axes as they
-/// stand in the world.
+/// Rounded, for conservative tests. overlap.cpp has the exact test.
 template <class N>
 struct BoxAndRotatedBox {
     Vec<N> half;          // of the first, about the origin
@@ -31,14 +30,14 @@ struct BoxAndRotatedBox {
     Matrix<N> axes, size;  // the axes of the second, `unit` long, and their absolute values
     N unit;
 
-    /// The widest gap along the normals of faces: below 0 if all projections overlap.
+    /// The largest gap along the face normals; below 0 if all projections overlap.
     GPHYS_INLINE N face_gap() const {
         const Vec<N> here = abs(other_center) * unit - half * unit - size * other_half;
         const Vec<N> there = abs(transpose_times(axes, other_center)) - other_half * unit - transpose_times(size, half);
         return largest(max_component(here), max_component(there));
     }
-    /// And across an edge of each. Edges that are parallel have no product: these axes separate nothing then, and
-    /// those of faces are enough.
+    /// The largest gap along the cross products of edges. Those of parallel edges are zero and separate nothing; the
+    /// face normals are enough then.
     GPHYS_INLINE N edge_gap() const {
         const Vec<N> x = across(axes.x, size.x, size.y * other_half.z + size.z * other_half.y);
         const Vec<N> y = across(axes.y, size.y, size.z * other_half.x + size.x * other_half.z);
@@ -47,7 +46,7 @@ struct BoxAndRotatedBox {
     }
 
 private:
-    /// Along the products of the three edges of the first box with one of the second, which reaches `others`.
+    /// Along the cross products of the three edges of the first box with one edge of the second.
     GPHYS_INLINE Vec<N> across(const Vec<N>& axis, const Vec<N>& axis_size, const Vec<N>& others) const {
         const Vec<N> own = by_component(yzx(half), zxy(axis_size)) + by_component(zxy(half), yzx(axis_size));
         return abs(cross(other_center, axis)) - own - others;

@@ -1,5 +1,5 @@
-// A capsule meets a shape if its core segment does or comes within the radius. If the segment stays
-// outside, the closest pair is an end of the segment with the shape, or the segment with an edge.
+// A capsule overlaps a shape if its segment intersects it or comes within the radius. If the segment is outside, the
+// closest pair is an end of the segment and the shape, or the segment and an edge.
 #include "geometry/overlap_capsule.h"
 
 #include "geometry/heights.h"
@@ -10,7 +10,7 @@ namespace gphys {
 
 namespace {
 
-/// Relative to an end of one, so that a common offset costs no digits.
+/// Relative to an end of one, so that no digits are lost far from the origin.
 bool segments_within(const Segment& a, const Segment& b, double distance) {
     Vec3 on_a, on_b;
     closest_points(Segment{{}, a.b - a.a}, Segment{b.a - a.a, b.b - a.a}, on_a, on_b);
@@ -18,26 +18,26 @@ bool segments_within(const Segment& a, const Segment& b, double distance) {
 }
 
 template <class Solid>
-bool an_end_meets(const Capsule& capsule, const Solid& solid) {
+bool an_end_overlaps(const Capsule& capsule, const Solid& solid) {
     return contains(solid, capsule.a, capsule.radius) || contains(solid, capsule.b, capsule.radius);
 }
 
 Segment core(const Capsule& capsule) { return {capsule.a, capsule.b}; }
-/// The core as the degenerate triangle that exact predicates take.
+/// The segment as a degenerate triangle, for the exact predicates.
 Triangle flat(const Capsule& capsule) { return {capsule.a, capsule.b, capsule.b}; }
 
 }  // namespace
 
-bool capsules_meet(const Capsule& a, const Capsule& b) {
+bool capsules_overlap(const Capsule& a, const Capsule& b) {
     return segments_within(core(a), core(b), a.radius + b.radius);
 }
 
-bool capsule_meets(const Capsule& capsule, const Aabb& box) {
+bool capsule_overlaps(const Capsule& capsule, const Aabb& box) {
     const Vec3 low = min(capsule.a, capsule.b), high = max(capsule.a, capsule.b);
     for (int k = 0; k < 3; ++k) {
         if (low[k] - box.max[k] > capsule.radius || box.min[k] - high[k] > capsule.radius) return false;
     }
-    if (an_end_meets(capsule, box) || overlaps(box, flat(capsule))) return true;
+    if (an_end_overlaps(capsule, box) || overlaps(box, flat(capsule))) return true;
     for (int axis = 0; axis < 3; ++axis) {
         const int i = (axis + 1) % 3, k = (axis + 2) % 3;
         for (int corner = 0; corner < 4; ++corner) {
@@ -50,13 +50,13 @@ bool capsule_meets(const Capsule& capsule, const Aabb& box) {
     return false;
 }
 
-bool capsule_meets(const Capsule& capsule, const Obb& box) {
+bool capsule_overlaps(const Capsule& capsule, const Obb& box) {
     const auto local = [&](Vec3 p) { return transpose_times(box.axes, p - box.center); };
-    return capsule_meets(Capsule{local(capsule.a), local(capsule.b), capsule.radius}, Aabb{-box.half, box.half});
+    return capsule_overlaps(Capsule{local(capsule.a), local(capsule.b), capsule.radius}, Aabb{-box.half, box.half});
 }
 
-bool capsule_meets(const Capsule& capsule, const Triangle& triangle) {
-    if (an_end_meets(capsule, triangle) || overlaps(flat(capsule), triangle)) return true;
+bool capsule_overlaps(const Capsule& capsule, const Triangle& triangle) {
+    if (an_end_overlaps(capsule, triangle) || overlaps(flat(capsule), triangle)) return true;
     const auto& [a, b, c] = triangle;
     for (const Segment& edge : {Segment{a, b}, Segment{b, c}, Segment{c, a}}) {
         if (segments_within(core(capsule), edge, capsule.radius)) return true;
@@ -66,8 +66,8 @@ bool capsule_meets(const Capsule& capsule, const Triangle& triangle) {
 
 namespace {
 
-/// The part of the line of two planes that belongs to the frustum and lies beside the segment: only
-/// there can the line be closest to it. False if there is none.
+/// The part of the line of two planes that is an edge of the frustum and can be closest to the segment. False if
+/// there is none.
 bool edge_beside(const Frustum& frustum, int i, int j, const Segment& segment, Segment& edge) {
     const Plane &a = frustum.planes[i], &b = frustum.planes[j];
     const Vec3 line = cross(a.normal, b.normal);
@@ -81,7 +81,7 @@ bool edge_beside(const Frustum& frustum, int i, int j, const Segment& segment, S
         if (k == i || k == j) continue;
         const Plane& plane = frustum.planes[k];
         const double slope = dot(plane.normal, direction);
-        // A plane through the whole line must not cut it off for a rounding: see NearestFoot.
+        // Rounding must not let a plane that contains the line clip it: see NearestFoot.
         const double slack = 0x1p-40 * length(plane.normal) * length(base);
         const double height = dot(plane.normal, base) - plane.distance + slack;
         if (std::fabs(slope) <= 0x1p-50 * length(plane.normal)) {
@@ -100,14 +100,14 @@ bool edge_beside(const Frustum& frustum, int i, int j, const Segment& segment, S
 
 }  // namespace
 
-bool capsule_meets(const Capsule& capsule, const Frustum& frustum) {
+bool capsule_overlaps(const Capsule& capsule, const Frustum& frustum) {
     for (int i = 0; i < 6; ++i) {
         if (heights(capsule, plane_at(frustum, i)).high < 0) return false;
     }
-    if (an_end_meets(capsule, frustum)) return true;
+    if (an_end_overlaps(capsule, frustum)) return true;
     Halfspaces set;
     set.add(frustum);
-    if (set.meet(flat(capsule))) return true;
+    if (set.intersect(flat(capsule))) return true;
     // Everything relative to one end; normals scaled to about one.
     Frustum local{frustum.origin - capsule.a, {}};
     for (int i = 0; i < 6; ++i) local.planes[i] = scaled_to_one(frustum.planes[i]);
@@ -115,7 +115,7 @@ bool capsule_meets(const Capsule& capsule, const Frustum& frustum) {
     for (int i = 0; i < 6; ++i) {
         for (int j = i + 1; j < 6; ++j) {
             Segment edge;
-            // An empty frustum may have edges by its slack.
+            // The tolerance may leave edges of an empty frustum.
             if (edge_beside(local, i, j, segment, edge) && segments_within(segment, edge, capsule.radius)) {
                 return !is_empty(frustum);
             }

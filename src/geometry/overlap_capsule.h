@@ -1,14 +1,14 @@
-// Capsules against capsules and against what has edges.
+// Overlaps of capsules with capsules, boxes, triangles and frusta.
 #pragma once
 
 #include "shapes/shapes.h"
 
 namespace gphys {
 
-bool capsules_meet(const Capsule& a, const Capsule& b);
-bool capsule_meets(const Capsule& capsule, const Aabb& box);
-bool capsule_meets(const Capsule& capsule, const Obb& box);
-bool capsule_meets(const Capsule& capsule, const Triangle& triangle);
-bool capsule_meets(const Capsule& capsule, const Frustum& frustum);
+bool capsules_overlap(const Capsule& a, const Capsule& b);
+bool capsule_overlaps(const Capsule& capsule, const Aabb& box);
+bool capsule_overlaps(const Capsule& capsule, const Obb& box);
+bool capsule_overlaps(const Capsule& capsule, const Triangle& triangle);
+bool capsule_overlaps(const Capsule& capsule, const Frustum& frustum);
 
 }  // namespace gphys

@@ -1,6 +1,5 @@
-// Triangles against triangles and boxes, decided by signs of exact orientations alone, so that
-// nothing depends on scale and touching counts. Degenerate triangles are the segments or points
-// that they are.
+// Triangles against triangles and boxes, decided by exact orientation signs alone, so that nothing depends on scale and
+// touching counts. Degenerate triangles are treated as segments or points.
 #include "foundation/exact.h"
 #include "geometry/intersect.h"
 #include "geometry/overlap_boxes.h"
@@ -34,8 +33,8 @@ bool boxes_apart(const Simplex& a, const Simplex& b) {
     return !boxes_overlap(a_min, a_max, b_min, b_max);
 }
 
-/// Whether the line of an edge of `a`, seen along the axis, has `a` on one side and `b` strictly on
-/// the other.
+/// Whether, in the projection along the axis, the line of an edge of `a` has `a` on one side and `b` strictly on the
+/// other.
 bool edge_separates(const Simplex& a, const Simplex& b, int axis) {
     for (int i = 0; i < a.count; ++i) {
         const Vec3 from = a.corner[i], to = a.corner[(i + 1) % a.count];
@@ -50,37 +49,36 @@ bool edge_separates(const Simplex& a, const Simplex& b, int axis) {
     return false;
 }
 
-/// For sets in one plane, which is not parallel to the axis, with overlapping boxes. The edges of
-/// the difference of two convex polygons are parallel to theirs, so one of them separates if
-/// anything does; if all is on one line, the boxes have decided.
-bool coplanar_meet(const Simplex& a, const Simplex& b, int axis) {
+/// For sets in one plane, not parallel to the axis, with overlapping AABBs. The edges of the Minkowski difference of
+/// convex polygons are parallel to theirs, so an edge separates them if any line does. On a common line the AABBs
+/// have decided.
+bool coplanar_overlap(const Simplex& a, const Simplex& b, int axis) {
     return !edge_separates(a, b, axis) && !edge_separates(b, a, axis);
 }
 
-bool segments_meet(const Simplex& a, const Simplex& b) {
+bool segments_overlap(const Simplex& a, const Simplex& b) {
     const Vec3 p = a.corner[0], q = a.corner[a.count - 1], r = b.corner[0], s = b.corner[b.count - 1];
     if (orientation(p, q, r, s) != 0) return false;
     for (const Triangle& t : {Triangle{p, q, r}, Triangle{p, q, s}, Triangle{p, r, s}}) {
         const int axis = turning_axis(t.a, t.b, t.c);
-        if (axis >= 0) return coplanar_meet(a, b, axis);
+        if (axis >= 0) return coplanar_overlap(a, b, axis);
     }
     return true;  // all on one line
 }
 
-bool segment_meets_triangle(const Simplex& segment, const Simplex& triangle) {
+bool segment_overlaps_triangle(const Simplex& segment, const Simplex& triangle) {
     const auto& [p, q, r] = triangle.corner;
     const Vec3 a = segment.corner[0], b = segment.corner[segment.count - 1];
     const int side_a = orientation(p, q, r, a), side_b = orientation(p, q, r, b);
     if (side_a * side_b > 0) return false;
-    if (side_a == 0 && side_b == 0) return coplanar_meet(segment, triangle, turning_axis(p, q, r));
+    if (side_a == 0 && side_b == 0) return coplanar_overlap(segment, triangle, turning_axis(p, q, r));
     // The line passes the three edges on the same side.
     const int pq = orientation(a, b, p, q), qr = orientation(a, b, q, r), rp = orientation(a, b, r, p);
     return (pq >= 0 && qr >= 0 && rp >= 0) || (pq <= 0 && qr <= 0 && rp <= 0);
 }
 
-/// The corner that the other triangle's plane cuts off from the two others, and whether that plane
-/// must be turned around for the corner to be in front and the others behind; touching counts as
-/// either. The signs are not all equal.
+/// The corner that is alone on its side of the other triangle's plane, and whether that plane must be flipped for the
+/// corner to be in front. Corners on the plane count as either side. The signs are not all equal.
 struct Alone {
     int corner;
     bool behind;
@@ -95,14 +93,14 @@ Alone alone(const int (&side)[3]) {
     return {touching, side[(touching + 1) % 3] > 0};
 }
 
-/// Guigue and Devillers 2003. Both triangles meet the line of their planes in an interval; with the
-/// lone corners p in front, the intervals run from the edge p1 q1 to p1 r1 and from p2 r2 to p2 q2.
-/// Two orientations tell whether either interval ends before the other begins.
-bool triangles_meet(const Simplex& t1, const Simplex& t2) {
+/// Guigue and Devillers 2003. Both triangles intersect the line of their planes in an interval. With the lone corners p
+/// in front, the intervals run from edge p1 q1 to p1 r1 and from p2 r2 to p2 q2. Two orientations say whether either
+/// interval ends before the other begins.
+bool triangles_overlap(const Simplex& t1, const Simplex& t2) {
     int side1[3], side2[3];
     for (int i = 0; i < 3; ++i) side1[i] = orientation(t2.corner[0], t2.corner[1], t2.corner[2], t1.corner[i]);
     if (side1[0] == side1[1] && side1[1] == side1[2]) {
-        return side1[0] == 0 && coplanar_meet(t1, t2, turning_axis(t1.corner[0], t1.corner[1], t1.corner[2]));
+        return side1[0] == 0 && coplanar_overlap(t1, t2, turning_axis(t1.corner[0], t1.corner[1], t1.corner[2]));
     }
     for (int i = 0; i < 3; ++i) side2[i] = orientation(t1.corner[0], t1.corner[1], t1.corner[2], t2.corner[i]);
     if (side2[0] == side2[1] && side2[1] == side2[2]) return false;
@@ -121,14 +119,14 @@ bool triangles_meet(const Simplex& t1, const Simplex& t2) {
 bool overlaps(const Triangle& a, const Triangle& b) {
     const Simplex s = simplex(a), t = simplex(b);
     if (boxes_apart(s, t)) return false;
-    if (s.count == 3) return t.count == 3 ? triangles_meet(s, t) : segment_meets_triangle(t, s);
-    return t.count == 3 ? segment_meets_triangle(s, t) : segments_meet(s, t);
+    if (s.count == 3) return t.count == 3 ? triangles_overlap(s, t) : segment_overlaps_triangle(t, s);
+    return t.count == 3 ? segment_overlaps_triangle(s, t) : segments_overlap(s, t);
 }
 
 bool overlaps(const Aabb& box, const Triangle& triangle) {
     // The separating axes of a box and a triangle (Akenine-Moeller 2001): the box's normals, ...
     const Vec3 low = min(min(triangle.a, triangle.b), triangle.c), high = max(max(triangle.a, triangle.b), triangle.c);
-    // Axis by axis: boxes_overlap, which compares all, takes 5 % more of the overlaps of a box and a mesh.
+    // Axis by axis: with boxes_overlap, which compares all, overlaps of a box and a mesh take 5 % longer.
     if (low.x > box.max.x || low.y > box.max.y || low.z > box.max.z || high.x < box.min.x || high.y < box.min.y ||
         high.z < box.min.z) {
         return false;
@@ -142,8 +140,8 @@ bool overlaps(const Aabb& box, const Triangle& triangle) {
         highest[k] = normal[k] > 0 ? box.max[k] : box.min[k];
     }
     if (orientation(a, b, c, lowest) > 0 || orientation(a, b, c, highest) < 0) return false;
-    // ... and the products of each box axis with each edge: seen along the box axis, the edge's
-    // line has the third corner on one side and the whole rectangle strictly on the other.
+    // ... and the cross products of box axes and edges: in the projection along the box axis, the line of the edge has
+    // the third corner on one side and the rectangle strictly on the other.
     const Vec3 corner[3] = {a, b, c};
     for (int axis = 0; axis < 3; ++axis) {
         const int i = (axis + 1) % 3, k = (axis + 2) % 3;

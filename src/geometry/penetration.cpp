@@ -1,5 +1,5 @@
-// The shortest way out. What overlaps is convex, or a plane with its two sides, so that there is a direction with a
-// proof for it: along the normal the two just touch, and no other direction is shorter (convex_separation.cpp).
+// penetration: the minimum translation that separates a solid from a shape. Both are convex, or the shape is a plane
+// with two sides, so the minimum is along a face normal of the Minkowski difference (convex_separation.cpp).
 #include <algorithm>
 
 #include "geometry/convex_pairs.h"

@@ -1,8 +1,8 @@
-// Where a ray first meets a box, plane or frustum. Spheres and capsules: raycast_round.cpp, triangles:
-// raycast_triangle.cpp.
+// raycast against boxes (slabs), planes and frusta (clipping). Spheres and capsules are in raycast_round.cpp, triangles
+// in raycast_triangle.cpp.
 //
-// A solid met from inside is met at once: t = 0, GPHYS_HIT_INSIDE. Rounding is kept away from the
-// yes or no: where it could decide, the question is asked again in exact arithmetic (exact.h).
+// An origin inside a solid is a hit at t = 0 with GPHYS_HIT_INSIDE. Rounding never decides between hit and miss: if
+// the error bound does not settle it, the predicate is evaluated in exact arithmetic (exact.h).
 #include "foundation/exact.h"
 #include "geometry/intersect.h"
 #include "geometry/raycast_box.h"
@@ -32,8 +32,7 @@ double climb_along(Vec3 normal, const Ray& ray) {
     });
 }
 
-/// Whether the end of the ray is still on the side of the plane where it starts, exactly: t_max,
-/// which must be finite, is too small.
+/// Whether the ray ends on the side of the plane where it starts, exactly. t_max must be finite.
 bool is_beyond_end(const Plane& plane, const Ray& ray, double start) {
     const int end = sign_of([&](auto number) {
         using N = decltype(number);
@@ -54,8 +53,8 @@ struct Crossing {
         : face(face_), origin(origin_), direction(direction_), rest(rest_), t((face_ - origin_) / direction_) {}
 };
 
-/// Whether a is at or before b, exactly; both are 0 or later. The quotients are within two roundings
-/// each, and a third of the direction, so only those that differ by less than 2^-50 need the products.
+/// Whether a <= b, exactly; both are >= 0. The quotients have at most three roundings each, so only those that differ
+/// by less than 2^-50 need exact products.
 bool at_or_before(const Crossing& a, const Crossing& b) {
     if (a.t <= b.t * (1 - 0x1p-50)) return true;
     if (a.t > b.t * (1 + 0x1p-50)) return false;
@@ -68,8 +67,8 @@ bool at_or_before(const Crossing& a, const Crossing& b) {
     return flipped ? order >= 0 : order <= 0;
 }
 
-/// Slabs by quotients instead of products with the reciprocal, and with a direction of 0 apart, so that neither can
-/// turn a hit into a miss. Exact, as at_or_before is. The axis of the face is -1 if the ray starts inside.
+/// The exact slab method: quotients instead of products with the reciprocal, and direction components of 0 handled
+/// apart. The axis of the face is -1 if the ray starts inside.
 bool enters_exactly(const Aabb& box, const Ray& ray, EnteredFace<double>& face, int& entry_axis) {
     const Crossing end(ray.t_max, 0, 1, 0);
     Crossing entry(0, 0, 1, 0), exit = end;
@@ -116,7 +115,7 @@ N exact_climb(const Frustum& frustum, int i, const Ray& ray) {
     return dot(V::of(frustum.planes[i].normal), V::two_terms(ray.direction, ray.rest));
 }
 
-/// Whether the ray comes in through plane `in` no later than it goes out through plane `out`, exactly.
+/// Whether the ray enters through plane `in` no later than it leaves through plane `out`, exactly.
 bool enters_before(const Frustum& frustum, int in, int out, const Ray& ray) {
     return sign_of([&](auto number) {
                using N = decltype(number);
@@ -124,7 +123,7 @@ bool enters_before(const Frustum& frustum, int in, int out, const Ray& ray) {
                       exact_depth<N>(frustum, out, ray) * exact_climb<N>(frustum, in, ray);
            }) <= 0;
 }
-/// Whether it comes in through a plane before it ends, exactly; t_max is finite.
+/// Whether the ray enters through a plane before it ends, exactly. t_max is finite.
 bool enters_in_time(const Frustum& frustum, int in, const Ray& ray) {
     return sign_of([&](auto number) {
                using N = decltype(number);
@@ -132,8 +131,8 @@ bool enters_in_time(const Frustum& frustum, int in, const Ray& ray) {
            }) >= 0;
 }
 
-/// Whether the ray has come in through each plane that it starts outside of before it leaves by another
-/// or ends. Asked when the last entry and the first exit are too close to call.
+/// Whether the ray enters through all planes that it starts outside of before it leaves through another or ends.
+/// Needed if the last entry and the first exit are too close for double.
 bool enters_exactly(const Frustum& frustum, const Approach (&approaches)[6], const Ray& ray, double entry) {
     const double early = entry * (1 - 0x1p-38), late = entry * (1 + 0x1p-38);
     for (int in = 0; in < 6; ++in) {
@@ -184,8 +183,7 @@ bool raycast(const Aabb& box, const Ray& ray, Hit& hit) {
     return true;
 }
 
-/// In the box's own axes around its own centre, in double, nothing of a far origin is lost
-/// (Majercik et al. 2018).
+/// In the frame of the box, relative to its centre (Majercik et al. 2018), which loses no digits far from the origin.
 bool raycast(const Obb& box, const Ray& ray, Hit& hit) {
     Ray local{transpose_times(box.axes, ray.origin - box.center), transpose_times(box.axes, ray.direction), ray.t_max};
     if (ray.is_segment) local.rest = transpose_times(box.axes, ray.rest);
@@ -196,7 +194,7 @@ bool raycast(const Obb& box, const Ray& ray, Hit& hit) {
     return true;
 }
 
-/// A ray in the plane meets it at once.
+/// A ray in the plane hits at t = 0.
 bool raycast(const Plane& plane, const Ray& ray, Hit& hit) {
     const double start = height(plane, Vec3{}, ray.origin);
     const double climb = climb_along(plane.normal, ray);
@@ -214,8 +212,8 @@ bool raycast(const Plane& plane, const Ray& ray, Hit& hit) {
     return true;
 }
 
-/// Clips the ray against the half-spaces. A plane without a normal (infinite far plane) is never
-/// crossed: its distance alone says on which side everything is.
+/// Clips the ray against the half-spaces (Cyrus and Beck 1978). A plane with normal 0, an infinite far plane, is never
+/// crossed: the sign of its distance says on which side everything is.
 bool raycast(const Frustum& frustum, const Ray& ray, Hit& hit) {
     double entry = 0, exit = ray.t_max;
     const Plane* entered = nullptr;

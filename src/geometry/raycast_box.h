@@ -1,5 +1,5 @@
-// Where a ray meets a box along the axes, by its three slabs (Williams et al. 2005): the ray is in the box from
-// the last of its entries into a slab to the first of its exits.
+// Ray and AABB by the slab method (Williams et al. 2005): the ray is in the box from the last entry into a slab to the
+// first exit.
 #pragma once
 
 #include "foundation/float4.h"
@@ -13,12 +13,12 @@ class EnteredAxis {
 public:
     using Mask = decltype(N() < N());
 
-    /// Axis k, after those before it, where it is entered later than these.
+    /// Select axis k in the lanes where its slab is entered later than those of the axes before.
     GPHYS_INLINE void take(int k, const Mask& later) {
         if (k == 1) y_ = later;
         if (k == 2) z_ = later;
     }
-    /// The component along it, and a vector with another one.
+    /// The component along the axis, and a vector with that component replaced.
     GPHYS_INLINE N of(const Vec<N>& v) const { return select(z_, v.z, select(y_, v.y, v.x)); }
     GPHYS_INLINE Vec<N> with(const Vec<N>& v, const N& component) const {
         return {select(y_ | z_, v.x, component), select(y_ & !z_, component, v.y), select(z_, component, v.z)};
@@ -27,7 +27,7 @@ public:
 private:
     Mask y_{}, z_{};
 };
-/// Of a single ray it has an index: masks take 6 % more of a ray and a box.
+/// For a single ray, an index: with masks the test takes 6 % longer.
 template <>
 class EnteredAxis<double> {
 public:
@@ -51,22 +51,22 @@ struct EnteredFace {
     N t, coordinate, direction;  // of the ray along the axis
     EnteredAxis<N> axis;
 
-    /// Where that is: exactly on the face, and within it.
+    /// The point of entry: exactly on the face and clamped to it.
     GPHYS_INLINE Vec<N> point(const Vec<N>& low, const Vec<N>& high, const Vec<N>& origin, const Vec<N>& ray) const {
         return axis.with(max(low, min(high, origin + ray * t)), coordinate);
     }
     GPHYS_INLINE Vec<N> normal() const { return axis.with({}, -with_sign(1.0, direction)); }
 };
 
-/// Entries and exits from rounded products with the reciprocal of the direction: each is within three roundings,
-/// and a fourth of the direction. They decide where the last entry is clearly before or after the first exit, and
-/// after the entry on any other axis. Only t itself is divided for.
+/// Entries and exits by products with the reciprocal of the direction, each with at most four roundings. They decide
+/// if the last entry is clearly before or after the first exit, and clearly after the other entries. Only t itself
+/// needs a division.
 template <class N>
 struct BoxEntry {
     using Mask = decltype(N() < N());
 
-    Mask open;  // too close to call, or across an axis
-    Mask no;    // certain where it is not open; so are the others
+    Mask open;  // not decided: too close, or a direction component of 0
+    Mask no;    // misses; like inside, valid where open is not set
     Mask inside;
     EnteredAxis<N> axis;
 
@@ -105,9 +105,8 @@ struct BoxEntry {
     }
 };
 
-/// A ray and a box about the origin in rounded numbers, for conservative tests. Times are left as fractions, a
-/// distance over the speed along the axis, so that nothing is divided. Margins make distances and speeds such that
-/// the ray certainly misses, or certainly meets.
+/// A conservative test of a ray and a box centred at the origin. Times stay fractions, distance over speed along the
+/// axis, so there is no division. Margins on distances and speeds make a miss, or a hit, certain.
 ///
 /// Vector: Float4, with the axes in a register, or a Vec.
 template <class Vector>
@@ -115,8 +114,8 @@ class RayAndBox {
 public:
     using Number = decltype(sum(Vector()));
 
-    /// Coordinates of `from`, where the ray begins, and of `half` are within `margin`, those of the direction within
-    /// `speed_margin`. The ray ends at `end` times its direction.
+    /// `margin` bounds the error of the coordinates of `from`, the origin of the ray, and of `half`; `speed_margin`
+    /// that of the direction. The ray ends at t = `end`.
     GPHYS_INLINE RayAndBox(const Vector& from, const Vector& half, const Number& margin, const Vector& direction,
                            const Number& speed_margin, const Number& end)
         : twice_margin_(margin + margin), end_(end) {

@@ -1,5 +1,5 @@
-// Where a ray first meets a sphere or a capsule, without a false answer: what rounding could decide is
-// asked again in exact arithmetic (exact.h).
+// raycast against spheres and capsules, without false results: a quadratic with error bounds (raycast_sphere.h), and
+// exact arithmetic (exact.h) where the bounds do not decide.
 #include "foundation/exact.h"
 #include "geometry/capsule_axis.h"
 #include "geometry/intersect.h"
@@ -9,7 +9,7 @@ namespace gphys {
 namespace {
 
 constexpr double unit = 0x1p-53;
-/// At least the length of a vector, and no more than sqrt(3) times that.
+/// An upper bound of the length of a vector, at most sqrt(3) times it.
 double reach(Vec3 v) { return sum(abs(v)); }
 
 struct SphereCrossing {
@@ -26,8 +26,8 @@ struct SphereCrossing {
     }
 };
 
-/// Of the infinite cylinder around the axis of a capsule. The common normal n of ray and axis tells
-/// how far apart the two lines are: dot(from, n) / |n|.
+/// The quadratic of the infinite cylinder around the axis of a capsule. The distance of the two lines is
+/// dot(from, n) / |n|, n being the common normal of ray and axis.
 struct SideCrossing {
     const Capsule& capsule;
     const Ray& ray;
@@ -56,8 +56,8 @@ struct SideCrossing {
     }
 };
 
-/// Whether the crossing at t comes before the ray ends. Too close to call, the ray has entered if its
-/// end is within the surface, or past the middle of the two crossings.
+/// Whether the crossing at t is before the end of the ray. If that is too close for double: the ray has entered if its
+/// end is inside the surface, or past the midpoint of the two crossings.
 template <class Crossing>
 bool in_time(const Crossing& crossing, double t_max, double& t) {
     if (std::fabs(t - t_max) > 0x1p-27 * t) return t <= t_max;
@@ -73,18 +73,18 @@ bool in_time(const Crossing& crossing, double t_max, double& t) {
                        }) >= 0;
 }
 
-/// When a ray from outside enters; false also if it starts inside. t is the root that adds numbers of
-/// one sign (Haines, Guenther, Akenine-Moeller 2019).
+/// The entry of a ray that starts outside; false if it starts inside. t is the root whose formula adds numbers of one
+/// sign (Haines, Guenther, Akenine-Moeller 2019).
 template <class Crossing>
 bool enters(const Crossing& crossing, double t_max, double& t) {
-    const Quadratic<double> quick = crossing(0.0);
-    const QuadraticError<double> error = crossing.error_of(quick);
-    if (quick.discriminant < -error.discriminant) return false;
-    if (quick.b < -error.b || quick.c < -error.c) return false;  // not approaching; inside
-    double b = quick.b, c = quick.c, stretch = std::sqrt(quick.stretch);
-    double root = std::sqrt(std::max(quick.discriminant, 0.0));
+    const Quadratic<double> rounded = crossing(0.0);
+    const QuadraticError<double> error = crossing.error_of(rounded);
+    if (rounded.discriminant < -error.discriminant) return false;
+    if (rounded.b < -error.b || rounded.c < -error.c) return false;  // not approaching; inside
+    double b = rounded.b, c = rounded.c, stretch = std::sqrt(rounded.stretch);
+    double root = std::sqrt(std::max(rounded.discriminant, 0.0));
     const double way = b + stretch * root;
-    if (is_accurate(quick, error, stretch, root, way)) {
+    if (is_accurate(rounded, error, stretch, root, way)) {
         t = c / way;
         return in_time(crossing, t_max, t);
     }
@@ -102,7 +102,7 @@ bool enters(const Sphere& sphere, const Ray& ray, double& t) {
     return enters(SphereCrossing{sphere, ray}, ray.t_max, t);
 }
 
-/// The values of a vector's components, as of value_of: vector(number).
+/// value_of for each component of vector(number).
 template <class Vector>
 Vec3 values_of(const Vector& vector) {
     return {value_of([&](auto number) { return vector(number).x; }),
@@ -110,16 +110,16 @@ Vec3 values_of(const Vector& vector) {
             value_of([&](auto number) { return vector(number).z; })};
 }
 
-/// Half of the time that a ray needs from side to side, times a.
+/// Half of the interval between the two crossings, times a.
 template <class Crossing>
 double root_of(const Crossing& crossing) {
     return std::sqrt(value_of([&](auto number) { return crossing(number).discriminant; })) *
            std::sqrt(crossing(0.0).stretch);
 }
 
-// From the axis to where the ray enters: the sum of what leads from the axis to the ray's line, perpendicular to it,
-// and of the way back along the line to the surface. Neither cancels, however small the radius is, and the second is
-// against the direction. Where the ray's point at t is accurate, that is quicker.
+// The vector from the axis to the point of entry: the perpendicular from the axis to the line of the ray, plus the way
+// back along the line to the surface. Neither cancels for any radius, and the second opposes the direction. Where the
+// point at t is accurate enough, that is used, which is faster.
 
 Vec3 out_of_ball(const Sphere& sphere, const Ray& ray) {
     const Vec3 moment = values_of([&](auto number) {
@@ -158,8 +158,8 @@ bool ball_hit(const Sphere& sphere, const Ray& ray, double t, Hit& hit) {
     return hit_with(normal, sphere.center + normal * sphere.radius, t, hit);
 }
 
-/// The hit at t on the side of a capsule, whose axis is nearest there at a + along (b - a). `size`: of the axis
-/// and of where the ray comes from, counted from a.
+/// The hit at t on the side of a capsule, next to the point a + along (b - a) of the axis. `size` is the largest
+/// coordinate of the axis and of the ray's origin relative to a.
 bool side_hit(const Capsule& capsule, double along, double size, const Ray& ray, double t, Hit& hit) {
     const Vec3 axis_point = capsule.a + (capsule.b - capsule.a) * along;
     if (capsule.radius == 0) return hit_with(-normalized(ray.direction), axis_point, t, hit);
@@ -171,11 +171,11 @@ bool side_hit(const Capsule& capsule, double along, double size, const Ray& ray,
     return hit_with(normal, axis_point + normal * capsule.radius, t, hit);
 }
 
-/// Where the axis of a capsule is nearest to a point.
-enum class Place { beside, beyond, open };  // between its ends, at one of them, too close to call
+/// Which part of the axis of a capsule is nearest to a point.
+enum class Place { beside, beyond, open };  // between its ends, an end, not decided
 
-/// The point of the ray at t, from products that lose nothing to cancellation: t may be far smaller than what
-/// rounding leaves of coordinates.
+/// The same for the point of the ray at t, with accurate products: t may be far smaller than the rounding errors of
+/// coordinates.
 Place place_on_axis(const Capsule& capsule, const Ray& ray, double t) {
     const auto along_axis = [&](auto vector) {  // vector(number): what to multiply with the axis
         return value_of([&](auto number) {
@@ -195,7 +195,7 @@ Place place_on_axis(const Capsule& capsule, const Ray& ray, double t) {
     return from_a + way > error_a && from_b + way < -error_b ? Place::beside : Place::open;
 }
 
-/// Whether the axis is nearest to the ray's line between its ends, exactly. They are not parallel.
+/// Whether the point of the axis nearest to the line of the ray is between its ends, exactly. They are not parallel.
 bool is_nearest_between_ends(const Capsule& capsule, const Ray& ray) {
     const auto beyond = [&](Vec3 end, Vec3 other) {
         return sign_of([&](auto number) {
@@ -215,10 +215,9 @@ bool raycast(const Sphere& sphere, const Ray& ray, Hit& hit) {
     return ray.direction != Vec3{} && enters(sphere, ray, t) && ball_hit(sphere, ray, t, hit);
 }
 
-/// Outside of a convex solid a ray enters once: if that is on the side, no end comes earlier. At the
-/// circle where side and end join, t is the same for both but for the square of a rounding; there the
-/// ray meets the capsule if it meets the ball of an end or, on the side, is nearest to the axis between
-/// its ends.
+/// A ray enters a convex solid once, so a hit on the side is the first. At the circle where the side meets an end cap,
+/// t is the same for both up to the square of a rounding; there the ray hits if it hits the sphere of the end or, on
+/// the side, its nearest point of the axis is between the ends.
 bool raycast(const Capsule& capsule, const Ray& ray, Hit& hit) {
     if (contains(capsule, ray.origin, 0)) return started_inside(ray, hit);
     if (ray.direction == Vec3{}) return false;

@@ -1,22 +1,22 @@
-// Where a ray meets a sphere. `from` is the origin of the ray as seen from the centre.
+// Ray and sphere, over any type of number. `from` is the origin of the ray relative to the centre.
 #pragma once
 
 #include "foundation/vec.h"
 
 namespace gphys {
 
-/// The times at which a line crosses a round surface solve a t^2 - 2 b t + c = 0; c > 0 outside. The
-/// discriminant b^2 - a c is `stretch` times a number that comes from cross products, which lose
-/// little however far the origin is, while b^2 and a c would cancel (Lagrange's identity).
+/// The crossings of a line and a round surface solve a t^2 - 2 b t + c = 0; c > 0 outside. The discriminant b^2 - a c
+/// is `stretch` times a number computed from cross products (Lagrange's identity), which stays accurate far from the
+/// origin, where b^2 and a c would cancel.
 template <class N>
 struct Quadratic {
     N a, b, c, discriminant, stretch;
 };
 
-/// How far the numbers of a Quadratic of doubles are off at most. With u = 2^-53, a component of a cross
-/// product of vectors p and q that carry e and f roundings is off by at most (2 + e + f) u |p| |q|, the
-/// whole vector by sqrt(3) of that; a dot product by (3 + e + f) u |p| |q|. Terms in u^2 are paid for
-/// by rounding the factors up. The direction of a ray carries one rounding if it has a rest.
+/// Error bounds of a Quadratic of doubles. With u = 2^-53, a component of the cross product of vectors p and q that
+/// have e and f roundings has an error of at most (2 + e + f) u |p| |q|, the vector sqrt(3) times that; a dot product
+/// (3 + e + f) u |p| |q|. The factors are rounded up to cover the terms in u^2. The direction of a ray has one
+/// rounding if its rest is not zero.
 template <class N>
 struct QuadraticError {
     N b, c, discriminant;
@@ -41,9 +41,9 @@ GPHYS_INLINE QuadraticError<N> sphere_error(const Vec<N>& from, const Vec<N>& di
             (2 * moment + e) * e + 4 * unit * moment * moment + 9 * unit * rr * q.a};
 }
 
-/// The first root is c / way with way = b + sqrt(stretch) root, which adds numbers of one sign (Haines, Guenther,
-/// Akenine-Moeller 2019). Whether it is within 2^-28 of itself, 1/16 of what rounding it to a float costs: the error
-/// of the root is error / (2 root).
+/// The first root is c / way with way = b + sqrt(stretch) root, a sum of numbers of one sign (Haines, Guenther,
+/// Akenine-Moeller 2019). Whether its relative error is at most 2^-28, 1/16 of that of rounding to float: the error of
+/// the root is error / (2 root).
 template <class N>
 GPHYS_INLINE auto is_accurate(const Quadratic<N>& q, const QuadraticError<N>& error, const N& stretch_root,
                               const N& root, const N& way) {
@@ -51,12 +51,12 @@ GPHYS_INLINE auto is_accurate(const Quadratic<N>& q, const QuadraticError<N>& er
            (stretch_root * error.discriminant <= 0x1p-29 * root * way);
 }
 
-/// The point of a ray that ends at `end` which is closest to the centre, seen from there; for conservative tests.
-/// Little is lost far away. `squared` is that of the direction, or any number above 0 if this is 0.
+/// The point of a ray that ends at `end` which is closest to the centre, relative to the centre; for conservative
+/// tests. `squared` is the squared length of the direction, or any number above 0 if that is 0.
 ///
-/// Let u be the unit of rounding, and s the sum of the coordinates of `from`. With a direction of largest component
-/// 1, the way to the closest point is off by 10 u s and three times what these coordinates are off by; the point
-/// itself on each axis by that, by 5 u s, and once more by the coordinates.
+/// Let u be the unit of rounding, s the sum of the coordinates of `from`, e their error. With a direction whose
+/// largest component is 1, the error of the way to the closest point is 10 u s + 3 e, that of the point on each axis
+/// is 15 u s + 4 e.
 template <class N>
 GPHYS_INLINE Vec<N> closest_on_ray(const Vec<N>& from, const Vec<N>& direction, const N& squared, const N& end) {
     const N zero{};

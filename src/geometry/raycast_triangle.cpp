@@ -1,17 +1,15 @@
-// Where a ray meets a triangle, without a false answer: no ray slips between triangles that share
-// an edge or a corner, and none is said to hit what it just misses.
+// raycast against triangles, watertight and without false hits: no ray passes between triangles that share an edge or a
+// corner, and none hits a triangle that it just misses.
 //
-// Seen along the ray, the triangle lies in a plane and the ray is the point 0. The ray passes
-// through if 0 is not on different sides of two edges. The sides are the signs of three numbers,
-// one for the edge opposite to each corner: the volumes that the edges span with the ray.
+// In the projection along the ray, the ray is the point 0. It passes through the triangle if 0 is not on different
+// sides of two edges. The sides are the signs of three scalar triple products (volumes), one for each edge and the ray.
 //
-// Woop's shear (Woop, Benthin, Wald 2013) computes them in double. If they exceed the bound of
-// their rounding errors, the signs are right; otherwise exact arithmetic finds them (exact.h).
-// Being those of the true volumes, the signs fit together: triangles that share an edge see it
-// with opposite signs, and around a corner no direction is left out.
+// Woop's shear (Woop, Benthin, Wald 2013) computes them in double. If they exceed their error bound, the signs are
+// right; else exact arithmetic finds them (exact.h). Exact signs are consistent: triangles that share an edge see
+// opposite signs, and the triangles around a corner leave no gap.
 //
-// A ray in the triangle's plane sees it as a segment: all volumes are 0, and the ray meets the
-// edges, within the plane, one by one. So does each ray that meets a degenerate triangle.
+// For a ray in the triangle's plane all volumes are 0; it is intersected with the edges within the plane. The same
+// code handles degenerate triangles.
 #include "foundation/exact.h"
 #include "geometry/intersect.h"
 #include "geometry/shear.h"
@@ -21,8 +19,8 @@ namespace {
 
 int sign(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Whether t = numerator / denominator <= t_max. `excess` is numerator - t_max * denominator as a
-/// polynomial, asked when t is too close to call: its error is below 2^-40.
+/// Whether t = numerator / denominator <= t_max; the relative error of t is below 2^-40. `excess` is
+/// numerator - t_max * denominator as a polynomial, evaluated exactly if t is too close to t_max.
 template <class Excess>
 bool in_time(double t, double t_max, double denominator, const Excess& excess) {
     if (std::fabs(t - t_max) > 0x1p-40 * std::fabs(t)) return t <= t_max;
@@ -42,11 +40,11 @@ bool crossed_by_point(const Triangle& triangle, const ShearedRay& ray, TriangleC
 struct Corner {
     Vec3 position;
     double u, v;
-    double side;  // of the ray's line on which it lies, within the plane
+    double side;  // side of the ray's line within the plane
 };
 
-/// Where the ray's line meets the outline of the triangle.
-struct Meeting {
+/// A crossing of the ray's line and the outline of the triangle.
+struct LineCrossing {
     double t, u, v;
     bool in_time;
 };
@@ -59,7 +57,7 @@ N turn(const Vec<N>& a, const Vec<N>& b, int axis) {
     return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
 }
 
-Meeting meeting_at(const Corner& corner, const ShearedRay& ray) {
+LineCrossing crossing_at(const Corner& corner, const ShearedRay& ray) {
     const double from = ray.origin[ray.kz], direction = ray.direction[ray.kz], to = corner.position[ray.kz];
     const double t = (to - from) / direction;
     const bool by_the_end = in_time(t, ray.t_max, direction, [&](auto number) {
@@ -70,7 +68,7 @@ Meeting meeting_at(const Corner& corner, const ShearedRay& ray) {
 }
 
 /// With p and q relative to the ray's origin: cross(p + s (q - p), q - p) = t cross(direction, q - p).
-Meeting meeting_between(const Corner& from, const Corner& to, const ShearedRay& ray, int axis) {
+LineCrossing crossing_between(const Corner& from, const Corner& to, const ShearedRay& ray, int axis) {
     const auto numerator = [&](auto number) {
         using V = Vec<decltype(number)>;
         return turn(V::difference(from.position, ray.origin), V::difference(to.position, ray.origin), axis);
@@ -89,7 +87,7 @@ Meeting meeting_between(const Corner& from, const Corner& to, const ShearedRay& 
 
 bool crosses_in_plane(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& crossing) {
     Corner corners[3] = {{triangle.a, 0, 0, 0}, {triangle.b, 1, 0, 0}, {triangle.c, 0, 1, 0}};
-    // All of the plane turns about one direction; an axis serves if it sees any of that turning.
+    // All cross products in the plane are parallel; any axis with a non-zero component will do.
     int axis = 0;
     for (; axis < 3; ++axis) {
         bool turns = false;
@@ -103,24 +101,24 @@ bool crosses_in_plane(const Triangle& triangle, const ShearedRay& ray, TriangleC
         if (turns) break;
     }
 
-    Meeting first{infinity, 0, 0, false}, last{-infinity, 0, 0, false};
+    LineCrossing first{infinity, 0, 0, false}, last{-infinity, 0, 0, false};
     bool any_in_time = false;
-    const auto include = [&](const Meeting& meeting) {
-        if (meeting.t < first.t) first = meeting;
-        if (meeting.t > last.t) last = meeting;
-        any_in_time = any_in_time || meeting.in_time;
+    const auto include = [&](const LineCrossing& c) {
+        if (c.t < first.t) first = c;
+        if (c.t > last.t) last = c;
+        any_in_time = any_in_time || c.in_time;
     };
     for (int i = 0; i < 3; ++i) {
         const Corner &here = corners[i], &next = corners[(i + 1) % 3];
-        if (here.side == 0) include(meeting_at(here, ray));
-        if (sign(here.side) * sign(next.side) < 0) include(meeting_between(here, next, ray, axis));
+        if (here.side == 0) include(crossing_at(here, ray));
+        if (sign(here.side) * sign(next.side) < 0) include(crossing_between(here, next, ray, axis));
     }
     if (last.t < 0 || !any_in_time) return false;
     if (first.t > 0) {
         crossing = {std::min(first.t, ray.t_max), first.u, first.v, 0};
         return true;
     }
-    // The origin is between the two.
+    // The origin of the ray is between the two crossings.
     const double weight = first.t < last.t ? first.t / (first.t - last.t) : 0;
     crossing = {0, first.u + weight * (last.u - first.u), first.v + weight * (last.v - first.v), 0};
     return true;
@@ -137,8 +135,8 @@ auto volume(const ShearedRay& ray, Vec3 p, Vec3 q) {
     };
 }
 
-/// The volume with its exact sign and a relative error below 2^-44. A ray through a corner or along an
-/// edge, where it is 0, mostly has coordinates alike enough for integers.
+/// The volume with its exact sign and a relative error below 2^-44. For rays through a corner or an edge, where it is
+/// 0, the coordinates mostly have a small enough range for the integer path.
 double accurate_volume(const ShearedRay& ray, Vec3 p, Vec3 q) {
     Vec3 to_p, to_q;
     double value;
@@ -246,7 +244,7 @@ bool crosses(const Triangle& triangle, const ShearedRay& ray, TriangleCrossing& 
         return dot(normal, V::difference(triangle.a, ray.origin)) -
                N(ray.t_max) * dot(normal, V::two_terms(ray.direction, ray.rest));
     });
-    // In time, exactly: only rounding can put it beyond.
+    // The test against t_max was exact; only rounding can put t beyond it.
     crossing = {std::min(t, ray.t_max), u, v, facing};
     return by_the_end;
 }
@@ -260,7 +258,7 @@ Hit hit_at(const Triangle& triangle, const ShearedRay& ray, const TriangleCrossi
     } else if (ray.direction != Vec3{}) {
         hit.normal = -normalized(ray.direction);
     }
-    // Exact zeros have the sign that the arithmetic of the platform gives them; these have none.
+    // Adding 0 turns -0 into 0: the sign of a zero depends on the order of operations.
     hit.u = std::clamp(crossing.u, 0.0, 1.0) + 0.0;
     hit.v = std::clamp(crossing.v, 0.0, 1.0 - hit.u) + 0.0;
     hit.point = ray.direction != Vec3{}

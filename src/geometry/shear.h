@@ -1,5 +1,5 @@
-// What ShearedRay (intersect.h) consists of: one formula for one ray, with Number = double, and for eight
-// side by side, with the Double8 of a set of instructions.
+// The constants of ShearedRay (intersect.h), for one ray with Number = double, or for eight with the Double8 of a
+// kernel.
 #pragma once
 
 #include "foundation/compiler.h"
@@ -17,8 +17,8 @@ public:
         sy = select(moves, y(direction) / along, 0);
     }
 
-    // On the ray's axes: z is the one along which the direction is longest; x and y change places if it
-    // goes down, which keeps the sense of rotation.
+    // z is the axis of the largest component of the direction. x and y are swapped if that is negative, which keeps
+    // the winding order.
     template <class Value>
     GPHYS_INLINE Number x(const Value (&v)[3]) const {
         return select(flips_, longest_.after_next(v), longest_.next(v));

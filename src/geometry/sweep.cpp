@@ -1,9 +1,8 @@
-// Where a moving sphere first touches a shape: where its centre, a point, enters the shape grown by
-// its radius (the Minkowski sum with a ball).
+// sweep of a sphere: a raycast of its centre against the shape offset by the radius (the Minkowski sum with a ball).
 //
-// A grown sphere or capsule is one again, and a grown plane is two planes. A grown triangle is made
-// of a prism and a capsule around each edge. A grown box is taken in stretches between which the
-// nearest face, edge or corner changes. A frustum, which may be infinite, is approached step by step.
+// An offset sphere or capsule is one again; an offset plane is two planes; an offset triangle is a prism and a capsule
+// around each edge. For a box, the path is split where the nearest feature changes. A frustum, which may be infinite,
+// is approached by Newton's method.
 #include "foundation/exact.h"
 #include "geometry/capsule_axis.h"
 #include "geometry/intersect.h"
@@ -22,8 +21,8 @@ bool contact(double t, Vec3 point, Vec3 normal, uint32_t flags, Hit& hit) {
     return true;
 }
 
-/// Contact before any motion. The normal leads from the nearest point of the shape to the centre;
-/// from within a solid none does, and it is against the motion.
+/// Contact at t = 0. The normal points from the nearest point of the shape to the centre. If the centre is inside a
+/// solid, it opposes the motion.
 bool contact_at_start(const Sphere& moving, Vec3 displacement, Vec3 nearest, Hit& hit) {
     const Vec3 out = moving.center != nearest ? moving.center - nearest : -displacement;
     return contact(0, nearest, out == Vec3{} ? Vec3{} : normalized(out), GPHYS_HIT_INSIDE, hit);
@@ -35,7 +34,7 @@ bool touches_at_start(const Shape& shape, const Sphere& moving, Vec3 displacemen
            contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
 }
 
-/// That of a contact at the start, where the nearest point of a long capsule is too coarse to lead from.
+/// The normal of a contact at the start, for a capsule so long that its nearest point is not accurate enough.
 void mend_normal(const Capsule& capsule, const Sphere& moving, Hit& hit) {
     const double size = max_component(abs(capsule.a) + abs(moving.center - capsule.a) + abs(capsule.b - capsule.a));
     if (!is_coarse(size, capsule.radius + moving.radius) || contains(capsule, moving.center, 0)) return;
@@ -50,10 +49,10 @@ void mend_normal(const Capsule& capsule, const Sphere& moving, Hit& hit) {
     if (out != Vec3{}) hit.normal = normalized(out);
 }
 
-/// The hit of the path with the grown shape becomes one of the sphere with the shape.
+/// Convert a hit on the offset shape to a contact of the sphere and the shape.
 template <class Shape>
 bool contact_on(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit) {
-    // The start was out of reach, but only just: the two questions round differently.
+    // The sphere starts just outside: the two tests round differently.
     if (hit.t == 0) {
         return contact_at_start(moving, displacement, closest_point(shape, moving.center), hit);
     }
@@ -80,9 +79,8 @@ bool sweep(const Capsule& capsule, const Sphere& moving, Vec3 displacement, Hit&
     return meets;
 }
 
-/// The squared distance from the centre to the box is the sum of the squares by which it is outside
-/// on each axis. Between two times at which the centre crosses the plane of a face, the axes that
-/// it is outside of stay the same, and in these axes alone the box is a point.
+/// The squared distance of the centre from the box is the sum of squares over the axes on which it is outside. Between
+/// two crossings of face planes that set of axes is constant, and in these axes alone the box is a point.
 bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(box, path(moving, displacement), hit);
     if (touches_at_start(box, moving, displacement, hit)) return true;
@@ -110,7 +108,7 @@ bool sweep(const Aabb& box, const Sphere& moving, Vec3 displacement, Hit& hit) {
             outside.direction[axis] = displacement[axis];
         }
         if (!raycast(Sphere{{}, moving.radius}, outside, hit)) continue;
-        // Contact at the very start of a stretch: rounding missed it at the end of the one before.
+        // Contact at the start of an interval: rounding missed it at the end of the previous one.
         if (hit.flags & GPHYS_HIT_INSIDE && outside.origin != Vec3{}) hit.normal = normalized(outside.origin);
         hit.t = std::min(start + hit.t, 1.0);
         return contact_on(box, moving, displacement, hit);
@@ -145,8 +143,7 @@ bool sweep(const Plane& plane, const Sphere& moving, Vec3 displacement, Hit& hit
     return contact(t, closest_point(plane, center), normal, flags, hit);
 }
 
-/// Touching the inside of the face comes first if it comes at all: no point of the capsules around
-/// the edges is further from the plane.
+/// A contact with the face is the first: no point of the capsules around the edges is further from the plane.
 bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hit& hit) {
     const Ray center_path = path(moving, displacement);
     if (moving.radius == 0) return raycast(triangle, center_path, hit);
@@ -163,10 +160,10 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
         contact_at_start(moving, on_face ? -up : displacement, nearest, hit);
     } else {
         Hit first;
-        // From the centre, for far from the origin the foot would be rounded by more than the band.
+        // Relative to the centre: far from the origin the rounding of the foot would exceed the tolerance.
         const Triangle around{a - moving.center, b - moving.center, c - moving.center};
         if (std::fabs(height) > moving.radius && raycast(around, {up * -moving.radius, displacement, 1}, first)) {
-            // At a distance of mere rounding the side may be taken for the other.
+            // At a distance of rounding errors the side is not certain.
             first.normal = dot(up, displacement) <= 0 ? up : -up;
         } else {
             for (const Capsule& edge :
@@ -186,14 +183,14 @@ bool sweep(const Triangle& triangle, const Sphere& moving, Vec3 displacement, Hi
 
 namespace {
 
-/// Whether a moving sphere stays outside of one plane all the way.
+/// Whether a moving sphere stays outside of one plane.
 bool passes_outside(const Frustum& frustum, const Sphere& moving, Vec3 displacement) {
     const Vec3 from = moving.center - frustum.origin, reach = abs(from) + abs(displacement);
     for (const Plane& plane : frustum.planes) {
         const double start = dot(plane.normal, from) - plane.distance;
         const double end = start + dot(plane.normal, displacement);
         const double radius = moving.radius * length(plane.normal);
-        // Both are off by less than eight roundings of 2^-53 of what they are summed from.
+        // Both have less than eight roundings of 2^-53 of their summands.
         const double margin = radius + 0x1p-48 * (dot(abs(plane.normal), reach) + std::fabs(plane.distance) + radius);
         if (std::max(start, end) < -margin) return true;
     }
@@ -212,19 +209,19 @@ bool approach_frustum(const Frustum& frustum, const Sphere& moving, Vec3 displac
     }
     double t = 0;
     Vec3 normal;
-    // Converges quadratically, but where the sphere just grazes the frustum the error only halves:
-    // then 60 halvings are more than a double can tell.
+    // Quadratic convergence; linear, halving the error, where the sphere grazes the frustum: 60 steps exhaust a
+    // double.
     for (int step = 0; step < 60; ++step) {
         const Vec3 center = moving.center + displacement * t;
         closest_point(frustum, center, nearest);
         const Vec3 offset = center - nearest;
         normal = offset != Vec3{} ? normalized(offset) : -normalized(displacement);
         const double gap = length(offset) - moving.radius;
-        // Both points carry a few roundings of their coordinates.
+        // Both points have a few roundings of their coordinates.
         const double resolution = 0x1p-50 * (max_component(abs(center)) + max_component(abs(frustum.origin)));
         const double approach = -dot(normal, displacement);
         if (gap <= resolution) {
-            // Touching as far as rounding tells, and on its way out.
+            // Touching within rounding, and moving away.
             if (t == 0 && approach <= 0) return contact_at_start(moving, displacement, nearest, hit);
             break;
         }
@@ -236,7 +233,7 @@ bool approach_frustum(const Frustum& frustum, const Sphere& moving, Vec3 displac
 
 }  // namespace
 
-/// Relative to the sphere, so that nothing is lost far from the origin.
+/// Relative to the sphere, so that no digits are lost far from the origin.
 bool sweep(const Frustum& frustum, const Sphere& moving, Vec3 displacement, Hit& hit) {
     if (moving.radius == 0) return raycast(frustum, path(moving, displacement), hit);
     Frustum around = frustum;
@@ -252,11 +249,11 @@ bool sweep(const Shape& shape, const Sphere& moving, Vec3 displacement, Hit& hit
 
 namespace {
 
-/// The nearest vector to a unit normal that is not along the motion, of length 1. The normal that rounding has moved
-/// is not, so this one is no further from it.
+/// The unit vector nearest to a unit normal that does not point along the motion. The exact normal does not, so this
+/// one is at least as near to it as the rounded one.
 Vec3 against(Vec3 motion, Vec3 normal) {
     const double speed = length(motion);
-    // Sixteen roundings of 2^-53 more than needed, for the few that follow.
+    // A margin of sixteen roundings of 2^-53 for those that follow.
     const double along = dot(normal, motion) / speed + 0x1p-49;
     return along <= 0 ? normal : normalized(normal - motion * (along / speed));
 }
@@ -266,7 +263,7 @@ Vec3 against(Vec3 motion, Vec3 normal) {
 gphys_hit to_contact(const Hit& hit, Vec3 displacement, uint32_t model, uint32_t tag) {
     gphys_hit contact = to_hit(hit, model, tag);
     if ((hit.flags & GPHYS_HIT_INSIDE) || dot(widen(contact.normal), displacement) <= 0) return contact;
-    // No float is further along the motion than the double that it stands for.
+    // Round each component to the float that points less along the motion.
     const Vec3 normal = against(displacement, hit.normal);
     const auto rounded = [&](int axis) {
         const double way = displacement[axis];

@@ -1,11 +1,11 @@
-// Where a moving capsule or box first touches a shape: where the set of their differences (convex.h), which moves
-// against the motion, first takes in the origin.
+// sweep of a capsule or box: the first time at which the Minkowski difference (convex.h), which moves opposite to the
+// motion, contains the origin.
 //
-// That set is a polytope grown by a radius, and lies in a slab between each pair of parallel faces. What a line has in
-// all slabs is a stretch of it. Without a radius, and with the faces of a box among the slabs, that is the answer;
-// else the first contact is not before that stretch, and is approached from its beginning: the distance to a convex set
-// is a convex function of time whose slope is the speed along the normal, so Newton's method never goes past the first
-// contact (compare van den Bergen 2004, who bounds the distance in the same way).
+// The difference is a polytope rounded by a radius. Clipping the path by the slab between each pair of parallel faces
+// leaves an interval. Without a radius, and with the faces of a box among the slabs, its start is the result. Else the
+// contact is not before it and is approached from there (conservative advancement): the distance to a convex set is a
+// convex function of time whose slope is the speed along the normal, so Newton's method never passes the first contact
+// (compare van den Bergen 2004).
 #include <algorithm>
 
 #include "geometry/convex_pairs.h"
@@ -15,7 +15,7 @@ namespace gphys {
 
 namespace {
 
-// Parts of the size of the set: within this the shapes touch.
+// Relative to the size of the difference: shapes closer than this touch.
 constexpr double touching = 0x1p-46;
 
 class Course {
@@ -25,18 +25,18 @@ public:
           displacement_(displacement),
           resolution_(touching * (set.size() + max_component(abs(displacement)))) {}
 
-    /// False without contact. Whether the shapes overlap before any motion is the answer of overlaps_at_start(), which
-    /// is asked if it may be so: then is_at_start.
+    /// False without contact. Calls overlaps_at_start() if the shapes may overlap at t = 0; sets is_at_start if they
+    /// do.
     template <class Overlaps>
     bool find(const Overlaps& overlaps_at_start) {
         if (!set_.for_each_normal([&](Vec3 unit) { return cut(unit); })) return false;
         is_at_start_ = widest_ <= resolution_ && overlaps_at_start();
         if (is_at_start_) return true;
-        // To touch an edge is to be in two slabs at one time only, which two divisions have rounded.
+        // The interval of a contact with an edge is a single time, computed by two rounded divisions.
         if (leaves_ || begin_ > end_ + 0x1p-50) return false;
         if (!set_.has_box() || set_.radius() > 0) return approach();
         if (normal_ != Vec3{}) return true;
-        // It touches as far as rounding tells, and does not overlap.
+        // Touching within rounding, without overlap.
         normal_ = separation(set_).normal;
         return dot(normal_, displacement_) < 0;
     }
@@ -44,21 +44,21 @@ public:
     double time() const { return begin_; }
     Vec3 normal() const { return normal_; }
     bool is_at_start() const { return is_at_start_; }
-    /// Where the other core is touched.
+    /// The contact point on the other core.
     Vec3 on_other() const {
         const Separation touching_there{0, normal_, on_other_, set_.radius() > 0};
         return contact_on_other(set_.after(displacement_ * begin_), touching_there);
     }
 
 private:
-    /// Of a line, what is in a slab. False if nothing is.
+    /// Clip the interval by a slab. False if it is empty.
     bool cut(Vec3 unit) {
         double low, high;
         set_.project(unit, low, high);
         const double climb = dot(unit, displacement_);
         return cut(-high - set_.radius(), -climb, unit) && cut(low - set_.radius(), climb, -unit);
     }
-    /// gap: how far the shapes are apart along the unit vector; it shrinks by `approach` over the whole way.
+    /// gap: distance of the shapes along the unit vector; it decreases by `approach` from t = 0 to 1.
     bool cut(double gap, double approach, Vec3 unit) {
         widest_ = std::max(widest_, gap);
         if (gap > 0) {
@@ -76,14 +76,14 @@ private:
     }
 
     bool approach() {
-        // Converges quadratically, but where the shapes just graze each other the error only halves: then 60 halvings
-        // are more than a double can tell.
+        // Quadratic convergence; linear, halving the error, where the shapes graze each other: 60 steps exhaust a
+        // double.
         for (int step = 0; step < 60; ++step) {
             const Separation apart = separation_after(displacement_ * begin_);
             const double gap = apart.distance - set_.radius();
             const double approach = -dot(apart.normal, displacement_);
             on_other_ = apart.on_other;
-            // Without a radius the last normal from a distance is better than one from here.
+            // Without a radius, the normal of the last step at a distance is more accurate than one at contact.
             if (set_.radius() > 0 || gap > resolution_ || normal_ == Vec3{}) normal_ = apart.normal;
             if (gap <= resolution_) return begin_ > 0 || approach > 0;
             if (approach <= 0 || gap > approach * (1 - begin_)) return false;
@@ -92,7 +92,7 @@ private:
         return true;
     }
 
-    /// Of cores that are well apart, without a look at the faces.
+    /// The separation of cores that are clearly apart, without testing the faces.
     Separation separation_after(Vec3 displacement) const {
         const ConvexDifference then = set_.after(displacement);
         const NearestDifference near = then.nearest();
@@ -155,7 +155,7 @@ bool sweep_triangle(const Triangle& triangle, const Moving& moving, Vec3 displac
     return true;
 }
 
-/// A moving ball has formulas of its own.
+/// A moving sphere has its own formulas (sweep.cpp).
 template <class Other, class Moving>
 bool sweep_pair(const Other& other, const Moving& moving, Vec3 displacement, Hit& hit) {
     if constexpr (std::is_same_v<Moving, Sphere>) {
@@ -179,7 +179,7 @@ BoxInMotion::BoxInMotion(const Shape& moving)
 }
 
 Vec3 BoxInMotion::half_with_rounding(const Box& shapes, Vec3 displacement) const {
-    // The parts of ConvexDifference::size: how far corners of the two are apart, twice for those of triangles.
+    // The terms of ConvexDifference::size: distances between corners of the two, twice for those of triangles.
     double size = max_component(abs(displacement));
     for (int axis = 0; axis < 3; ++axis) {
         const double apart = std::max(shapes.max[axis] - middle[axis], middle[axis] - shapes.min[axis]);

@@ -62,8 +62,8 @@ struct Halfspaces::Minors {
         std::copy(set.halfspace_, set.halfspace_ + count, halfspaces);
         compute();
         if (spans || count == 0) return;
-        // All normals lie in a plane. Three directions without a half-space make them span; a
-        // proof of emptiness must give those the weight 0.
+        // All normals lie in a plane. Three added directions make them span space; a proof of emptiness must give these
+        // the weight 0.
         for (Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) halfspaces[count++] = {axis, {}, 0};
         compute();
         spans = false;
@@ -82,9 +82,9 @@ struct Halfspaces::Minors {
 
     /// Sign of the sum of weights times heights.
     int weighted_height(int i, int j, int k, int l) const {
-        const Bounded quick = value[triple(j, k, l)] * height[i] - value[triple(i, k, l)] * height[j] +
-                              value[triple(i, j, l)] * height[k] - value[triple(i, j, k)] * height[l];
-        if (quick.certain()) return quick.sign();
+        const Bounded rounded = value[triple(j, k, l)] * height[i] - value[triple(i, k, l)] * height[j] +
+                                value[triple(i, j, l)] * height[k] - value[triple(i, j, k)] * height[l];
+        if (rounded.certain()) return rounded.sign();
         const Halfspace &a = halfspaces[i], &b = halfspaces[j], &c = halfspaces[k], &d = halfspaces[l];
         using N = Exact;
         return (determinant<N>(b.normal, c.normal, d.normal) * height_over<N>(a, reference()) -
@@ -107,23 +107,23 @@ struct Halfspaces::Minors {
         }
         return weighted_height(i, j, k, l) * direction < 0;
     }
-    /// Those that bound something; directions added to span space follow them.
+    /// The half-spaces that bound something, followed by directions added to span space.
     int bounding() const { return spans ? count : count - 3; }
 
-    static constexpr int room = capacity + 3;
+    static constexpr int max_count = capacity + 3;
     int count;
     bool spans = false;
-    Halfspace halfspaces[room];
-    Bounded height[room];
-    int sign[room * (room - 1) * (room - 2) / 6];  // by triple
-    Bounded value[room * (room - 1) * (room - 2) / 6];
+    Halfspace halfspaces[max_count];
+    Bounded height[max_count];
+    int sign[max_count * (max_count - 1) * (max_count - 2) / 6];  // by triple
+    Bounded value[max_count * (max_count - 1) * (max_count - 2) / 6];
 
 private:
-    /// With the exact sign. Faces of boxes and near and far planes are opposite, which needs no sum.
+    /// With the exact sign. Opposite faces of boxes, and near and far planes, need no sum.
     static Bounded volume(Vec3 a, Vec3 b, Vec3 c) {
         if (a == -b || b == -c || c == -a) return Bounded(0);
-        const Bounded quick = determinant<Bounded>(a, b, c);
-        if (quick.certain()) return quick;
+        const Bounded rounded = determinant<Bounded>(a, b, c);
+        if (rounded.certain()) return rounded;
         const double exact = determinant<Exact>(a, b, c).value();
         return {exact, rounding * std::fabs(exact)};
     }
@@ -143,7 +143,7 @@ private:
     }
 };
 
-bool Halfspaces::every_four_meet() const {
+bool Halfspaces::every_four_intersect() const {
     const Minors minors(*this);
     for (int i = 0; i < minors.count; ++i) {
         for (int j = i + 1; j < minors.count; ++j) {
@@ -174,7 +174,7 @@ CommonPoint Halfspaces::likely_common_point() const {
         planes[i] = scaled_to_one({h.normal, h.distance + dot(h.normal, h.origin - from)});
         size = std::max(size, max_component(abs(h.origin - from)) + std::fabs(planes[i].distance));
     }
-    // A point on the border would be as likely outside by its rounding.
+    // A point on the boundary may be rounded outside.
     for (int i = 0; i < count_; ++i) planes[i].distance += 0x1p-40 * size;
     return nearest_common_point(planes, count_);
 }
@@ -186,9 +186,9 @@ bool Halfspaces::have_common_point() const {
     if (likely.outcome == CommonPoint::Outcome::none) {
         Halfspaces few;
         for (int i = 0; i < likely.plane_count; ++i) few.halfspace_[few.count_++] = halfspace_[likely.planes[i]];
-        if (!few.every_four_meet()) return false;
+        if (!few.every_four_intersect()) return false;
     }
-    return every_four_meet();
+    return every_four_intersect();
 }
 
 namespace {
@@ -222,7 +222,7 @@ class CutTriangle {
 public:
     CutTriangle(const Halfspace* halfspaces, int count, const Triangle& triangle)
         : halfspaces_(halfspaces), triangle_(triangle), count_(count + 3) {
-        for (int i = 0; i < count_; ++i) quick_[i] = halfplane<Bounded>(i);
+        for (int i = 0; i < count_; ++i) rounded_[i] = halfplane<Bounded>(i);
     }
 
     bool is_empty() const {
@@ -253,24 +253,26 @@ private:
         }
     }
     int minor_sign(int i, int j) const {
-        const Bounded quick = minor(quick_[i], quick_[j]);
-        return quick.certain() ? quick.sign() : minor(halfplane<Exact>(i), halfplane<Exact>(j)).sign();
+        const Bounded rounded = minor(rounded_[i], rounded_[j]);
+        return rounded.certain() ? rounded.sign() : minor(halfplane<Exact>(i), halfplane<Exact>(j)).sign();
     }
     int height_sign(int i, int j, int k) const {
-        const Bounded quick = weighted_height(quick_[i], quick_[j], quick_[k]);
-        if (quick.certain()) return quick.sign();
+        const Bounded rounded = weighted_height(rounded_[i], rounded_[j], rounded_[k]);
+        if (rounded.certain()) return rounded.sign();
         return weighted_height(halfplane<Exact>(i), halfplane<Exact>(j), halfplane<Exact>(k)).sign();
     }
 
     const Halfspace* halfspaces_;
     const Triangle& triangle_;
     int count_;
-    Halfplane<Bounded> quick_[12 + 3];
+    Halfplane<Bounded> rounded_[12 + 3];
 };
 
 }  // namespace
 
-bool Halfspaces::meet(const Triangle& triangle) const { return !CutTriangle(halfspace_, count_, triangle).is_empty(); }
+bool Halfspaces::intersect(const Triangle& triangle) const {
+    return !CutTriangle(halfspace_, count_, triangle).is_empty();
+}
 
 bool is_empty(const Frustum& frustum) {
     Halfspaces set;
@@ -308,8 +310,8 @@ bool bounds(const Frustum& frustum, Box& out) {
         for (int j = i + 1; j < minors.count; ++j) {
             const Plane a{minors.halfspaces[i].normal, minors.halfspaces[i].distance};
             const Plane b{minors.halfspaces[j].normal, minors.halfspaces[j].distance};
-            // The line of two planes leads to infinity if no other plane stops it. Parallel planes
-            // have no line; the others span space with one of them, so another pair finds the way.
+            // The line of two planes is unbounded if no other plane cuts it. Parallel planes have no line; with normals
+            // that span space another pair does.
             if (accurate_cross({}, a.normal, {}, b.normal) != Vec3{}) {
                 for (int way : {-1, 1}) {
                     if (all_others(minors.count, i, j, -1, [&](int l) { return way * triple_sign(i, j, l) >= 0; })) {

@@ -23,17 +23,17 @@ public:
     void add(const Aabb& box);
     void add(const Obb& box);
     void add(const Frustum& frustum);
-    /// What is on the plane or in front of it.
+    /// The half-space of a plane: the points on it and in front of it.
     void add(const Plane& plane);
 
     bool have_common_point() const;
-    bool meet(const Triangle& triangle) const;
+    bool intersect(const Triangle& triangle) const;
 
 private:
-    /// Decides the same by Helly's theorem.
-    bool every_four_meet() const;
+    /// The exact decision, by Helly's theorem.
+    bool every_four_intersect() const;
     bool contain(Vec3 point) const;
-    /// What they seem to have in common, or not; the point counts from the first one's origin.
+    /// A common point, or none, computed in double. Relative to the origin of the first half-space.
     CommonPoint likely_common_point() const;
 
     friend bool bounds(const Frustum& frustum, Box& out);

@@ -1,7 +1,6 @@
-// An LP-type problem (Matousek, Sharir, Welzl 1996): the nearest point is determined by at most three
-// half-spaces, the basis. While some half-space excludes the point, the one that excludes it most comes
-// to the basis, and the nearest point of these, at most four, lies on its plane. Each exchange moves
-// the point away from the origin, so that no basis returns.
+// An LP-type problem (Matousek, Sharir, Welzl 1996): the nearest point is determined by a basis of at most three
+// half-spaces. While a half-space excludes the point, the one that excludes it most is added, and the nearest point of
+// these, at most four, is on its plane. Each exchange moves the point away from the origin, so no basis recurs.
 #include "shapes/nearest_common_point.h"
 
 namespace gphys {
@@ -35,7 +34,7 @@ public:
     }
 
     CommonPoint run() {
-        // Most take two to five exchanges; this is far more than any but rounding asks for.
+        // Most need two to five exchanges. The limit is for cycles caused by rounding.
         for (int exchange = 0; exchange < 4 * count_; ++exchange) {
             const int worst = furthest_behind();
             if (worst < 0) return result(CommonPoint::Outcome::found);
@@ -53,7 +52,7 @@ private:
         int count = 0;
         int plane[3] = {};
     };
-    /// How far a half-space excludes a point, but for what rounding may feign: some 2^-50 of the
+    /// The distance by which a half-space excludes a point, less a tolerance for rounding: about 2^-50 of the
     /// coordinates, more where planes meet at small angles.
     double depth(int i, Vec3 point) const {
         const Plane& plane = halfspaces_[i];

@@ -1,5 +1,5 @@
-// The point of some half-spaces' intersection that is nearest to the origin, computed in double: a
-// guess that is right but for rounding, from which callers make proofs.
+// The point of an intersection of half-spaces that is nearest to the origin, computed in double. Callers verify it
+// exactly.
 #pragma once
 
 #include "shapes/shapes.h"
@@ -11,7 +11,7 @@ struct CommonPoint {
 
     Outcome outcome = Outcome::found;
     Vec3 point;
-    // Found: the planes that the point lies on. None: those that have no point in common.
+    // Found: the planes that the point lies on. None: planes without a common point.
     int plane_count = 0;
     int planes[4];
 };
