@@ -1,5 +1,5 @@
-// A range of boxes cut in two again and again until each part fits into a leaf. Eight-wide trees
-// are made from such a binary one by leaving out levels.
+// Top-down construction of a binary BVH: a range of boxes is split until each part fits into a leaf. Eight-wide BVHs
+// are made from it by collapsing levels.
 #pragma once
 
 #include "bvh/sah.h"

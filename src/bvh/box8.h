@@ -1,6 +1,6 @@
-// Eight boxes side by side, and the probes: queries prepared in float arithmetic, so that kernels can
-// test all eight at once (box8_tests.h). A probe may find a box that the exact query misses, never
-// the reverse: each rounds away from the query. The derivations are in box8.cpp.
+// Eight AABBs in structure-of-arrays layout, and probes: queries rounded conservatively to float, for kernels that test
+// all eight at once (box8_tests.h). A probe never rejects a box that the exact query overlaps. The derivations are in
+// box8.cpp.
 #pragma once
 
 #include "geometry/overlap_boxes.h"

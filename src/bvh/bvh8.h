@@ -1,5 +1,4 @@
-// A tree of boxes with eight children a node. It knows boxes and small integers ("items": slots of
-// a scene, packets of triangles) and nothing of what they stand for.
+// An eight-wide BVH over AABBs and small integers, the items: slots of a scene, or packets of triangles.
 //
 // It is a bounding volume hierarchy (BVH), built by the surface area heuristic: three binary splits a level make eight
 // children. It plays the part of the octree in the Game Physics Cookbook, and the public functions keep that name. An
@@ -36,7 +35,7 @@ public:
     // up to the largest. What throws std::bad_alloc has changed nothing; what is noexcept cannot
     // fail, it leaves out an improvement of the tree if there is no memory for it.
 
-    /// Replace everything by `count` different items.
+    /// Rebuild with `count` distinct items.
     void build(const Box* boxes, const uint32_t* items, uint32_t count);
     /// The same in the form of a layout without a defect; boxes in the order of its items.
     void build(const BvhLayout& layout, const Box* boxes);

@@ -1,7 +1,6 @@
-// New vertices for the same triangles. Packets keep their triangles, and the tree its packets: both are refitted, and
-// the tree is built again by parts where it has degraded, as that of a scene is (bvh_rebuild.cpp). Neighbours on the
-// surface stay neighbours however it bends, so packets hardly degrade; where they do, as when a surface is torn apart,
-// all triangles are cut into packets anew.
+// New vertices for the same triangles. Packets and the BVH are refitted, and parts of the BVH that have degraded are
+// rebuilt, as in a scene (bvh_rebuild.cpp). Neighbours on a surface stay neighbours when it bends, so packets hardly
+// degrade; if they do, because a surface is torn apart, all triangles are partitioned into packets again.
 #include "mesh/mesh.h"
 
 namespace gphys {

@@ -1,13 +1,13 @@
-// A triangle surface with its own tree. Immutable once made, unless it was made to be deformed, so that models, scenes
-// and threads can share one; the last to let go destroys it.
+// A triangle mesh with its own BVH. Immutable, unless it was created as deformable, so models, scenes and threads can
+// share it. Reference counted.
 //
-//   mesh.cpp       it is made, and asked
-//   deform.cpp     it takes another form
-//   mesh_snapshot.cpp   it is copied out
+//   mesh.cpp            creation and queries
+//   deform.cpp          new vertices
+//   mesh_snapshot.cpp   snapshots
 //
-// The tree's items are packets of up to eight triangles. All queries are in the mesh's own
-// coordinates and agree with asking each triangle in turn: tree and packets only leave out triangles
-// that cannot matter (box8.h, triangle_probe.h). Results that are reported as equal go to the lower index.
+// The items of the BVH are packets of up to eight triangles. Queries are in the mesh's local space and give the same
+// results as testing each triangle: tree and packets only reject triangles conservatively (box8.h, triangle_probe.h).
+// Among results that are equal as reported, the lower index wins.
 #pragma once
 
 #include <atomic>
@@ -107,8 +107,7 @@ public:
     /// Every triangle that shares a point with the shape: visit(triangle) returns whether to go on.
     template <class Visit>
     void for_each_overlap(const Shape& shape, Visit&& visit) const;
-    /// How a sphere, capsule or box gets out of each triangle that it overlaps, one at a time: visit(Penetration,
-    /// triangle).
+    /// The penetration of a sphere, capsule or box into each triangle that it overlaps: visit(Penetration, triangle).
     template <class Visit>
     void for_each_penetration(const Shape& moving, Visit&& visit) const {
         for_each_overlap(moving, [&](uint32_t index) {
@@ -135,7 +134,7 @@ private:
     /// A mesh of these vertices that is magnified, if they need one.
     const Mesh* make_magnified(const Vector<gphys_vec3>& vertices, double& magnification) const;
 
-    /// Room for many rays, of which nothing is written before it is needed.
+    /// Uninitialised storage for many rays.
     union PreparedRays {
         PreparedRays() {}
         PreparedRay of[rays_at_once];

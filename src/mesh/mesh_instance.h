@@ -1,6 +1,5 @@
-// A shared mesh where it stands in the world. Questions are carried into the mesh's own space in
-// double precision and their answers back; t needs no conversion, since the direction is carried
-// along with the origin.
+// A mesh with a world transform. Queries are transformed to the local space of the mesh in double precision and results
+// back; t does not change, because the direction is transformed with the origin.
 #pragma once
 
 #include "mesh/mesh.h"

@@ -1,5 +1,5 @@
-// Which triangles of some packets are near a point, and which are behind a plane: eight at once, in float
-// arithmetic that errs on the side of what is asked for.
+// Kernels: which triangles of packets are near a point, and which are behind a plane. Eight at a time, in conservative
+// float arithmetic.
 #pragma once
 
 #include "foundation/isa.h"

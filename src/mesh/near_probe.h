@@ -1,5 +1,5 @@
-// A ball and a half-space in a mesh's coordinates, prepared in float arithmetic, so that kernels can test the
-// triangles of a packet together (near_kernels.cpp). The derivations are there.
+// A ball and a half-space in the local space of a mesh, rounded conservatively to float for the kernels in
+// near_kernels.cpp, which has the derivations.
 #pragma once
 
 #include "bvh/box8.h"

@@ -1,6 +1,5 @@
-// Triangles are cut by expected cost like the items of the BVH above them (sah.h). The last few
-// cuts are made where they leave full packets: a packet costs the same however many triangles it
-// holds, and a mesh takes as many bytes as it has packets.
+// Partitions triangles into packets by the surface area heuristic, like the BVH above them (sah.h). The last splits are
+// placed to leave full packets: a packet costs the same time and memory with any number of triangles.
 #include "bvh/sah.h"
 #include "mesh/triangle_packet.h"
 

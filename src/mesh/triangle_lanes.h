@@ -1,6 +1,5 @@
-// Eight rays against one triangle each, side by side in doubles, for kernels: by the formulas of
-// raycast_triangle.cpp, so that answers have the bits that they have alone. What those would ask exact
-// arithmetic, or treat apart, is left open for them.
+// Eight pairs of a ray and a triangle in double, for kernels, with the formulas of raycast_triangle.cpp, so that
+// results have the same bits as from these. Cases for exact arithmetic and special cases are left to them.
 #pragma once
 
 #include "bvh/ray_setup.h"

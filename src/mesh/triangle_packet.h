@@ -1,5 +1,5 @@
-// Up to eight triangles side by side, so that a query tests them together and reads nothing else:
-// what the items of a mesh's BVH stand for.
+// A packet of up to eight triangles in structure-of-arrays layout, which a query tests together: the items of a mesh's
+// BVH.
 #pragma once
 
 #include "bvh/box8.h"

@@ -1,5 +1,5 @@
-// A ray prepared in float arithmetic, so that kernels can test the triangles of a packet together
-// (triangle_test.h). It may keep a triangle that the ray misses, never the reverse.
+// A ray rounded conservatively to float, for the kernels that test the triangles of a packet (triangle_test.h): a
+// triangle that the ray hits is never rejected.
 #pragma once
 
 #include "bvh/box8.h"

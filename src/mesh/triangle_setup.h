@@ -1,5 +1,5 @@
-// What TriangleProbe consists of, before it is rounded to floats: one formula for one ray, with Number =
-// double, and for eight side by side, with the Double8 of a set of instructions.
+// The numbers of a TriangleProbe before they are rounded to float, for one ray with Number = double, or for eight with
+// the Double8 of a kernel.
 #pragma once
 
 #include "bvh/ray_setup.h"

@@ -1,4 +1,4 @@
-// The nearest of what a query has met.
+// The nearest result of a query so far.
 #pragma once
 
 #include <limits>
@@ -8,8 +8,8 @@
 
 namespace gphys {
 
-/// The best answer so far: the smallest value as it is reported, then the lowest id, in whatever order the BVH
-/// delivers.
+/// The best result so far: the smallest value as it is reported, then the lowest id, independent of the order of
+/// traversal.
 struct BestCandidate {
     float value = std::numeric_limits<float>::infinity();
     uint32_t slot = Bvh8::none;

@@ -1,4 +1,4 @@
-// Where eight models are, for the BVH, once for each instruction set.
+// Kernels for the AABBs of eight models at a time, for the BVH.
 #pragma once
 
 #include "bvh/box8.h"

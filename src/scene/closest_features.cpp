@@ -123,7 +123,7 @@ bool ClosestFeatures::take_nearest(ClosestFeature& out) {
             if (distance < bound) bound = distance, nearest = &meshes_[i], place = at;
         }
         const uint32_t known = nearest_known();
-        // Where so many are equally near that there is no room for them, any of them is.
+        // If more are equally near than the array holds, any subset will do.
         const bool found = known_count_ > 0 && (known_[known].distance < bound || known_count_ == most_exact);
         if (!found && !nearest) return false;
         if (!found) {

@@ -1,8 +1,8 @@
-// The convex parts of models - primitives, and the triangles of meshes - around some points that lie together:
-// nearest first, and without those behind planes that the caller has found.
+// The convex parts of models (primitives, and triangles of meshes) near a group of points: nearest first, and without
+// those behind planes that the caller has found.
 //
-// Trees are asked once for all points. Triangles stay in the packets of their meshes; their distances are known in
-// float arithmetic, from below, and only of those that may be the nearest they are computed in double.
+// One traversal serves all points. Triangles stay in the packets of their meshes, with lower bounds of their distances
+// in float; the exact distance is computed only for those that may be the nearest.
 #pragma once
 
 #include "mesh/near_kernels.h"

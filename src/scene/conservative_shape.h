@@ -1,12 +1,11 @@
 // Shapes for quick tests: made from what a model stores without a division or a normalised rotation.
 //
-// A quick test is asked before an exact one. Its "no" and "yes" are certain, and what it leaves open
-// is for intersect.h to decide: the one shape that a ray meets first, and those within rounding of a
-// touch.
+// A conservative test runs before the exact one. Its "no" and "yes" are certain. What it leaves undecided goes to
+// the exact test (intersect.h): the first hit of a ray, and shapes within rounding of a touch.
 //
-// Errors. A quick test and the exact one reach each of their numbers by some dozens of roundings of
-// 2^-53 of the coordinates that went into it. `slack`, 2^-43 of the sum of these, is a thousand
-// roundings and several times what the two can be apart; within it neither yes nor no is said.
+// Errors. A number of the conservative or of the exact test has some dozens of roundings of 2^-53 of its input
+// coordinates. `slack`, 2^-43 of their sum, covers a thousand roundings, several times the largest difference of the
+// two tests; within it the answer is undecided.
 #pragma once
 
 #include "foundation/compiler.h"
@@ -18,10 +17,10 @@
 namespace gphys {
 
 enum class TriState { no, yes, open };
-/// For a question of which only a "no" is of use.
+/// For a test of which only a "no" is used.
 constexpr TriState unless_no(TriState verdict) { return verdict == TriState::no ? TriState::no : TriState::open; }
 
-/// Without a branch, for a "yes" is the toss of a coin.
+/// Without a branch, because a "yes" is unpredictable.
 constexpr TriState verdict_of(bool is_no, bool is_yes) {
     return static_cast<TriState>(is_yes | !(is_no | is_yes) << 1);
 }
@@ -68,7 +67,7 @@ struct ConservativeBox {
     Vec3 local(Vec3 point) const { return transpose_times(axes, point - center); }
 };
 
-/// Rare: not to be copied to wherever a shape is placed.
+/// Rare, so not inlined at every place where a shape is transformed.
 GPHYS_NOINLINE inline Vec3 turned_point(Vec3 point, const gphys_quat& rotation) {
     const Quat q = widen(rotation);
     return scaled_rotation_matrix(q) * point * (1 / norm_squared(q));
@@ -118,7 +117,7 @@ inline ConservativeBox conservative_shape(const gphys_obb& box, const gphys_tran
     result.unit *= norm_squared(q);
     return result;
 }
-/// The box that holds the mesh: a "no" to it is one to the mesh.
+/// The bounding box of a mesh: a miss of the box is a miss of the mesh.
 inline ConservativeBox conservative_shape(const Mesh* mesh, const gphys_transform& world) {
     const Box box = mesh->bvh().bounds();
     const Vec3 low{box.min[0], box.min[1], box.min[2]}, high{box.max[0], box.max[1], box.max[2]};
@@ -259,7 +258,7 @@ constexpr bool has_quick_shape = !std::is_same_v<Stored, gphys_capsule> && !std:
 template <class Stored>
 constexpr bool is_box = std::is_same_v<Stored, gphys_aabb> || std::is_same_v<Stored, gphys_obb>;
 
-/// Ask a quick test about a stored shape: test(quick shape) gives the TriState.
+/// Run a conservative test on a stored shape: test(conservative shape) returns the TriState.
 template <class Stored, class Test>
 TriState conservative_verdict(const Stored& shape, const gphys_transform& world, Test&& test) {
     if constexpr (!has_quick_shape<Stored>) {

@@ -1,4 +1,4 @@
-// The quick tests of a ray, of a point with a reach (a sphere, or the nearest so far) and of a box.
+// The conservative tests of a ray, of a point with a radius (a sphere, or the nearest distance so far) and of a box.
 #pragma once
 
 #include "geometry/overlap_boxes.h"
@@ -27,7 +27,7 @@ public:
     TriState operator()(const ConservativeShape& shape, double t_max) const {
         return verdict<true>(shape, t_max);
     }
-    /// The same where only a "no" is of use.
+    /// The same if only a "no" is used.
     template <class ConservativeShape>
     TriState rejects(const ConservativeShape& shape, double t_max) const {
         return verdict<false>(shape, t_max);
@@ -141,7 +141,7 @@ private:
     double magnitude_;
 };
 
-// The quick test of an overlap with a query shape: a function of a quick shape.
+// The conservative test of an overlap with a query shape: a function of a conservative shape.
 
 inline auto conservative_overlap(const Sphere& query) {
     return [point = ConservativePoint(query.center), reach = query.radius](const auto& shape) {

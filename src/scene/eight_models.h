@@ -1,4 +1,4 @@
-// How kernels are asked about eight rays and as many models.
+// The arguments and results of kernels that test eight rays against eight models.
 #pragma once
 
 #include "foundation/isa.h"
@@ -17,7 +17,7 @@ struct RaysAndModels {
     const float* other[8];  // a sphere, or the ball around a mesh; the rotation of an Obb
 };
 
-/// Of eight questions, those whose answer is certainly no, and yes; the others are open.
+/// Masks of eight tests: certainly no, and certainly yes. The others are undecided.
 struct TriStates8 {
     uint32_t no, yes;
 };

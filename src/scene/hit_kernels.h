@@ -1,8 +1,8 @@
-// Where eight rays first meet spheres and boxes, side by side, once for each wide instruction set (isa.h).
+// Kernels for eight rays against spheres and boxes, for each wide instruction set (isa.h).
 //
-// In double precision, by the formulas of the exact tests (intersect.h), so that a hit has the bits
-// that it has alone. What these would ask exact arithmetic, or treat apart, is left open for them:
-// close calls, origins within a solid, rays without direction or at right angles to an axis of a box.
+// In double precision, with the formulas of the exact tests (intersect.h), so that a hit has the same bits as from
+// these. Undecided, and left to them, are cases for exact arithmetic and special cases: values within rounding, origins
+// inside a solid, rays of zero length or perpendicular to an axis of a box.
 #pragma once
 
 #include "scene/eight_models.h"
@@ -27,11 +27,11 @@ struct HitKernels {
     TriStates8 (*spheres)(const RaysAndModels<Ray>& pairs, Hits8& hits);
     TriStates8 (*aabbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
     TriStates8 (*obbs)(const RaysAndModels<Ray>& pairs, Hits8& hits);
-    /// Rays that certainly miss the balls around meshes.
+    /// Rays that certainly miss the bounding spheres of meshes.
     uint32_t (*miss_balls)(const RaysAndModels<Ray>& pairs);
 };
 
-/// Without a wide set, quick tests in floats, and exact ones of what these leave, are faster.
+/// Null without a wide set: conservative tests in float, followed by exact ones, are faster there.
 GPHYS_DECLARE_WIDE_KERNELS(HitKernels, hit_kernels)
 
 }  // namespace gphys

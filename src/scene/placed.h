@@ -1,5 +1,4 @@
-// A public shape where a model's transform puts it, in double precision: visit gets the primitive, or
-// the instance of a mesh.
+// A public shape transformed to world space, in double precision: visit gets the primitive, or the instance of a mesh.
 #pragma once
 
 #include "foundation/float4.h"

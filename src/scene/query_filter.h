@@ -1,8 +1,8 @@
-// Which models a query sees: a mask of layers or, besides, models that it leaves out.
+// Query filters: a layer mask, and optionally models to ignore.
 //
-// The queries of scene.h are templates of the one or the other. A model is asked about in two steps: whether it may be
-// seen, which costs next to nothing, and, when a quick test of its shape has not refused it, whether it is seen. So
-// what is looked up in a list or a tree of models is looked up for the few that are about to be an answer.
+// The queries of scene.h are templates over the kind of filter. A filter is applied in two steps: a cheap test by
+// layers, and, if the conservative test of the shape has not rejected the model, the lookup in the list or tree of
+// ignored models. So the lookup runs only for the few models that may be results.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace gphys {
 
-/// Models to leave out, as the caller has them: in any order, some of them gone.
+/// The caller's ids of models to ignore, in any order; ids of removed models are allowed.
 class IgnoredIds {
 public:
     IgnoredIds() = default;
@@ -65,7 +65,7 @@ struct RayFilters {
     const QueryFilter& of(uint32_t ray) const { return first[ray * step]; }
 };
 
-/// So many rays are cast at once if each has its own: room for more of them would take too much of the stack.
+/// The number of rays of a batch if each has its own filter; more would need too much stack.
 constexpr uint32_t most_ray_filters = 16;
 
 inline uint32_t filter_of_ray(uint32_t layers, uint32_t) { return layers; }

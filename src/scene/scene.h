@@ -10,10 +10,9 @@
 //   scene_snapshot.cpp    copied out as words, and restored
 //   scene_check.cpp       is everything in agreement?
 //
-// A model's world transform is kept as float32. Everything else is derived from it: the shape in
-// the world (in double precision, when a query asks) and the model's box in the BVH (rounded
-// outward). A query walks the BVH, asks the exact shape of each candidate, and lets the BVH
-// know how near the best answer is.
+// A model's world transform is stored as float32. Everything else is derived from it: the shape in world space (in
+// double, when a query needs it) and the model's AABB in the BVH (rounded outward). A query traverses the BVH, tests
+// the exact shape of each candidate, and prunes by the best result so far.
 #pragma once
 
 #include <algorithm>
@@ -70,8 +69,8 @@ public:
     gphys_status add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                      const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
                      const gphys_model_desc& desc, gphys_model_id* out_models) {
-        return add(type, shapes, shape_stride, transforms, transform_stride, count,
-                   Strided<gphys_model_desc>(&desc, 0), out_models);
+        return add(type, shapes, shape_stride, transforms, transform_stride, count, Strided<gphys_model_desc>(&desc, 0),
+                   out_models);
     }
     gphys_status remove(const gphys_model_id* models, uint32_t count);
     gphys_status remove_subtree(gphys_model_id model);
@@ -114,7 +113,7 @@ public:
     const Bvh8& bvh() const { return bvh_; }
     const Workers& workers() const { return workers_; }
     uint32_t unbounded_count() const { return static_cast<uint32_t>(unbounded_.size()); }
-    /// What is wrong inside, or nullptr.
+    /// What is inconsistent in the scene, or nullptr.
     const char* defect() const;
 
     /// As gphys_scene_get_snapshot, gphys_scene_restore and gphys_scene_get_hash. A library may be the scene itself.
@@ -194,7 +193,7 @@ private:
         gphys_transform old_local;  // of set_transforms, should it fail
     };
 
-    /// All that a query needs of a candidate, in one cache line.
+    /// All data that a query needs of a candidate, in one cache line.
     struct alignas(64) Model {
         gphys_transform world;
         uint32_t layers;
@@ -289,8 +288,8 @@ private:
     auto with_shape(uint32_t slot, Visit&& visit) const;
     template <class Stored>
     Stored stored(uint32_t slot) const;
-    /// A question about a model that the filter may see: answered by the quick test of what is stored or, if that
-    /// leaves it open, by the exact one of the placed shape; no, if the filter does not see it.
+    /// Test a model that has passed the layer mask: the conservative test of the stored shape, then, if undecided, the
+    /// filter and the exact test of the shape in world space.
     template <class Filter, class Quick, class Exact>
     bool decide(const Filter& filter, uint32_t slot, Quick&& quick, Exact&& exact) const;
     template <class Filter>

@@ -1,4 +1,4 @@
-// Is the scene in agreement with itself? For tests, after whatever they did to it.
+// Consistency check of all data of a scene, for gphys_scene_validate and the tests.
 #include <algorithm>
 #include <cstring>
 

@@ -1,4 +1,4 @@
-// One model against one point or moving sphere: what collision response asks.
+// Closest point and sphere sweep against a single model, for the collision response of the solver.
 #include "scene/scene.h"
 
 namespace gphys {
@@ -10,7 +10,7 @@ struct Contact {
     double signed_distance;
 };
 
-/// Any direction serves where the surface offers none; this one is always the same.
+/// An arbitrary but fixed normal where the surface has none.
 constexpr Vec3 some_direction{1, 0, 0};
 
 /// A ball around `center`, which lies on the shape's axis.

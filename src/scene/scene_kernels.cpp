@@ -76,7 +76,7 @@ private:
     Worlds8(const Quads8& a, const Quads8& b) : position{a.x, a.y, a.z}, turn(a.w, b.x, b.y, b.z), scale(b.w) {}
 };
 
-/// Eight rays, seen from the centres of the shapes that they ask about.
+/// Eight rays, relative to the centres of the shapes that they are tested against.
 struct Sight8 {
     /// `center` is in its model.
     GPHYS_INLINE Sight8(const RaysAndModels<RayQuads>& pairs, const Worlds8& world, const Vec<Float8>& center) {

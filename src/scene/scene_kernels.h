@@ -1,4 +1,4 @@
-// What many rays ask of many models, and a ball of many boxes, once for each instruction set.
+// Conservative tests of many rays and models, and of a sphere and many boxes, for each instruction set.
 #pragma once
 
 #include "scene/conservative_shape.h"
@@ -6,7 +6,8 @@
 
 namespace gphys {
 
-/// One of many rays: what ConservativeRay (conservative_tests.h) knows of it, in fours so that eight are read at once.
+/// The data of ConservativeRay (conservative_tests.h), in groups of four so that eight rays are loaded by
+/// transpositions.
 struct alignas(16) RayQuads {
     float head[3], end;                   // of the origin, as those of SplitPoint; t_max, see ray_end
     float rest[3], origin_slack;          // of each coordinate

@@ -1,6 +1,5 @@
-// Questions to the scene, but for rays (scene_rays.cpp). Each walks the BVH (and the few models that
-// no BVH can hold), asks the exact shape of each candidate, and tells the BVH what is not worth
-// visiting any more.
+// Queries of the scene except raycasts (scene_rays.cpp). Each traverses the BVH, and the list of unbounded models,
+// tests the exact shape of each candidate, and returns the limit by which the traversal prunes.
 #include <cmath>
 
 #include "foundation/compiler.h"
@@ -120,7 +119,7 @@ void Scene::overlap_by(const Shape& query, const Filter& filter, Smallest<gphys_
                 return true;
             };
             for (const uint32_t slot : unbounded_) ask(slot);
-            // What is wholly inside a solid is found without a look at it.
+            // A box inside the query shape is a result without a test of the model.
             const bool inside_is_found = inside_is_enough(layers);
             const auto find = [&](uint32_t slot, bool wholly_inside) {
                 if (!wholly_inside || !inside_is_found) return ask(slot);
@@ -256,8 +255,8 @@ uint32_t Scene::cull_by(const Frustum& frustum, const Filter& filter, gphys_mode
         return total;
     };
 
-    // Thousands of ids cost more to sort than to find. Where the array has room for it behind them,
-    // a set of their slots puts them in order.
+    // Sorting thousands of ids takes longer than finding them. If the output array has space behind them, a bit set
+    // of their slots orders them.
     const uint32_t beyond = SlotSet::words_for(ids_.slots()) + SlotSet::spare;
     if (capacity > beyond) {
         SlotSet slots(out + (capacity - beyond + SlotSet::spare), ids_.slots());

@@ -1,5 +1,5 @@
-// What rays ask of the scene. Each walks the BVH, and asks the exact shape of each candidate unless a
-// quicker test is certain: of one ray that of conservative_tests.h, of many those of kernels, eight rays at a time.
+// Raycasts of the scene: a BVH traversal, and for each candidate a conservative test, then the exact one if that is
+// undecided. Single rays use conservative_tests.h, batches the kernels, which test eight rays at a time.
 #include <algorithm>
 #include <functional>
 #include <new>
@@ -24,7 +24,7 @@ bool is_met(const Primitive& shape, const Ray& ray) {
 
 }  // namespace
 
-/// Room for what is made later, of which nothing is written until then.
+/// Uninitialised storage for one T.
 template <class T>
 class Later {
 public:
@@ -43,8 +43,8 @@ private:
 /// The first hit of one ray, among candidates in any order.
 class Scene::FirstOfRay {
 public:
-    /// The ray, which must live as long, is cut short where it hits. `out` gets the first hit so far;
-    /// without any it is left alone.
+    /// The ray must outlive this; its t_max is reduced at each hit. `out` gets the first hit so far and is not written
+    /// without one.
     template <class Filter>
     FirstOfRay(const Scene& scene, Ray& ray, const Filter& filter, gphys_hit& out)
         : scene_(&scene), rest_(&ray), t_max_(ray.t_max), out_(&out) {
@@ -53,7 +53,7 @@ public:
         }
     }
 
-    // Models that are seen. Each tells whether the ray is shorter now.
+    // Tests of models that pass the filter. Each returns whether t_max was reduced.
 
     bool ask(uint32_t slot) {
         return scene_->with_shape(slot, [&](const auto& shape) { return ask(slot, shape); });
@@ -107,8 +107,8 @@ gphys_status Scene::raycast_by(const Ray& ray, const Filter& filter, gphys_hit& 
     return first.status();
 }
 
-/// Meshes that most rays of a batch come near, as the level does in which a camera is. They are asked before the walk
-/// through the BVH, for all rays at once: then rays that go together share the walk through the mesh as well.
+/// Meshes that most rays of a batch come near, such as the level around a camera. They are tested before the traversal
+/// of the scene's BVH, for all rays at once, so that coherent rays share the traversal of the mesh as well.
 class Scene::LargeMeshes {
 public:
     /// take(ray, slot, hit) gets what rays hit, of which model and tag are not filled in.
@@ -149,7 +149,7 @@ private:
         return near > 4;
     }
 
-    // Apart, so that its arrays are on the stack only while they are needed.
+    // Not inlined, so that its arrays are on the stack only during the call.
     template <class Take>
     GPHYS_NOINLINE static void cast(const MeshInstance& mesh, uint32_t slot, const Ray* rays, uint32_t count,
                                     const Take& take) {
@@ -165,7 +165,7 @@ private:
     uint32_t slots_[most_large_meshes], count_ = 0;
 };
 
-/// Up to eight rays, by their numbers, and the model that each asks about.
+/// Up to eight pairs of a ray, by its index, and the model it is tested against.
 class Scene::EightPairs {
 public:
     template <class Filters>
@@ -219,7 +219,7 @@ private:
     uint32_t of_type_[GPHYS_SHAPE_MESH + 1] = {};
 };
 
-/// The quick tests of many rays, eight at a time.
+/// The conservative tests of many rays, eight at a time.
 class Scene::ConservativeRays {
 public:
     /// The rays must live as long.
@@ -248,7 +248,7 @@ private:
     RayQuads quads_[rays_at_once];
 };
 
-/// A primitive that several rays in a row ask about, placed once for all of them.
+/// A primitive in world space, transformed once for several consecutive rays that test it.
 class Scene::SharedModel {
 public:
     explicit SharedModel(const Scene& scene) : scene_(scene) {}
@@ -344,7 +344,7 @@ void Scene::raycast_many_by(Ray* rays, uint32_t count, const Filters& filters, g
     bvh_.raycast_many(rays, count, visit, model_memory());
 }
 
-/// Whether a ray meets a plane, which no BVH holds.
+/// Whether a ray hits a plane. Planes are unbounded and not in the BVH.
 template <class Filter>
 bool Scene::meets_unbounded(const Ray& ray, const Filter& filter) const {
     const auto meets = [&](const auto& shape) { return is_met(shape, ray); };

@@ -1,4 +1,4 @@
-// How spheres, capsules and boxes move in the scene: what they touch first, and how they get out of what they overlap.
+// Sweeps and penetrations of spheres, capsules and boxes in the scene.
 #include "scene/best_candidate.h"
 #include "scene/scene.h"
 
@@ -14,7 +14,7 @@ bool sweep_shape(const Primitive& shape, const Shape& moving, Vec3 displacement,
     return sweep(Shape(shape), moving, displacement, hit);
 }
 
-/// The ways out of a model: add(Penetration, triangle).
+/// The penetrations into a model: add(Penetration, triangle).
 template <class Add>
 void each_way_out(const MeshInstance& instance, const Shape& moving, const Add& add) {
     for_each_penetration(instance, moving, add);

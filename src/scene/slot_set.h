@@ -1,5 +1,4 @@
-// A set of slots, a bit each, in memory of the caller's: how many slots are put in ascending order
-// without sorting.
+// A bit set of slots in memory of the caller. Lists many slots in ascending order without sorting.
 #pragma once
 
 #include <algorithm>
