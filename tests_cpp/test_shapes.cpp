@@ -211,7 +211,7 @@ TEST_CASE("every defect names the field") {
     REQUIRE(defect(gphys_quat{0, 0, nan, 1}));
     REQUIRE(message(gphys_transform{{0, 0, 0}, {0, 0, 0, 1}, 0}) == "value.scale 0 is not above 0 and at most 1e15");
     REQUIRE(message(gphys_transform{{0, 2e15f, 0}, {0, 0, 0, 1}, 1}) ==
-            "value.position.y 2000000054525952 is not from -1e15 to 1e15");
+            "value.position.y 1999999973982208 is not from -1e15 to 1e15");
     REQUIRE(!defect(gphys_aabb{{0, 0, 0}, {0, 0, 0}}));
     REQUIRE(message(gphys_aabb{{0, 0, 1}, {0, 0, 0}}) == "value.min.z 1 is not at most max.z");
 }
