@@ -15,10 +15,12 @@ World::World(Program& program) : p_(program) {
 
 World::~World() {
     memory_.never_fail();
+    if (p_.one_in(2)) forget_shown();  // else last
     call(gphys_scene_destroy, scene_);
     call(gphys_camera_destroy, camera_);
     call(gphys_solver_destroy, solver_);
     call(gphys_solver_destroy, twin_);
+    forget_shown();
 }
 
 void World::run() {

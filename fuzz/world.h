@@ -117,6 +117,9 @@ private:
     void follow_solver();
     void snapshot();
     void inspect_solver();
+    void show_body();
+    void check_shown();
+    void forget_shown();
     void solver_misuse();
     gphys_body_id any_body();
     uint64_t hash(const gphys_solver* solver) const;
@@ -143,6 +146,10 @@ private:
     std::vector<uint32_t> snapshot_;
     uint64_t snapshot_hash_ = 0;
     std::vector<gphys_body_id> snapshot_bodies_;
+    // A body as a model, in a scene of its own.
+    gphys_scene* gallery_ = nullptr;
+    gphys_mesh* shown_mesh_ = nullptr;
+    gphys_body_id shown_ = 0;  // 0: it is gone, or may have other parts
     int steps_ = 0;
 };
 

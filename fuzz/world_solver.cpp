@@ -2,6 +2,7 @@
 // given the same calls, but whose tasks run in reverse order, always has the same.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "world.h"
 
@@ -69,6 +70,7 @@ void World::create_solver() {
     call(gphys_solver_destroy, twin_);
     solver_ = made;
     twin_ = twin;
+    shown_ = 0;
     bodies_.clear();
     stale_bodies_.clear();
     double origin[3];
@@ -153,6 +155,7 @@ void World::remove_body() {
     if (status != GPHYS_OK) return;
     stale_bodies_.push_back(body);
     bodies_.erase(at);
+    if (body == shown_) shown_ = 0;
 }
 
 void World::set_state() {
@@ -381,6 +384,63 @@ void World::step() {
         call(gphys_solver_get_velocities, solver_, body, 0u, info.particle_count, at.data(), 12u);
         for (const gphys_vec3& each : at) FUZZ_CHECK(is_finite(each), "a step leaves particles with finite speeds");
     }
+    check_shown();
+}
+
+void World::show_body() {
+    const gphys_body_id body = any_body();
+    gphys_mesh_desc desc;
+    call(gphys_mesh_desc_init, &desc, static_cast<uint32_t>(sizeof desc));
+    p_.spoil(desc, 20);
+    desc.allocator = nullptr;
+    gphys_mesh* mesh = nullptr;
+    const gphys_status status = call(gphys_mesh_create_from_body, &desc, solver_, body, &mesh);
+    FUZZ_CHECK((mesh != nullptr) == (status == GPHYS_OK), "a mesh of a body is there if it was created");
+    if (!mesh) return;
+    forget_shown();
+    call(gphys_scene_create, nullptr, &gallery_);
+    gphys_model_id model = 0;
+    FUZZ_CHECK(call(gphys_scene_add, gallery_, GPHYS_SHAPE_MESH, mesh, nullptr, nullptr, &model) == GPHYS_OK,
+               "a body is a model");
+    shown_mesh_ = mesh;
+    shown_ = body;
+    check_shown();
+}
+
+void World::forget_shown() {
+    call(gphys_mesh_destroy, shown_mesh_);
+    call(gphys_scene_destroy, gallery_);
+    shown_mesh_ = nullptr;
+    gallery_ = nullptr;
+    shown_ = 0;
+}
+
+void World::check_shown() {
+    if (!shown_mesh_) return;
+    FUZZ_CHECK(call(gphys_scene_validate, gallery_) == GPHYS_OK, "the scene of a body is sound");
+    const gphys_ray ray{p_.point(), p_.direction(), INFINITY};
+    gphys_hit hit;
+    const gphys_status met = call(gphys_scene_raycast, gallery_, &ray, GPHYS_ALL_LAYERS, &hit);
+    int32_t any = 0;
+    if (call(gphys_scene_raycast_any, gallery_, &ray, GPHYS_ALL_LAYERS, &any) == GPHYS_OK) {
+        FUZZ_CHECK(any == (met == GPHYS_OK), "a ray that meets anything of a body meets something first");
+    }
+    if (shown_ == 0) return;
+    gphys_body_info info;
+    FUZZ_CHECK(call(gphys_solver_get_body_info, solver_, shown_, &info) == GPHYS_OK, "a body that is shown is there");
+    std::vector<gphys_vec3> at(info.particle_count), vertices(info.particle_count);
+    call(gphys_solver_get_positions, solver_, shown_, 0u, info.particle_count, at.data(), 12u);
+    uint32_t total = 0;
+    call(gphys_mesh_get_vertices, shown_mesh_, vertices.data(), info.particle_count, &total);
+    FUZZ_CHECK(total == info.particle_count && std::memcmp(at.data(), vertices.data(), 12 * size_t{total}) == 0,
+               "the mesh of a body has its positions");
+    Output<uint32_t> particle;
+    const uint32_t triangle = met == GPHYS_OK && !p_.one_in(8) ? hit.triangle : p_.byte();
+    const gphys_status found =
+        call(gphys_solver_get_nearest_particle, solver_, shown_, triangle, at.data(), &particle.value);
+    particle.after(found);
+    FUZZ_CHECK(found != GPHYS_OK || particle.value < info.particle_count, "a particle of the body is nearest");
+    FUZZ_CHECK(found == GPHYS_OK || met != GPHYS_OK || triangle != hit.triangle, "what a ray has met has a particle");
 }
 
 void World::follow_solver() {
@@ -401,6 +461,7 @@ void World::snapshot() {
         FUZZ_CHECK(status == GPHYS_OK, "a snapshot is restored");
         FUZZ_CHECK(hash(solver_) == snapshot_hash_, "a snapshot brings back the state");
         bodies_ = snapshot_bodies_;
+        shown_ = 0;
         stale_bodies_.clear();
         double origin[3];
         call(gphys_scene_get_origin, scene_, origin);
@@ -468,6 +529,7 @@ void World::inspect_solver() {
     FUZZ_CHECK(total <= bodies_.size(), "not more bodies sleep than there are");
     double origin[3];
     call(gphys_solver_get_origin, solver_, origin);
+    if (p_.one_in(2)) show_body();
 }
 
 void World::solver_misuse() {

@@ -1310,9 +1310,9 @@ GPHYS_API gphys_status gphys_scene_get_snapshot(const gphys_scene* scene, int32_
  *  Cost: O(n), some 150 ns for each model, besides embedded meshes (gphys_mesh_create_from_snapshot). Allocates. */
 GPHYS_API gphys_status gphys_scene_restore(gphys_scene* scene, const gphys_scene* library, const uint32_t* words,
                                            uint32_t count);
-/** A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that counts. Equal states
- *  have equal hashes on every machine; different ones differ with near certainty (not against an adversary). Compare
- *  it between machines that simulate the same, to see when they part. Cost: O(n), some 50 ns for each model. */
+/** A hash of the whole state but the octree, the low half first; of a mesh it is what it holds that counts. Equal
+ * states have equal hashes on every machine; different ones differ with near certainty (not against an adversary).
+ * Compare it between machines that simulate the same, to see when they part. Cost: O(n), some 50 ns for each model. */
 GPHYS_API gphys_status gphys_scene_get_hash(const gphys_scene* scene, uint32_t out_hash[2]);
 
 /* ------------------------------------------------------------------------------------------
@@ -1933,6 +1933,42 @@ GPHYS_API gphys_status gphys_solver_get_body_info(const gphys_solver* solver, gp
  *  Cost: O(triangles). */
 GPHYS_API gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_id body, uint32_t* out_indices,
                                                   uint32_t capacity, uint32_t* out_total);
+
+/** Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be met by rays,
+ *  picked, overlapped and culled as models of scenes (gphys_scene_add with GPHYS_SHAPE_MESH; without a transform the
+ *  model is where the body is) or asked by gphys_shape_* and gphys_mesh_* functions.
+ *  Vertex p is particle p. Of cloth the mesh is the surface of its triangles, in the order of
+ *  gphys_solver_get_triangles. A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from
+ *  particle t to t + 1, a capsule of the smaller of their radii, there while a constraint holds them together;
+ *  n - 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are spheres, and
+ *  `triangle` is the particle. gphys_solver_get_nearest_particle finds the particle of a hit.
+ *  The mesh has the new form when gphys_solver_step, gphys_solver_advance, gphys_solver_restore or an edit of the
+ *  body returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which there is no
+ *  memory, keep their form until they can follow.
+ *  gphys_solver_set_origin moves the coordinates of the mesh, and the models back by as much: they stay where they are
+ *  in the world, exactly if scenes have moved their origin before.
+ *  Solvers do not collide with models of such meshes, nor wake by them: bodies meet by gphys_body_desc.body_layers.
+ *  A restored body is followed if it has the id and the parts of the one that there was. Restore the solver before the
+ *  scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy that follows nothing;
+ *  gphys_scene_set_shape gives its model one that does.
+ *  Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the form that it had last and is
+ *  deformable by gphys_mesh_set_vertices, which returns GPHYS_ERROR_UNSUPPORTED before. A mesh that neither its handle
+ *  nor a model holds follows no more.
+ *  @param desc  may be NULL; the mesh is deformable whatever it says
+ *  Threads: the functions above become edits of the mesh and of each scene that has a model of it.
+ *  Cost: as gphys_mesh_create, and then that of gphys_mesh_set_vertices for a body that has moved; one that rests
+ *  is compared, O(particles).  Since 1.1. */
+GPHYS_API gphys_status gphys_mesh_create_from_body(const gphys_mesh_desc* desc, gphys_solver* solver,
+                                                   gphys_body_id body, gphys_mesh** out_mesh);
+/** The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as near.
+ *  @param triangle  as in a hit, nearest or penetration of the body's mesh: its corners are compared, of a rope the
+ *                   ends of the link, or the particle; GPHYS_NO_TRIANGLE: all particles
+ *  @param point     metres, in the solver's coordinates: that of the hit
+ *  @return GPHYS_ERROR_INVALID_ARGUMENT also if the mesh has no such triangle
+ *  Cost: O(1); O(particles) for GPHYS_NO_TRIANGLE.  Since 1.1. */
+GPHYS_API gphys_status gphys_solver_get_nearest_particle(const gphys_solver* solver, gphys_body_id body,
+                                                         uint32_t triangle, const gphys_vec3* point,
+                                                         uint32_t* out_particle);
 
 /* State of the particles first .. first + count - 1 of a body. A range that does not lie within
  * the body is GPHYS_ERROR_INVALID_ARGUMENT. Setters check all elements before they change any. */

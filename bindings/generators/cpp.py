@@ -1,4 +1,6 @@
 """C++: a header of classes over the C interface. Structs are the C ones under shorter names."""
+import re
+
 from ._calls import arguments, batch_arrays, comment
 from ._docs import Language, as_text, translated
 from ._names import ANSWERS, SHAPES, base_type, calls, camel, creations, element, other_creations
@@ -26,7 +28,8 @@ def parameter(api, p, last):
     if p["role"] == "array":
         return f"ShapeSpan {n}" if element(p) == "void" else f"Span<const {of}> {n}" + (" = {}" if last and p.get("nullable") else "")
     if p["role"] == "handle":
-        return f"const {of}* {n}" if p.get("nullable") else f"const {of}& {n}"
+        const = "const " if p["type"].startswith("const ") else ""
+        return f"{const}{of}* {n}" if p.get("nullable") else f"{const}{of}& {n}"
     if p.get("count"):
         return f"const std::array<{of}, {p['count']}>& {n}"
     if p["role"] == "in":
@@ -169,19 +172,26 @@ def generate(api):
                "    uint32_t size = 1;\n    uint32_t sizes() const { return stride ? size : ANY_SIZE; }\n" + body +
                "    ShapeSpan(ShapeRef shape) : type(shape.type), data(shape.pointer) {}\n"
                "    ShapeSpan(const Mesh& mesh) : ShapeSpan(ShapeRef(mesh)) {}\n};\n")
+    defined = []
     for handle in api["handles"]:
         out.append(f"class {camel(handle)} : public Object<{handle}, {handle}_destroy> {{\npublic:")
         for creation in [made[handle], *other_creations(api, handle)]:
-            out.append(comment(creation.function["doc"], "    //") +
-                       f"    explicit {camel(handle)}({parameters(api, creation)}) {{\n        {handle}* made = nullptr;\n"
-                       f"        check({creation.function['name']}({', '.join(arguments(creation, TEMPLATES, str))}));\n"
-                       "        own(made);\n    }\n")
+            name, head = camel(handle), comment(creation.function["doc"], "    //") + "    explicit "
+            body = (f"{{\n    {handle}* made = nullptr;\n"
+                    f"    check({creation.function['name']}({', '.join(arguments(creation, TEMPLATES, str))}));\n    own(made);\n}}\n")
+            if any(p["role"] == "handle" for p in creation.inputs):  # its class comes later
+                out.append(f"{head}{name}({parameters(api, creation)});\n")
+                words = re.sub(r" = \w+", "", parameters(api, creation))
+                defined.append(f"inline {name}::{name}({words}) {body}")
+            else:
+                out.append(f"{head}{name}({parameters(api, creation)}) " + body.replace("\n", "\n    ").rstrip() + "\n")
         out += [method(api, call) for call in methods if call.owner == handle]
         if handle == "gphys_scene":
             out.append(SCENE_EXTRA)
         out.append("};\n")
         if handle == "gphys_mesh":
             out.append("inline ShapeRef::ShapeRef(const Mesh& mesh) : type(GPHYS_SHAPE_MESH), pointer(mesh.handle()) {}\n")
+    out += defined
     out += [method(api, call) for call in methods if not call.owner]
     out.append(EXTRA)
     out.append("} // namespace gamephys\n\n#endif\n")

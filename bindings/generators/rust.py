@@ -14,7 +14,10 @@ BY_HAND = ("gphys_scene_has",)
 VECTORS = ("gphys_vec3", "gphys_quat")
 # Where zeros are no useful start, the defaults are written by hand.
 # What changes objects that the borrow checker cannot see: what callers must see to.
-UNSAFE = {"gphys_mesh_set_vertices": "No other thread uses the mesh, nor a scene that has a model of it, meanwhile."}
+UNSAFE = {
+    "gphys_mesh_set_vertices": "No other thread uses the mesh, nor a scene that has a model of it, meanwhile.",
+    "gphys_mesh_create_from_body": "As long as the mesh follows the body, no other thread uses the mesh, nor a scene that has a model of "
+                                   "it, while the solver steps, is restored or edits the body."}
 OWN_DEFAULT = ("gphys_quat", "gphys_mat4", "gphys_transform", "gphys_orbit")
 TEMPLATES = {
     "self": "self.handle.as_ptr()", "handle": "{n}.handle.as_ptr()", "handle?": "{n}.map_or(null_mut(), |o| o.handle.as_ptr())",
@@ -167,7 +170,8 @@ def parameter(api, call, p):
             return f"{n}: impl Into<Shapes<'a>>"
         return f"{n}: impl Into<Batch<'a, {item(api, p)}>>" if has_stride(call, p) else f"{n}: &[{of}]"
     if p["role"] == "handle":
-        return f"{n}: Option<&{of}>" if p.get("nullable") else f"{n}: &{of}"
+        reference = "&" if p["type"].startswith("const ") else "&mut "
+        return f"{n}: Option<{reference}{of}>" if p.get("nullable") else f"{n}: {reference}{of}"
     if p.get("count"):
         return f"{n}: &[{of}; {p['count']}]"
     if p["role"] == "in" and p.get("nullable"):
@@ -262,12 +266,18 @@ def method(api, call):
             lines.append(f"check({invoke})")
         else:
             lines += [f"check({invoke})?;", f"Ok({value})"]
-    text = docs(f["doc"], indent)
-    if f["name"] in UNSAFE:
-        text += f"{indent}///\n{indent}/// # Safety\n{indent}/// {UNSAFE[f['name']]}\n"
-    keyword = "unsafe fn" if f["name"] in UNSAFE else "fn"
+    text, keyword = introduction(f, indent)
     text += f"{indent}pub {keyword} {call.name}{signature(api, call, receiver)} -> Result<{kind}> {{\n"
     return text + "".join(f"{indent}    {line}\n" for line in lines) + indent + "}\n"
+
+
+def introduction(function, indent):
+    """Its comment, and the keyword that it begins with."""
+    text = docs(function["doc"], indent)
+    if function["name"] not in UNSAFE:
+        return text, "fn"
+    safety = "\n".join(wrapped(UNSAFE[function["name"]], 100))
+    return text + f"{indent}///\n" + docs("# Safety\n" + safety, indent), "unsafe fn"
 
 
 def constructor(api, s):
@@ -311,7 +321,8 @@ def objects(api):
             args = ", ".join(arguments(creation, TEMPLATES, str))
             lines = prepare(api, creation) + ["let mut made = null_mut();", f"check(unsafe {{ sys::{creation.function['name']}({args}) }})?;",
                                               f"Ok({name} {{ handle: NonNull::new(made).expect(\"a created object\") }})"]
-            out.append(docs(creation.function["doc"], "    ") + f"    pub fn {word}{signature(api, creation, None)} -> Result<{name}> {{\n" + "".join(f"        {line}\n" for line in lines) + "    }\n")
+            text, keyword = introduction(creation.function, "    ")
+            out.append(text + f"    pub {keyword} {word}{signature(api, creation, None)} -> Result<{name}> {{\n" + "".join(f"        {line}\n" for line in lines) + "    }\n")
         out += [method(api, call) for call in methods if call.owner == handle]
         out.append("}\n")
     out += [method(api, call) for call in methods if not call.owner]

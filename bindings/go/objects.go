@@ -116,6 +116,44 @@ func NewMeshFromSnapshot(words []uint32, desc *MeshDesc) (o *Mesh, err error) {
 	return
 }
 
+// Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
+// met by rays, picked, overlapped and culled as models of scenes (Scene.Add with ShapeMesh; without a
+// transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
+// particle p. Of cloth the mesh is the surface of its triangles, in the order of Solver.Triangles. A
+// rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from particle t to
+// t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n - 1
+// + p is particle p, a sphere, there where no link beside it is as thick. Free particles are spheres,
+// and `triangle` is the particle. Solver.NearestParticle finds the particle of a hit. The mesh has the
+// new form when Solver.Step, Solver.Advance, Solver.Restore or an edit of the body returns. A model
+// that would leave the range of the world, and a mesh of less than 2^-32 m for which there is no
+// memory, keep their form until they can follow. Solver.SetOrigin moves the coordinates of the mesh,
+// and the models back by as much: they stay where they are in the world, exactly if scenes have moved
+// their origin before. Solvers do not collide with models of such meshes, nor wake by them: bodies
+// meet by BodyDesc.body_layers. A restored body is followed if it has the id and the parts of the one
+// that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot, that of
+// a scene included, is a copy that follows nothing; Scene.SetShape gives its model one that does. Mesh
+// and solver are destroyed in any order. When the body is gone the mesh keeps the form that it had
+// last and is deformable by Mesh.SetVertices, which returns ErrUnsupported before. A mesh that neither
+// its handle nor a model holds follows no more.
+// Threads: the functions above become edits of the mesh and of each scene that has a model of it.
+//   - desc: the mesh is deformable whatever it says
+// Cost: as Mesh, and then that of Mesh.SetVertices for a body that has moved; one that rests is
+// compared, O(particles). Since 1.1.
+func NewMeshFromBody(solver *Solver, body BodyID, desc *MeshDesc) (o *Mesh, err error) {
+	solverHandle, err := solver.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_mesh_create_from_body((*C.gphys_mesh_desc)(unsafe.Pointer(desc)), solverHandle, C.gphys_body_id(body))
+	runtime.KeepAlive(solver)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	o = &Mesh{r.out_mesh}
+	runtime.SetFinalizer(o, (*Mesh).Close)
+	return
+}
+
 // Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
 // Solver.Positions writes it. All models of the mesh have the new form from then on, in every scene,
 // and all answers have the bits of those of a mesh created of the new vertices. What fails leaves the
@@ -2962,6 +3000,27 @@ func (o *Solver) Triangles(body BodyID) (result []uint32, err error) {
 		return r.status, r.message, r.out_total
 	})
 	runtime.KeepAlive(o)
+	return
+}
+
+// The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
+// near.
+//   - triangle: as in a hit, nearest or penetration of the body's mesh: its corners are compared, of a
+//     rope the ends of the link, or the particle; NoTriangle: all particles
+//   - point: metres, in the solver's coordinates: that of the hit
+// The error is ErrInvalidArgument also if the mesh has no such triangle.
+// Cost: O(1); O(particles) for NoTriangle. Since 1.1.
+func (o *Solver) NearestParticle(body BodyID, triangle uint32, point Vec3) (particle uint32, err error) {
+	self, err := o.open()
+	if err != nil {
+		return
+	}
+	r := C.go_gphys_solver_get_nearest_particle(self, C.gphys_body_id(body), C.uint32_t(triangle), *(*C.gphys_vec3)(unsafe.Pointer(&point)))
+	runtime.KeepAlive(o)
+	if err = check(r.status, r.message); err != nil {
+		return
+	}
+	particle = *(*uint32)(unsafe.Pointer(&r.out_particle))
 	return
 }
 

@@ -200,6 +200,17 @@ func TestAMeshDeformsAndItsModelsWithIt(t *testing.T) {
 	same(t, []any{hit.Model, hit.T}, []any{model, float32(7)})
 }
 
+func TestARopeIsPickedAsAModelThatFollowsIt(t *testing.T) {
+	solver := must(NewSolver(nil))
+	rope := must(solver.AddRope([]Vec3{{}, {1, 0, 0}, {2, 0, 0}}, 0, nil))
+	scene := must(NewScene(nil))
+	model := must(scene.Add(must(NewMeshFromBody(solver, rope, nil)), nil, nil))
+	try(t, solver.SetPositions(rope, 0, []Vec3{{0, 0, 7}, {1, 0, 7}, {2, 0, 7}}))
+	hit := found(scene.Raycast(Ray{Vec(1.8, 0, 0), Vec(0, 0, 1), infinity}, AllLayers))
+	same(t, []any{hit.Model, hit.Triangle}, []any{model, uint32(1)})
+	same(t, must(solver.NearestParticle(rope, hit.Triangle, hit.Point)), uint32(2))
+}
+
 func TestLengthsMustAgree(t *testing.T) {
 	scene, models := sceneOfBalls()
 	refused(t, ErrInvalidArgument, scene.RaycastBatch(someRays(), AllLayers, make([]Hit, 3)))

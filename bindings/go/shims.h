@@ -2146,6 +2146,30 @@ static inline go_gphys_solver_get_triangles_result go_gphys_solver_get_triangles
     return r;
 }
 
+typedef struct go_gphys_mesh_create_from_body_result {
+    gphys_status status;
+    char* message;
+    void* out_mesh;
+} go_gphys_mesh_create_from_body_result;
+static inline go_gphys_mesh_create_from_body_result go_gphys_mesh_create_from_body(const gphys_mesh_desc * desc, void* solver, gphys_body_id body) {
+    go_gphys_mesh_create_from_body_result r = {0};
+    r.status = gphys_mesh_create_from_body(desc, solver, body, (gphys_mesh **)&r.out_mesh);
+    r.message = go_message(r.status);
+    return r;
+}
+
+typedef struct go_gphys_solver_get_nearest_particle_result {
+    gphys_status status;
+    char* message;
+    uint32_t out_particle;
+} go_gphys_solver_get_nearest_particle_result;
+static inline go_gphys_solver_get_nearest_particle_result go_gphys_solver_get_nearest_particle(void* solver, gphys_body_id body, uint32_t triangle, gphys_vec3 point) {
+    go_gphys_solver_get_nearest_particle_result r = {0};
+    r.status = gphys_solver_get_nearest_particle(solver, body, triangle, &point, &r.out_particle);
+    r.message = go_message(r.status);
+    return r;
+}
+
 typedef struct go_gphys_solver_get_positions_result {
     gphys_status status;
     char* message;

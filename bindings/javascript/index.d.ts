@@ -587,6 +587,30 @@ export class Mesh {
      * of a later format or of another byte order.
      * Cost: O(n), a small part of Mesh's; allocates. */
     static fromSnapshot(words: Elements, desc?: Partial<MeshDesc> | null): Mesh;
+    /** Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
+     * met by rays, picked, overlapped and culled as models of scenes (Scene.add with SHAPE_MESH; without a
+     * transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
+     * particle p. Of cloth the mesh is the surface of its triangles, in the order of Solver.getTriangles.
+     * A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from particle t
+     * to t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n -
+     * 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
+     * spheres, and `triangle` is the particle. Solver.getNearestParticle finds the particle of a hit. The
+     * mesh has the new form when Solver.step, Solver.advance, Solver.restore or an edit of the body
+     * returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which
+     * there is no memory, keep their form until they can follow. Solver.setOrigin moves the coordinates of
+     * the mesh, and the models back by as much: they stay where they are in the world, exactly if scenes
+     * have moved their origin before. Solvers do not collide with models of such meshes, nor wake by them:
+     * bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id and the parts of
+     * the one that there was. Restore the solver before the scene. A mesh that is loaded from a snapshot,
+     * that of a scene included, is a copy that follows nothing; Scene.setShape gives its model one that
+     * does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the form that
+     * it had last and is deformable by Mesh.setVertices, which returns ERROR_UNSUPPORTED before. A mesh
+     * that neither its handle nor a model holds follows no more.
+     * Threads: the functions above become edits of the mesh and of each scene that has a model of it.
+     *   - desc: the mesh is deformable whatever it says
+     * Cost: as Mesh, and then that of Mesh.setVertices for a body that has moved; one that rests is
+     * compared, O(particles). Since 1.1. */
+    static fromBody(solver: Solver, body: number, desc?: Partial<MeshDesc> | null): Mesh;
     /** Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
      * Solver.getPositions writes it. All models of the mesh have the new form from then on, in every
      * scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
@@ -1400,6 +1424,14 @@ export class Solver {
     /** Particle numbers of a cloth's triangles, three each, for drawing.
      * Cost: O(triangles). */
     getTriangles(body: number): Records<number>;
+    /** The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
+     * near.
+     * Cost: O(1); O(particles) for NO_TRIANGLE. Since 1.1.
+     * @param triangle - as in a hit, nearest or penetration of the body's mesh: its corners are compared,
+     *     of a rope the ends of the link, or the particle; NO_TRIANGLE: all particles
+     * @param point - metres, in the solver's coordinates: that of the hit
+     * @throws {GamephysError} ERROR_INVALID_ARGUMENT: also if the mesh has no such triangle */
+    getNearestParticle(body: number, triangle: number, point: Given<number[]>): number;
     /** Where the particles are, metres.
      * Cost: O(count).
      * @param first - the particles first .. first + count - 1; a range beyond the body is

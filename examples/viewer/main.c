@@ -99,7 +99,7 @@ static void place_camera(gphys_camera* camera, gphys_vec3 target, float distance
 
 static uint32_t count_visible(const gphys_camera* camera, const world* w) {
     uint32_t visible = 0;
-    check(gphys_camera_cull(camera, w->scene, LAYER_SOLID, NULL, 0, &visible), "cull");
+    check(gphys_camera_cull(camera, w->scene, GPHYS_ALL_LAYERS, NULL, 0, &visible), "cull");
     return visible;
 }
 
@@ -150,20 +150,27 @@ static highlight pick(const world* w, const gphys_camera* camera, const options*
                       uint32_t capacity) {
     highlight marks = {0};
     gphys_hit hit;
-    const gphys_status found = gphys_camera_pick(camera, w->scene, o->pick_x, o->pick_y, LAYER_SOLID, &hit);
+    const gphys_status found = gphys_camera_pick(camera, w->scene, o->pick_x, o->pick_y, GPHYS_ALL_LAYERS, &hit);
     check(found, "pick");
     if (found == GPHYS_OK) {
-        static const char* const kinds[] = {"",     "the ground", "the statue", "copy",  "the stone",
-                                            "post", "the cloth",  "rope",       "weight"};
+        static const char* const kinds[] = {"",          "the ground", "the statue", "copy",
+                                            "the stone", "post",       "the cloth",  "rope"};
         const uint32_t kind = TAG_KIND(hit.tag);
         printf("picked      %s", kinds[kind]);
-        if (kind == KIND_COPY || kind == KIND_POST) printf(" %u", TAG_NUMBER(hit.tag));
+        if (kind == KIND_COPY || kind == KIND_POST || kind == KIND_ROPE) printf(" %u", TAG_NUMBER(hit.tag));
         gphys_vec3 eye;
         gphys_quat turn;
         check(gphys_camera_get_transform(camera, &eye, &turn), "camera");
         const double x = (double)hit.point.x - eye.x, y = (double)hit.point.y - eye.y, z = (double)hit.point.z - eye.z;
         printf(" at pixel (%.0f, %.0f), %.3f m away", o->pick_x, o->pick_y, sqrt(x * x + y * y + z * z));
-        if (hit.triangle != GPHYS_NO_TRIANGLE) printf(", triangle %u", hit.triangle);
+        if (kind == KIND_CLOTH || kind == KIND_ROPE) {
+            const gphys_body_id body = kind == KIND_CLOTH ? w->cloth_body : w->ropes[TAG_NUMBER(hit.tag)];
+            uint32_t particle;
+            check(gphys_solver_get_nearest_particle(w->solver, body, hit.triangle, &hit.point, &particle), "particle");
+            printf(", particle %u", particle);
+        } else if (hit.triangle != GPHYS_NO_TRIANGLE) {
+            printf(", triangle %u", hit.triangle);
+        }
         printf("\n");
         if (TAG_KIND(hit.tag) != KIND_GROUND) marks.picked = hit.model;
     } else {
@@ -174,7 +181,7 @@ static highlight pick(const world* w, const gphys_camera* camera, const options*
     memcpy(marks.rectangle, rectangle, sizeof rectangle);
     uint32_t total = 0;
     const gphys_status listed = gphys_camera_pick_rectangle(camera, w->scene, rectangle[0], rectangle[1], rectangle[2],
-                                                            rectangle[3], LAYER_SOLID, selected, capacity, &total);
+                                                            rectangle[3], GPHYS_ALL_LAYERS, selected, capacity, &total);
     check(listed, "pick rectangle");
     marks.selected = selected;
     marks.selected_count = total < capacity ? total : capacity;
@@ -200,7 +207,7 @@ int main(int argc, char** argv) {
     place_camera(camera, (gphys_vec3){0, 1.1f, 0}, 13, 0.5f, 0.42f);
 
     simulate(&w, camera, o.simulated);
-    world_show_bodies(&w);
+    world_smooth(&w);
 
     const highlight none = {0};
     photograph(&w, camera, &o, &none, "scene.png");

@@ -57,8 +57,7 @@ static colour hue(uint32_t number, float strength) {
 }
 
 static colour cloth_pattern(uint32_t triangle) {
-    if (triangle >= 2 * CLOTH_FACE) return (colour){0.62f, 0.06f, 0.09f}; /* the hem */
-    const uint32_t cell = triangle % CLOTH_FACE / 2, column = cell % (CLOTH_SIDE - 1), row = cell / (CLOTH_SIDE - 1);
+    const uint32_t cell = triangle / 2, column = cell % (CLOTH_SIDE - 1), row = cell / (CLOTH_SIDE - 1);
     const int warp = column / 6 % 2, weft = row / 6 % 2;
     if (warp && weft) return (colour){0.62f, 0.06f, 0.09f};
     if (warp || weft) return (colour){0.82f, 0.32f, 0.30f};
@@ -89,10 +88,8 @@ static colour surface(const gphys_hit* hit, const highlight* marks) {
             return (colour){0.42f, 0.27f, 0.16f};
         case KIND_CLOTH:
             return cloth_pattern(hit->triangle);
-        case KIND_ROPE:
-            return (colour){0.85f, 0.72f, 0.42f};
-        default:
-            return (colour){0.20f, 0.21f, 0.24f};
+        default: /* a rope, of which triangles beyond the links are particles: weights */
+            return hit->triangle < ROPE_LINKS ? (colour){0.85f, 0.72f, 0.42f} : (colour){0.20f, 0.21f, 0.24f};
     }
 }
 
@@ -121,7 +118,8 @@ typedef struct band {
 
 static void shade_band(const world* w, const band* b, uint32_t samples, uint32_t* random) {
     const gphys_ray nowhere = {{0, -1e6f, 0}, {0, -1, 0}, 0};
-    check(gphys_scene_raycast_batch(w->scene, b->eye, sizeof *b->eye, samples, LAYER_SHOWN, b->hits, sizeof *b->hits),
+    check(gphys_scene_raycast_batch(w->scene, b->eye, sizeof *b->eye, samples, GPHYS_ALL_LAYERS, b->hits,
+                                    sizeof *b->hits),
           "raycast batch");
     for (uint32_t i = 0; i < samples; ++i) {
         const gphys_hit* hit = &b->hits[i];
@@ -135,10 +133,10 @@ static void shade_band(const world* w, const band* b, uint32_t samples, uint32_t
             b->ambient[AMBIENT * i + k] = (gphys_ray){start, above(b->normals[i], random), 1.5f};
         }
     }
-    check(gphys_scene_raycast_any_batch(w->scene, b->to_sun, sizeof *b->to_sun, samples, LAYER_SHOWN, b->in_shadow,
+    check(gphys_scene_raycast_any_batch(w->scene, b->to_sun, sizeof *b->to_sun, samples, GPHYS_ALL_LAYERS, b->in_shadow,
                                         sizeof *b->in_shadow),
           "shadow batch");
-    check(gphys_scene_raycast_any_batch(w->scene, b->ambient, sizeof *b->ambient, AMBIENT * samples, LAYER_SHOWN,
+    check(gphys_scene_raycast_any_batch(w->scene, b->ambient, sizeof *b->ambient, AMBIENT * samples, GPHYS_ALL_LAYERS,
                                         b->closed_in, sizeof *b->closed_in),
           "ambient batch");
 }

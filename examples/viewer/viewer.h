@@ -22,22 +22,18 @@ void free_mesh(triangle_mesh* mesh);
 
 /* --- world.c: what is in the picture and how it moves ----------------------------------- */
 
-/* Layer bits. What only shows, such as the cloth's triangles, is not collided with. */
-enum { LAYER_SOLID = 1, LAYER_SHOWN = 2 };
-
 /* The kind of a model stands in the high byte of its tag, its number in the rest. */
-enum { KIND_GROUND = 1, KIND_STATUE, KIND_COPY, KIND_STONE, KIND_POST, KIND_CLOTH, KIND_ROPE, KIND_WEIGHT };
+enum { KIND_GROUND = 1, KIND_STATUE, KIND_COPY, KIND_STONE, KIND_POST, KIND_CLOTH, KIND_ROPE };
 #define TAG(kind, number) ((uint32_t)(kind) << 24 | (uint32_t)(number))
 #define TAG_KIND(tag) ((tag) >> 24)
 #define TAG_NUMBER(tag) ((tag)&0xffffffu)
 
-enum { ROPE_COUNT = 16, CLOTH_SIDE = 72, CLOTH_FACE = 2 * (CLOTH_SIDE - 1) * (CLOTH_SIDE - 1) };
+enum { ROPE_COUNT = 16, ROPE_LINKS = 48, CLOTH_SIDE = 72, CLOTH_INDICES = 6 * (CLOTH_SIDE - 1) * (CLOTH_SIDE - 1) };
 
 typedef struct world {
     triangle_mesh source; /* the file's triangles, for smooth shading */
-    triangle_mesh cloth;  /* the cloth as drawn last: both faces, CLOTH_FACE triangles each, then its hem */
+    triangle_mesh cloth;  /* the same of the cloth */
     gphys_mesh* mesh;
-    gphys_mesh* cloth_mesh;
     gphys_scene* scene;
     gphys_solver* solver;
     gphys_body_id cloth_body;
@@ -47,8 +43,8 @@ typedef struct world {
 
 void world_create(world* w, const char* path, uint32_t copies);
 void world_step(world* w, float frame_time);
-/* Bring cloth and ropes into the scene as models of LAYER_SHOWN, in place of those of before. */
-void world_show_bodies(world* w);
+/* Find the normals of the cloth as it lies, for smooth shading. */
+void world_smooth(world* w);
 void world_destroy(world* w);
 
 /* --- picture.c: one ray for each sample, in batches -------------------------------------- */

@@ -7,6 +7,9 @@ const CLOTH = { size: 7, particles: 36, height: 7 };
 const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5)); // a spiral that leaves no gaps (Vogel 1979)
 const BUNNIES = 300; // at most: beyond, there are too many triangles to draw
 
+const OBJECT_LAYER = 1; // of what is added without a layer
+const CLOTH_LAYER = 2; // the mouse points through it, and takes hold of it
+
 export const KINDS = ['mesh', 'ball', 'box'];
 
 export class World {
@@ -52,6 +55,9 @@ export class World {
             { mass: 4, damping: 0.5, radius: 0.05, friction: 0.6, bend_compliance: 0.1, cloth_flags: gp.CLOTH_BEND });
         this.clothTriangles = this.solver.getTriangles(this.cloth).u32;
         this.clothPositions = gp.records('vec3', particles * particles);
+        const mesh = gp.Mesh.fromBody(this.solver, this.cloth); // follows the cloth
+        this.clothModel = this.scene.add(mesh, null, { layers: CLOTH_LAYER });
+        mesh.close();
         this.#readCloth();
     }
 
@@ -90,7 +96,7 @@ export class World {
 
     /** The object under a pixel: { number, hit }, number undefined on the ground; null where there is nothing. */
     pick(x, y) {
-        const hit = this.camera.pick(this.scene, x, y);
+        const hit = this.camera.pick(this.scene, x, y, OBJECT_LAYER);
         return hit && { number: this.numbers.get(hit.model), hit };
     }
 
@@ -106,15 +112,9 @@ export class World {
 
     /** Take hold of the cloth under a pixel, if it is in front there. */
     grab(x, y) {
-        const ray = this.camera.pickRay(x, y);
-        const mesh = new gp.Mesh(this.clothPositions.f32, this.clothTriangles);
-        const onCloth = gp.raycast(mesh, ray);
-        mesh.close();
-        const beyond = this.camera.pick(this.scene, x, y);
-        if (!onCloth || (beyond && beyond.t < onCloth.t)) return false;
-        const corners = this.clothTriangles.subarray(3 * onCloth.triangle, 3 * onCloth.triangle + 3);
-        const weights = [1 - onCloth.u - onCloth.v, onCloth.u, onCloth.v];
-        this.held = corners[weights.indexOf(Math.max(...weights))];
+        const hit = this.camera.pick(this.scene, x, y);
+        if (hit?.model !== this.clothModel) return false;
+        this.held = this.solver.getNearestParticle(this.cloth, hit.triangle, hit.point);
         this.heldDepth = this.camera.project(this.clothPositions.get(this.held))[2];
         this.solver.setPinned(this.cloth, this.held, 1, true);
         return true;

@@ -6,40 +6,32 @@
 
 int hand_find(const stage* s, const gphys_camera* camera, float x, float y, gphys_body_id* body, uint32_t* particle,
               gphys_vec3* where) {
+    /* The pixel itself, and rings around it: a rope is thin. What is behind a model is not met. */
+    enum { RINGS = 2, AROUND = 8, COUNT = 1 + RINGS * AROUND };
     const float reach = 14; /* pixels */
-    float nearest = reach * reach;
-    int found = 0;
-    gphys_vec3 eye;
-    gphys_quat turn;
-    check(gphys_camera_get_transform(camera, &eye, &turn), "eye");
-    for (uint32_t b = 0; b < s->body_count; ++b) {
-        gphys_body_info info;
-        check(gphys_solver_get_body_info(s->solver, s->bodies[b], &info), "body");
-        gphys_vec3* points = malloc(2 * info.particle_count * sizeof *points);
-        if (!points) exit(1);
-        gphys_vec3* pixels = points + info.particle_count;
-        check(gphys_solver_get_positions(s->solver, s->bodies[b], 0, info.particle_count, points, sizeof *points),
-              "positions");
-        check(gphys_camera_project_batch(camera, points, sizeof *points, info.particle_count, pixels, sizeof *pixels),
-              "project");
-        for (uint32_t i = 0; i < info.particle_count; ++i) {
-            const float dx = pixels[i].x - x, dy = pixels[i].y - y, squared = dx * dx + dy * dy;
-            if (!(squared < nearest)) continue;
-            /* Seen, if the way to it is free but for its last part, where cloth lies on a model. */
-            const gphys_vec3 p = points[i];
-            const gphys_segment sight = {
-                eye, {eye.x + 0.98f * (p.x - eye.x), eye.y + 0.98f * (p.y - eye.y), eye.z + 0.98f * (p.z - eye.z)}};
-            gphys_hit hit;
-            const gphys_status blocked = gphys_scene_segment_test(s->scene, &sight, SOLID, &hit);
-            check(blocked, "sight");
-            if (blocked == GPHYS_OK) continue;
-            nearest = squared;
-            found = 1;
-            *body = s->bodies[b], *particle = i, *where = p;
-        }
-        free(points);
+    float pixels[COUNT][2] = {{x, y}};
+    gphys_hit hits[COUNT];
+    for (int i = 1; i < COUNT; ++i) {
+        const float radius = reach * (float)(1 + (i - 1) / AROUND) / RINGS;
+        const float angle = 6.2831853f * (float)(i - 1) / AROUND;
+        pixels[i][0] = x + radius * cosf(angle);
+        pixels[i][1] = y + radius * sinf(angle);
     }
-    return found;
+    check(gphys_camera_pick_batch(camera, s->scene, pixels[0], sizeof pixels[0], COUNT, SOLID | BODY, hits,
+                                  sizeof hits[0]),
+          "pick bodies");
+    for (int i = 0; i < COUNT; ++i) {
+        gphys_model_info info;
+        if (hits[i].model == 0) continue;
+        check(gphys_scene_get_info(s->scene, hits[i].model, &info), "model");
+        if (info.layers != BODY) continue;
+        *body = s->bodies[hits[i].tag];
+        check(gphys_solver_get_nearest_particle(s->solver, *body, hits[i].triangle, &hits[i].point, particle),
+              "particle");
+        check(gphys_solver_get_positions(s->solver, *body, *particle, 1, where, sizeof *where), "position");
+        return 1;
+    }
+    return 0;
 }
 
 void hand_hover(hand* h, const stage* s, const gphys_camera* camera, float x, float y) {

@@ -85,6 +85,15 @@ static gphys_body_desc body(float mass, float radius) {
 }
 
 static void keep(stage* s, gphys_body_id id, float radius, colour c) {
+    gphys_mesh* mesh; /* has the form of the body, for the mouse to find */
+    gphys_model_id model;
+    gphys_model_desc desc;
+    check(gphys_mesh_create_from_body(NULL, s->solver, id, &mesh), "mesh of a body");
+    check(gphys_model_desc_init(&desc, sizeof desc), "model desc");
+    desc.layers = BODY;
+    desc.tag = s->body_count;
+    check(gphys_scene_add(s->scene, GPHYS_SHAPE_MESH, mesh, NULL, &desc, &model), "model of a body");
+    gphys_mesh_destroy(mesh);
     s->bodies[s->body_count] = id;
     s->body_radii[s->body_count] = radius;
     s->body_colours[s->body_count++] = c;

@@ -4,8 +4,8 @@
 
 #include "../viewer/viewer.h"
 
-/* Layer bits. The hand drags particles; nothing collides with it and nobody sees it. */
-enum { SOLID = 1, HAND = 2 };
+/* Layer bits. The hand drags particles; nothing collides with it and nobody sees it. Bodies are drawn by themselves. */
+enum { SOLID = 1, HAND = 2, BODY = 4 };
 
 enum { MAX_BODIES = 64, LIDAR_RINGS = 48, LIDAR_COLUMNS = 360 };
 enum { SLOT_MASK = 0xffffff }; /* of an id: its slot; the rest tells models apart that had the slot in turn */
@@ -96,7 +96,7 @@ typedef struct hand {
     uint32_t selected_count, capacity;
 } hand;
 
-/* The particle nearest to a pixel, within 14 pixels and not behind a model; 0: none. */
+/* A particle of what bends under a pixel, or within 14 pixels of it, and is not behind a model; 0: none. */
 int hand_find(const stage* s, const gphys_camera* camera, float x, float y, gphys_body_id* body, uint32_t* particle,
               gphys_vec3* where);
 void hand_hover(hand* h, const stage* s, const gphys_camera* camera, float x, float y);

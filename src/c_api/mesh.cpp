@@ -4,14 +4,13 @@
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
+#include "c_api/mesh_desc.h"
 #include "c_api/shape_input.h"
 #include "foundation/results.h"
 
 using namespace gphys;
 
 namespace {
-
-constexpr size_t mesh_desc_size = offsetof(gphys_mesh_desc, deformable);  // of release 1.0
 
 gphys_status check_arrays(const MeshArrays& arrays) {
     GPHYS_REQUIRE(arrays.vertex_count == 0 || arrays.vertices, "vertices is null");
@@ -52,10 +51,7 @@ gphys_status gphys_mesh_create(const gphys_mesh_desc* desc, const float* vertice
                                gphys_mesh** out_mesh) {
     return guarded(__func__, [&]() -> gphys_status {
         gphys_mesh_desc settings{};
-        GPHYS_TRY(read_desc(desc, settings, mesh_desc_size));
-        GPHYS_TRY(check_allocator(settings.allocator));
-        GPHYS_TRY(check_bool("desc.deformable", settings.deformable));
-        GPHYS_REQUIRE_IN_RANGE(settings.reserved == 0, "desc.reserved", settings.reserved, "0");
+        GPHYS_TRY(read_mesh_desc(desc, settings));
         const MeshArrays arrays{vertices, vertex_stride, vertex_count, indices, index_count};
         GPHYS_TRY(check_arrays(arrays));
         GPHYS_REQUIRE_POINTERS(out_mesh);
@@ -78,6 +74,7 @@ gphys_status gphys_mesh_set_vertices(gphys_mesh* mesh, const float* vertices, ui
         Mesh& changed = *unwrap(mesh);
         if (!changed.deformable())
             return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: desc.deformable was 0 when it was created");
+        if (changed.led()) return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: follows a body of a solver");
         GPHYS_REQUIRE_IN_RANGE(vertex_count == changed.vertices().size(), "vertex_count", vertex_count,
                                "that of the mesh");
         const MeshArrays arrays{vertices, vertex_stride, vertex_count, nullptr, 0};
@@ -132,10 +129,7 @@ gphys_status gphys_mesh_create_from_snapshot(const gphys_mesh_desc* desc, const 
                                              gphys_mesh** out_mesh) {
     return guarded(__func__, [&]() -> gphys_status {
         gphys_mesh_desc settings{};
-        GPHYS_TRY(read_desc(desc, settings, mesh_desc_size));
-        GPHYS_TRY(check_allocator(settings.allocator));
-        GPHYS_TRY(check_bool("desc.deformable", settings.deformable));
-        GPHYS_REQUIRE_IN_RANGE(settings.reserved == 0, "desc.reserved", settings.reserved, "0");
+        GPHYS_TRY(read_mesh_desc(desc, settings));
         GPHYS_REQUIRE_POINTERS(words);
         GPHYS_REQUIRE_POINTERS(out_mesh);
         Memory memory(settings.allocator);

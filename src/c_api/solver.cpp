@@ -7,6 +7,7 @@
 #include "c_api/api.h"
 #include "c_api/handles.h"
 #include "c_api/lists.h"
+#include "c_api/mesh_desc.h"
 #include "c_api/solver_settings.h"
 #include "mesh/mesh.h"
 
@@ -209,6 +210,9 @@ gphys_status gphys_solver_add_cloth_mesh(gphys_solver* solver, const gphys_body_
         if (transform) GPHYS_REQUIRE_VALID(*transform);
         const Transform placement = transform ? widen(*transform) : Transform{};
         const Mesh& source = *unwrap(mesh);
+        if (source.kind() == MeshKind::body_links) {
+            return fail(GPHYS_ERROR_UNSUPPORTED, "mesh: has links instead of triangles");
+        }
         GPHYS_TRY(check_count("mesh: vertex count", source.vertices().size(), 1, "at least 1"));
         for (const gphys_vec3& vertex : source.vertices()) GPHYS_TRY(check_placed(placement.apply(widen(vertex))));
         GPHYS_REQUIRE_POINTERS(out_body);
@@ -291,6 +295,35 @@ gphys_status gphys_solver_get_triangles(const gphys_solver* solver, gphys_body_i
         const uint32_t total = static_cast<uint32_t>(indices.size());
         std::copy_n(indices.begin(), std::min(total, capacity), out_indices);
         return listed(total, capacity, out_total);
+    });
+}
+
+gphys_status gphys_mesh_create_from_body(const gphys_mesh_desc* desc, gphys_solver* solver, gphys_body_id body,
+                                         gphys_mesh** out_mesh) {
+    return guarded(__func__, [&]() -> gphys_status {
+        gphys_mesh_desc settings{};
+        GPHYS_TRY(read_mesh_desc(desc, settings));
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_REQUIRE_POINTERS(out_mesh);
+        *out_mesh = wrap(unwrap(solver)->make_mesh(settings.allocator, body));
+        return GPHYS_OK;
+    });
+}
+
+gphys_status gphys_solver_get_nearest_particle(const gphys_solver* solver, gphys_body_id body, uint32_t triangle,
+                                               const gphys_vec3* point, uint32_t* out_particle) {
+    return guarded(__func__, [&]() -> gphys_status {
+        GPHYS_REQUIRE_POINTERS(solver);
+        GPHYS_TRY(unwrap(solver)->check(body));
+        GPHYS_REQUIRE_POINTERS(point);
+        GPHYS_REQUIRE_VALID(*point);
+        GPHYS_REQUIRE_POINTERS(out_particle);
+        uint32_t nearest = 0;
+        GPHYS_REQUIRE(nearest_particle(unwrap(solver)->body(body), triangle, widen(*point), nearest),
+                      "triangle: the mesh of the body has none of that index");
+        *out_particle = nearest;
+        return GPHYS_OK;
     });
 }
 

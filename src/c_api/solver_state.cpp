@@ -78,6 +78,7 @@ gphys_status gphys_solver_set_positions(gphys_solver* solver, gphys_body_id body
         GPHYS_TRY(check_position_stride("stride", stride, count));
         GPHYS_TRY(check_array("positions", positions, stride, count, defect_of_vector));
         set_positions(unwrap(solver)->edit(body), first, count, positions, stride);
+        unwrap(solver)->show(body);
         return GPHYS_OK;
     });
 }
@@ -143,6 +144,7 @@ gphys_status gphys_solver_set_radii(gphys_solver* solver, gphys_body_id body, ui
         GPHYS_TRY(check_range(solver, body, first, count));
         GPHYS_TRY(check_array("radii", radii, stride, count, defect_of_radius));
         set_radii(unwrap(solver)->edit(body), first, count, radii, stride);
+        unwrap(solver)->show(body);
         return GPHYS_OK;
     });
 }
@@ -246,8 +248,10 @@ gphys_status add_link(gphys_solver* solver, gphys_body_id body, uint32_t particl
     GPHYS_TRY(check_coordinate(limit ? "max_length" : "rest_length", length));
     GPHYS_TRY(check_amount("compliance", compliance));
     GPHYS_REQUIRE_POINTERS(out_constraint);
-    return add_constraint(unwrap(solver)->body(body), {particle_a, particle_b, length, compliance, 0, limit},
-                          *out_constraint);
+    GPHYS_TRY(add_constraint(unwrap(solver)->body(body), {particle_a, particle_b, length, compliance, 0, limit},
+                             *out_constraint));
+    unwrap(solver)->show(body);
+    return GPHYS_OK;
 }
 
 }  // namespace
@@ -310,7 +314,9 @@ gphys_status gphys_solver_remove_constraint(gphys_solver* solver, gphys_body_id 
     return guarded(__func__, [&]() -> gphys_status {
         GPHYS_REQUIRE_POINTERS(solver);
         GPHYS_TRY(unwrap(solver)->check(body));
-        return remove_constraint(unwrap(solver)->body(body), constraint);
+        GPHYS_TRY(remove_constraint(unwrap(solver)->body(body), constraint));
+        unwrap(solver)->show(body);
+        return GPHYS_OK;
     });
 }
 

@@ -92,6 +92,12 @@ public:
         if (widen(narrow(world_ - origin)) != widen(position)) world_ = origin + widen(position);
         return world_ - new_origin;
     }
+    /// The position, from the same origin, when it has moved by that.
+    Vec3 move(Vec3 origin, gphys_vec3 position, Vec3 by) {
+        move_origin(origin, origin, position);
+        world_ += by;
+        return world_ - origin;
+    }
     Vec3 world() const { return world_; }
 
 private:

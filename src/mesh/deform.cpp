@@ -12,6 +12,11 @@ namespace {
 /// with is the last cut.
 constexpr double packed_growth = 2;
 
+template <class T>
+bool same_bits(const Vector<T>& a, const Vector<T>& b) {
+    return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
 }  // namespace
 
 gphys_mesh_report Mesh::report() const {
@@ -22,10 +27,14 @@ gphys_mesh_report Mesh::report() const {
 
 const char* Mesh::set_vertices(const MeshArrays& arrays) {
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) next_vertices_[i] = arrays.vertex(i);
+    const float* const radii = arrays.radii ? arrays.radii : radii_.data();
+    std::copy_n(radii, radii_.size(), next_radii_.begin());
+    if (same_bits(next_vertices_, vertices_) && same_bits(next_radii_, radii_)) return nullptr;
     double magnification;
     const Mesh* magnified = make_magnified(next_vertices_, magnification);
     const auto change = [&] {
         vertices_.swap(next_vertices_);
+        radii_.swap(next_radii_);
         std::swap(magnified_, magnified);
         std::swap(magnification_, magnification);
         const double area = refit();
@@ -67,7 +76,7 @@ double Mesh::refit() noexcept {
                     packet.corner[c][2][lane] = v.z;
                 }
             }
-            const Box box = packet.box();
+            const Box box = box_of(packet);
             area += half_area(box);
             put(number, box);
         }

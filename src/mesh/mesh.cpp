@@ -43,12 +43,15 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshArrays& arrays, const gphys_m
       bvh_(&memory, isa),
       rays_root_(Box()),
       isa_(isa),
+      kind_(arrays.kind),
       index_hash_(index_hash) {
     vertices_.reserve(arrays.vertex_count);
     for (uint32_t i = 0; i < arrays.vertex_count; ++i) vertices_.push_back(arrays.vertex(i));
     if (arrays.index_count > 0) indices_.assign(arrays.indices, arrays.indices + arrays.index_count);
+    if (arrays.radii) radii_.assign(arrays.radii, arrays.radii + arrays.index_count / 3);
     if (deformable) {
         next_vertices_.resize(vertices_.size());
+        next_radii_.resize(radii_.size());
         users_.emplace(&memory);
     }
 }
@@ -65,6 +68,9 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable
     : Mesh(hooks, parts.arrays, parts.report, parts.index_hash, chosen_isa(), deformable) {
     Vector<Box> boxes(&memory);
     pack_triangles(parts, packets_, boxes);
+    if (is_links()) {
+        for (size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(packets_[i]);
+    }
     bvh_.build(parts.tree, boxes.data());
     note_packed_area(boxes);
     measure();
@@ -72,14 +78,19 @@ Mesh::Mesh(const gphys_allocator* hooks, const MeshParts& parts, bool deformable
 }
 
 MeshArrays Mesh::arrays() const {
-    return {vertices_.empty() ? nullptr : &vertices_[0].x, sizeof(gphys_vec3), static_cast<uint32_t>(vertices_.size()),
-            indices_.data(), static_cast<uint32_t>(indices_.size())};
+    return {vertices_.empty() ? nullptr : &vertices_[0].x, sizeof(gphys_vec3),
+            static_cast<uint32_t>(vertices_.size()),       indices_.data(),
+            static_cast<uint32_t>(indices_.size()),        kind_,
+            radii_.empty() ? nullptr : radii_.data()};
 }
 
 void Mesh::pack() {
     Vector<TrianglePacket> packets(&memory);
     Vector<Box> boxes(&memory);
     pack_triangles(arrays(), packets, boxes);
+    if (is_links()) {
+        for (size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(packets[i]);
+    }
     Vector<uint32_t> numbers(boxes.size(), &memory);
     for (uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
     bvh_.build(boxes.data(), numbers.data(), static_cast<uint32_t>(numbers.size()));
@@ -96,15 +107,18 @@ void Mesh::note_packed_area(const Vector<Box>& boxes) {
 void Mesh::measure() noexcept {
     WordHash hash = index_hash_;
     hash.put(vertices_.data(), vertices_.size() * (sizeof(gphys_vec3) / 4));
-    hash_ = hash.value();
+    hash.put(radii_.data(), radii_.size());
+    hash_ = mesh_hash(hash, kind_);
     if (packets_.empty()) return;
     const Box box = bounds();
     rays_root_ = RaysRoot(box);
     center_ = (Vec3{box.min[0], box.min[1], box.min[2]} + Vec3{box.max[0], box.max[1], box.max[2]}) * 0.5;
     double squared = 0;
     for (const gphys_vec3& vertex : vertices_) squared = std::max(squared, length_squared(widen(vertex) - center_));
-    // Five roundings of 2^-53 each, of which those below the root count half.
-    radius_ = std::sqrt(squared) * (1 + 0x1p-50);
+    double thickest = 0;
+    for (const float radius : radii_) thickest = std::max<double>(thickest, radius);
+    // Five roundings of 2^-53 each, of which those below the root count half; and one of the sum.
+    radius_ = (std::sqrt(squared) + thickest) * (1 + 0x1p-50);
     const gphys_vec3 center = narrow(center_);
     ball_ = {center, round_up((radius_ + distance(center_, widen(center))) * (1 + 0x1p-50))};
 }
@@ -112,7 +126,7 @@ void Mesh::measure() noexcept {
 const Mesh* Mesh::make_magnified(const Vector<gphys_vec3>& vertices, double& magnification) const {
     magnification = 1;
     const double largest = largest_coordinate(vertices);
-    if (packets_.empty() || largest == 0 || largest > smallest_extent) return nullptr;
+    if (packets_.empty() || is_links() || largest == 0 || largest > smallest_extent) return nullptr;
     magnification = std::scalbn(1.0, -std::ilogb(largest));
     Vector<gphys_vec3> larger(vertices.get_allocator());
     larger.reserve(vertices.size());
@@ -146,6 +160,7 @@ Ray Mesh::magnified(const Ray& ray) const {
 }
 
 bool Mesh::raycast(const Ray& ray, Hit& hit) const {
+    if (is_links()) return raycast_links(ray, hit);
     if (magnified_) return magnified_->raycast(magnified(ray), hit) && reduce(hit);
     const PreparedRay prepared(ray, rays_root_);
     NearestCrossing nearest;
@@ -180,7 +195,7 @@ void Mesh::cross_many(const PreparedRay* rays, uint32_t count, NearestCrossing* 
 
 uint64_t Mesh::raycast_many(const gphys_ray* const* rays, uint32_t count, gphys_hit* const* out) const {
     if (packets_.empty() || count == 0) return 0;
-    if (magnified_) {
+    if (magnified_ || is_links()) {
         return hits_of_others(0, count, out, [&](uint32_t i, Hit& hit) { return raycast(widen(*rays[i]), hit); });
     }
     PreparedRays prepared;
@@ -198,7 +213,7 @@ uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const Transform& wo
         hit.normal = world.rotation * hit.normal;
         return found;
     };
-    if (magnified_) {
+    if (magnified_ || is_links()) {
         return hits_of_others(0, count, out, [&](uint32_t i, Hit& hit) {
             const Vec3 origin = world.inverse_apply(rays[i].origin);
             const Ray local{origin, world.inverse_apply_to_vector(rays[i].direction), rays[i].t_max};
@@ -216,6 +231,7 @@ uint64_t Mesh::raycast_many(const Ray* rays, uint32_t count, const Transform& wo
 }
 
 bool Mesh::raycast_any(const Ray& ray) const {
+    if (is_links()) return raycast_any_links(ray);
     if (magnified_) return magnified_->raycast_any(magnified(ray));
     const PreparedRay prepared(ray, rays_root_);
     bool found = false;
@@ -248,9 +264,12 @@ bool Mesh::sweep(const Sphere& moving, Vec3 displacement, Hit& hit, Ties ties) c
     double first_t = infinity;
     bvh_.sweep(moving.center, displacement, moving.radius, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
-        for_each_lane(kernels_.lanes_along(packet, probe, probe.limit(t_max)), [&](int lane) {
+        const auto lanes_along = [&] { return kernels_.lanes_along(packet, probe, probe.limit(t_max)); };
+        for_each_lane(lanes_by(packet, lanes_along), [&](int lane) {
             Hit candidate;
-            if (!gphys::sweep(packet.triangle(lane), moving, displacement, candidate)) return true;
+            const bool met = with_item(
+                packet, lane, [&](const auto& item) { return gphys::sweep(item, moving, displacement, candidate); });
+            if (!met) return true;
             candidate.triangle = packet.index[lane];
             const double t = as_reported ? reported(candidate.t) : candidate.t;
             if (t < first_t || (t == first_t && candidate.triangle < first.triangle)) {
@@ -276,9 +295,12 @@ bool Mesh::sweep(const Shape& moving, Vec3 displacement, Hit& hit) const {
     float first_t = std::numeric_limits<float>::infinity();
     bvh_.sweep(box.middle, displacement, half, [&](uint32_t number, double& t_max) {
         const TrianglePacket& packet = packets_[number];
-        for_each_lane(kernels_.lanes_along(packet, probe, probe.limit(t_max)), [&](int lane) {
+        const auto lanes_along = [&] { return kernels_.lanes_along(packet, probe, probe.limit(t_max)); };
+        for_each_lane(lanes_by(packet, lanes_along), [&](int lane) {
             Hit candidate;
-            if (!gphys::sweep(packet.triangle(lane), moving, displacement, candidate)) return true;
+            const bool met = with_item(
+                packet, lane, [&](const auto& item) { return gphys::sweep(item, moving, displacement, candidate); });
+            if (!met) return true;
             candidate.triangle = packet.index[lane];
             const float t = reported(candidate.t);
             if (t < first_t || (t == first_t && candidate.triangle < first.triangle)) {
@@ -306,10 +328,13 @@ bool Mesh::overlaps(const Shape& shape) const {
 bool Mesh::overlaps(const Mesh& other) const {
     return !bvh_.overlap_pairs(other.bvh_, [&](uint32_t mine, uint32_t theirs) {
         const TrianglePacket &a = packets_[mine], &b = other.packets_[theirs];
-        return for_each_lane(kernels_.lanes_in_box(a, other.bvh_.box(theirs)), [&](int lane) {
-            const Triangle triangle = a.triangle(lane);
-            return for_each_lane(kernels_.lanes_in_box(b, gphys::bounds(triangle)),
-                                 [&](int other_lane) { return !gphys::overlaps(triangle, b.triangle(other_lane)); });
+        return for_each_lane(lanes_in_box(a, other.bvh_.box(theirs)), [&](int lane) {
+            return with_item(a, lane, [&](const auto& item) {
+                return for_each_lane(other.lanes_in_box(b, gphys::bounds(item)), [&](int other_lane) {
+                    return other.with_item(b, other_lane,
+                                           [&](const auto& other_item) { return !gphys::overlaps(item, other_item); });
+                });
+            });
         });
     });
 }

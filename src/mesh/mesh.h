@@ -2,6 +2,7 @@
 // share it. Reference counted.
 //
 //   mesh.cpp            creation and queries
+//   links.cpp           queries of capsules in place of triangles
 //   deform.cpp          new vertices
 //   mesh_snapshot.cpp   snapshots
 //
@@ -36,13 +37,21 @@ public:
     Mesh& operator=(const Mesh&) = delete;
 
     void retain() const noexcept { holds_.fetch_add(1, std::memory_order_relaxed); }
+    /// Whether the caller is the only one who holds it.
+    bool is_held_once() const noexcept { return holds_.load(std::memory_order_acquire) == 1; }
     static void release(const Mesh* mesh) noexcept;
 
+    MeshKind kind() const { return kind_; }
     bool deformable() const { return users_.has_value(); }
-    /// Put valid vertices, as many as there are, in place of the old ones: of a deformable mesh. All answers are those
-    /// of a mesh made of them. Why a model of the mesh cannot follow, or null. What fails, or throws std::bad_alloc,
-    /// has changed nothing.
+    /// Put valid vertices, as many as there are, in place of the old ones: of a deformable mesh. Of links radii as
+    /// well, unless they are null and stay. All answers are those of a mesh made of them. Why a model of the mesh
+    /// cannot follow, or null. What fails, or throws std::bad_alloc, has changed nothing.
     const char* set_vertices(const MeshArrays& arrays);
+    /// After new vertices that differ from the old ones by that: models of a deformable mesh stay where they were.
+    void shift_models(Vec3 by) const noexcept { users_->mesh_shifted(by); }
+    /// A deformable mesh that a body gives its form, or does so no longer. Solvers see to that.
+    void set_led(bool led) noexcept { led_ = led; }
+    bool led() const { return led_; }
     /// Models that have to be told of that; nothing for other meshes.
     void join(MeshUser& user, const uint32_t* models, uint32_t count) const {
         if (users_) users_->join(user, models, count);
@@ -67,7 +76,7 @@ public:
     double radius() const { return radius_; }
     /// The same in floats, rounded outward.
     const gphys_sphere& ball() const { return ball_; }
-    /// Of the vertices and indices: the same for equal meshes, wherever they are.
+    /// Of all that it is made of: the same for equal meshes, wherever they are.
     uint64_t hash() const { return hash_; }
     const Bvh8& bvh() const { return bvh_; }
     const Vector<TrianglePacket>& packets() const { return packets_; }
@@ -111,7 +120,11 @@ public:
     template <class Visit>
     void for_each_penetration(const Shape& moving, Visit&& visit) const {
         for_each_overlap(moving, [&](uint32_t index) {
-            visit(penetration(triangle(index), moving), index);
+            if (is_links()) {
+                visit(penetration(link(triangle(index), index), moving), index);
+            } else {
+                visit(penetration(triangle(index), moving), index);
+            }
             return true;
         });
     }
@@ -124,6 +137,32 @@ private:
          Isa isa, bool deformable);
     /// The mesh as arrays of its own.
     MeshArrays arrays() const;
+
+    bool is_links() const { return kind_ == MeshKind::body_links; }
+    Capsule link(const Triangle& triangle, uint32_t index) const { return {triangle.a, triangle.b, radii_[index]}; }
+    /// visit(the triangle, or the capsule that it stands for).
+    template <class Visit>
+    auto with_item(const TrianglePacket& packet, int lane, Visit&& visit) const {
+        if (is_links()) return visit(link(packet.triangle(lane), packet.index[lane]));
+        return visit(packet.triangle(lane));
+    }
+    /// What the packet stands for; of links, those that are there.
+    uint32_t lanes_of(const TrianglePacket& packet) const { return is_links() ? links_of(packet) : packet.lanes(); }
+    uint32_t links_of(const TrianglePacket& packet) const;
+    /// Lanes of which a quick test has not said no: of links, all.
+    template <class Test>
+    uint32_t lanes_by(const TrianglePacket& packet, Test&& test) const {
+        return is_links() ? links_of(packet) : test();
+    }
+    uint32_t lanes_in_box(const TrianglePacket& packet, const Box& box) const {
+        return lanes_by(packet, [&] { return kernels_.lanes_in_box(packet, box); });
+    }
+    /// Around all that the packet stands for.
+    Box box_of(const TrianglePacket& packet) const;
+    bool raycast_links(const Ray& ray, Hit& hit) const;
+    bool raycast_any_links(const Ray& ray) const;
+    template <class Visit>
+    void raycast_all_links(const Ray& ray, Visit&& visit) const;
     /// Cut the triangles into packets and build the tree. What throws std::bad_alloc has changed nothing.
     void pack();
     void note_packed_area(const Vector<Box>& boxes);
@@ -170,6 +209,7 @@ private:
     gphys_mesh_report report_;
     Vector<gphys_vec3> vertices_{&memory};
     Vector<uint32_t> indices_{&memory};
+    Vector<float> radii_{&memory};  // of links
     Vector<TrianglePacket> packets_{&memory};
     Bvh8 bvh_;
     RaysRoot rays_root_;
@@ -184,11 +224,14 @@ private:
     double magnification_ = 1;
 
     const Isa isa_;
+    const MeshKind kind_;
+    bool led_ = false;
     WordHash index_hash_;
     double packed_area_ = 0, packed_root_area_ = 0;  // when the packets were cut, of their boxes and of the whole
     // Of a deformable mesh.
     mutable std::optional<MeshUsers> users_;
     Vector<gphys_vec3> next_vertices_{&memory};  // while they may be refused; then the old ones
+    Vector<float> next_radii_{&memory};
 };
 
 template <class Visit>
@@ -204,10 +247,25 @@ void Mesh::walk(const PreparedRay& ray, Visit&& visit) const {
 
 template <class Visit>
 void Mesh::raycast_all(const Ray& ray, Visit&& visit) const {
+    if (is_links()) return raycast_all_links(ray, visit);
     if (!magnified_) return cross_all(ray, visit);
     magnified_->cross_all(magnified(ray), [&](Hit hit) {
         reduce(hit);
         visit(hit);
+    });
+}
+
+template <class Visit>
+void Mesh::raycast_all_links(const Ray& ray, Visit&& visit) const {
+    bvh_.raycast(ray, [&](uint32_t number, double&) {
+        const TrianglePacket& packet = packets_[number];
+        for_each_lane(links_of(packet), [&](int lane) {
+            Hit hit;
+            if (!gphys::raycast(link(packet.triangle(lane), packet.index[lane]), ray, hit)) return true;
+            hit.triangle = packet.index[lane];
+            visit(hit);
+            return true;
+        });
     });
 }
 
@@ -250,8 +308,10 @@ bool Mesh::find_closest(Vec3 point, double max_distance, const DistanceOf& dista
     uint32_t nearest = GPHYS_NO_TRIANGLE;
     bvh_.nearest(point, max_distance, [&](uint32_t number, double& bound) {
         const TrianglePacket& packet = packets_[number];
-        for_each_lane(kernels_.lanes_near(packet, probe, probe.limit(bound)), [&](int lane) {
-            const Vec3 candidate = gphys::closest_point(packet.triangle(lane), point);
+        const uint32_t lanes = lanes_by(packet, [&] { return kernels_.lanes_near(packet, probe, probe.limit(bound)); });
+        for_each_lane(lanes, [&](int lane) {
+            const Vec3 candidate =
+                with_item(packet, lane, [&](const auto& item) { return gphys::closest_point(item, point); });
             const double squared = length_squared(candidate - point);
             if (squared > bound * bound) return true;
             const auto distance = distance_of(candidate, squared);
@@ -278,8 +338,9 @@ void Mesh::for_each_overlap_of(const Bounded& shape, Visit&& visit) const {
     const Box box = gphys::bounds(shape);
     bvh_.overlap_box(box, [&](uint32_t number, bool) {
         const TrianglePacket& packet = packets_[number];
-        return for_each_lane(kernels_.lanes_in_box(packet, box), [&](int lane) {
-            return !gphys::overlaps(shape, packet.triangle(lane)) || visit(packet.index[lane]);
+        return for_each_lane(lanes_in_box(packet, box), [&](int lane) {
+            const bool meets = with_item(packet, lane, [&](const auto& item) { return gphys::overlaps(shape, item); });
+            return !meets || visit(packet.index[lane]);
         });
     });
 }
@@ -292,8 +353,9 @@ void Mesh::for_each_overlap_of(const Plane& plane, Visit&& visit) const {
     };
     bvh_.overlap(touches, [&](uint32_t number) {
         const TrianglePacket& packet = packets_[number];
-        return for_each_lane(packet.lanes(), [&](int lane) {
-            return !gphys::overlaps(plane, packet.triangle(lane)) || visit(packet.index[lane]);
+        return for_each_lane(lanes_of(packet), [&](int lane) {
+            const bool meets = with_item(packet, lane, [&](const auto& item) { return gphys::overlaps(plane, item); });
+            return !meets || visit(packet.index[lane]);
         });
     });
 }
@@ -302,8 +364,11 @@ template <class Visit>
 void Mesh::for_each_overlap_of(const Frustum& frustum, Visit&& visit) const {
     bvh_.frustum(frustum, all_of_space, [&](uint32_t number, bool wholly_inside) {
         const TrianglePacket& packet = packets_[number];
-        return for_each_lane(packet.lanes(), [&](int lane) {
-            return !(wholly_inside || gphys::overlaps(frustum, packet.triangle(lane))) || visit(packet.index[lane]);
+        return for_each_lane(lanes_of(packet), [&](int lane) {
+            const bool meets = wholly_inside || with_item(packet, lane, [&](const auto& item) {
+                                   return gphys::overlaps(frustum, item);
+                               });
+            return !meets || visit(packet.index[lane]);
         });
     });
 }

@@ -7,6 +7,14 @@
 
 namespace gphys {
 
+/// What the triangles of a mesh stand for. With the form of a body of a solver it is not collided with by solvers.
+enum class MeshKind : uint32_t {
+    surface,
+    body_surface,
+    /// Of a body: a triangle a, b, b is the capsule from a to b.
+    body_links
+};
+
 /// The caller's arrays: vertex_count vertices `vertex_stride` bytes apart, three indices a triangle.
 struct MeshArrays {
     const float* vertices;
@@ -14,6 +22,9 @@ struct MeshArrays {
     uint32_t vertex_count;
     const uint32_t* indices;
     uint32_t index_count;
+    MeshKind kind = MeshKind::surface;
+    /// Of links, one each: how thick it is. With the sign bit set it is not there.
+    const float* radii = nullptr;
 
     gphys_vec3 vertex(uint32_t i) const {
         gphys_vec3 v;

@@ -19,6 +19,11 @@ uint64_t words_of(const Sizes& sizes) {
            sizes.nodes;
 }
 
+/// Of the last section, which a surface does not have.
+uint64_t words_of_kind(MeshKind kind, const Sizes& sizes) {
+    return kind == MeshKind::surface ? 0 : kind == MeshKind::body_surface ? 1 : 1 + sizes.indices / 3;
+}
+
 bool report_fits(const Sizes& sizes) {
     const uint32_t triangles = sizes.indices / 3;
     return sizes.degenerate <= triangles && sizes.open_edges <= sizes.indices &&
@@ -76,18 +81,32 @@ const char* read_mesh_snapshot(const uint32_t* words, uint32_t count, std::pmr::
     if (count < mesh_snapshot_begin) return wrong_lengths;
     Sizes sizes;
     std::memcpy(&sizes, words + snapshot_header_words, sizeof sizes);
-    if (sizes.indices % 3 != 0 || words_of(sizes) != count) return wrong_lengths;
+    if (sizes.indices % 3 != 0 || words_of(sizes) > count) return wrong_lengths;
+    MeshKind kind = MeshKind::surface;
+    const uint32_t* const last = words + words_of(sizes);
+    if (words_of(sizes) < count) {
+        if (*last != static_cast<uint32_t>(MeshKind::body_surface) &&
+            *last != static_cast<uint32_t>(MeshKind::body_links)) {
+            return wrong_lengths;
+        }
+        kind = static_cast<MeshKind>(*last);
+    }
+    if (words_of(sizes) + words_of_kind(kind, sizes) != count) return wrong_lengths;
 
     const uint32_t* const indices = words + mesh_snapshot_begin;
     const uint32_t* const vertices = indices + sizes.indices;
     const uint32_t* const order = vertices + size_t{words_of_vertex} * sizes.vertices;
+    const uint32_t* const radii = last + 1;
+    const uint32_t radius_count = kind == MeshKind::body_links ? sizes.indices / 3 : 0;
     const uint32_t triangles = sizes.indices / 3;
     WordHash hash;
     hash.put(indices, sizes.indices);
     parts.index_hash = hash;
     hash.put(vertices, static_cast<size_t>(order - vertices));
-    parts.hash = hash.value();
-    hash.put(order, size_t{triangles} + sizes.nodes);
+    WordHash contents = hash;
+    contents.put(radii, radius_count);
+    parts.hash = mesh_hash(contents, kind);
+    hash.put(order, static_cast<size_t>(words + count - order));
     hash.put(words + snapshot_header_words, size_words);
     if (!header.has_checksum(hash.value())) return "words: the snapshot is damaged";
 
@@ -95,11 +114,17 @@ const char* read_mesh_snapshot(const uint32_t* words, uint32_t count, std::pmr::
     if (!are_coordinates(vertices, uint64_t{words_of_vertex} * sizes.vertices)) {
         return "words: a vertex is not finite or too large";
     }
+    if (!are_coordinates(radii, radius_count)) return "words: a radius is not finite or too large";
     if (!are_below(sizes.vertices, indices, sizes.indices)) return "words: an index is out of range";
     const uint32_t packets = count_packets(order, triangles, memory);
     if (triangles > 0 && packets == 0) return "words: the order of the triangles is none";
-    parts.arrays = {reinterpret_cast<const float*>(vertices), sizeof(gphys_vec3), sizes.vertices, indices,
-                    sizes.indices};
+    parts.arrays = {reinterpret_cast<const float*>(vertices),
+                    sizeof(gphys_vec3),
+                    sizes.vertices,
+                    indices,
+                    sizes.indices,
+                    kind,
+                    radius_count > 0 ? reinterpret_cast<const float*>(radii) : nullptr};
     parts.report = {};
     parts.report.triangle_count = triangles;
     parts.report.degenerate_count = sizes.degenerate;
@@ -119,15 +144,16 @@ gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) c
                       now.degenerate_count,
                       now.first_degenerate,
                       now.open_edge_count};
-    if (words_of(sizes) > std::numeric_limits<uint32_t>::max()) {
+    const uint64_t words = words_of(sizes) + words_of_kind(kind_, sizes);
+    if (words > std::numeric_limits<uint32_t>::max()) {
         return fail(GPHYS_ERROR_CAPACITY, "the snapshot would have 2^32 words or more");
     }
-    total = static_cast<uint32_t>(words_of(sizes));
+    total = static_cast<uint32_t>(words);
     if (total > capacity) return GPHYS_INCOMPLETE;
     uint32_t* to = out + snapshot_header_words;
-    const auto copy = [&](const void* from, size_t words) {
-        if (words > 0) std::memcpy(to, from, 4 * words);  // else `from` may be null
-        to += words;
+    const auto copy = [&](const void* from, size_t size) {
+        if (size > 0) std::memcpy(to, from, 4 * size);  // else `from` may be null
+        to += size;
     };
     copy(&sizes, size_words);
     copy(indices_.data(), indices_.size());
@@ -139,6 +165,11 @@ gphys_status Mesh::snapshot(uint32_t* out, uint32_t capacity, uint32_t& total) c
                           order = std::copy_n(packet.index, packet.count(), order);
                           order[-1] |= MeshParts::last_of_packet;
                       });
+    if (kind_ != MeshKind::surface) {
+        to = node;
+        copy(&kind_, 1);
+        copy(radii_.data(), radii_.size());
+    }
     SnapshotHeader header{mesh_snapshot_magic, mesh_snapshot_format, total, {}};
     header.set_checksum(mesh_snapshot_checksum(out, total));
     std::memcpy(out, &header, sizeof header);

@@ -6,6 +6,7 @@
 //   vertices   three floats each
 //   order      the triangles as the packets hold them; the last of each packet has last_of_packet
 //   nodes      the layout of the tree (bvh_layout.h), whose items are the packets
+//   kind       of a mesh in the form of a body: its MeshKind, and of links the radii, as MeshArrays has them
 //
 // What follows from others (corners of packets, boxes) is made again. So nothing that a query relies on is taken on
 // trust: indices, order and nodes are checked, and the boxes are right whatever the words were.
@@ -27,7 +28,7 @@ struct MeshParts {
     MeshArrays arrays;
     gphys_mesh_report report;
     WordHash index_hash;
-    uint64_t hash;  // of indices and vertices
+    uint64_t hash;  // of all that it holds
     const uint32_t* order;
     BvhLayout tree;
 };
@@ -40,6 +41,11 @@ constexpr uint32_t mesh_snapshot_magic = 0x6770686d;
 constexpr uint32_t mesh_snapshot_format = 1;
 /// The header and the sizes.
 constexpr uint32_t mesh_snapshot_begin = snapshot_header_words + sizeof(MeshSnapshotSizes) / 4;
+
+/// Of indices, vertices and radii, and of the kind.
+inline uint64_t mesh_hash(const WordHash& contents, MeshKind kind) {
+    return contents.value() + static_cast<uint64_t>(kind) * WordHash::golden;
+}
 
 /// Of what follows the sizes, and then of these: it begins as the hash of a mesh does. `count` is mesh_snapshot_begin
 /// at least.

@@ -39,4 +39,9 @@ void MeshUsers::mesh_changed() const noexcept {
     for (const User& each : users_) each.user->mesh_changed(each.model);
 }
 
+void MeshUsers::mesh_shifted(Vec3 by) const noexcept {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const User& each : users_) each.user->mesh_shifted(each.model, by);
+}
+
 }  // namespace gphys

@@ -3,6 +3,7 @@
 
 #include <mutex>
 
+#include "foundation/math.h"
 #include "foundation/memory.h"
 
 namespace gphys {
@@ -14,6 +15,8 @@ public:
     virtual const char* refusal_of_mesh(uint32_t model) const = 0;
     /// The mesh has changed, and nobody rejects that.
     virtual void mesh_changed(uint32_t model) noexcept = 0;
+    /// The coordinates of all vertices have grown by that, and the model moves the other way, to stay where it is.
+    virtual void mesh_shifted(uint32_t model, Vec3 by) noexcept = 0;
 
 protected:
     ~MeshUser() = default;
@@ -31,6 +34,7 @@ public:
 
     const char* refusal() const;
     void mesh_changed() const noexcept;
+    void mesh_shifted(Vec3 by) const noexcept;
 
 private:
     struct User {

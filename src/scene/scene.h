@@ -166,7 +166,8 @@ public:
     /// The lowest `capacity` ids, ascending; returns how many there are. Beyond them `out` is scratch.
     uint32_t cull(const Frustum& frustum, uint32_t layers, gphys_model_id* out, uint32_t capacity) const;
     uint32_t cull(const Frustum& frustum, const QueryFilter& filter, gphys_model_id* out, uint32_t capacity) const;
-    /// Candidates: models whose world box touches the box, and planes that touch it. visit(id).
+    /// Candidates for what collides: models whose world box touches the box, and planes that touch it, but for those
+    /// in the form of a body. visit(id).
     template <class Visit>
     void for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const;
 
@@ -302,6 +303,10 @@ private:
     void list_large_mesh(uint32_t slot);
     void unlist_large_mesh(uint32_t slot);
     double mesh_radius(uint32_t slot) const;
+    /// Whether it has the form of a body of a solver, which collides with other bodies by itself.
+    bool is_body(uint32_t slot) const {
+        return models_[slot].type() == GPHYS_SHAPE_MESH && stored<const Mesh*>(slot)->kind() != MeshKind::surface;
+    }
     void list_unbounded(uint32_t slot);
     void unlist_unbounded(uint32_t position);
 
@@ -355,6 +360,7 @@ private:
         explicit MeshFollower(Scene& scene) : scene_(scene) {}
         const char* refusal_of_mesh(uint32_t slot) const override;
         void mesh_changed(uint32_t slot) noexcept override;
+        void mesh_shifted(uint32_t slot, Vec3 by) noexcept override;
 
     private:
         Scene& scene_;
@@ -499,7 +505,7 @@ void Scene::for_each_child(gphys_model_id model, Visit&& visit) const {
 template <class Visit>
 void Scene::for_each_in_box(const Box& box, uint32_t layers, Visit&& visit) const {
     const auto offer = [&](uint32_t slot) {
-        if (models_[slot].layers & layers) visit(ids_.id(slot));
+        if ((models_[slot].layers & layers) != 0 && !is_body(slot)) visit(ids_.id(slot));
         return true;
     };
     for (const uint32_t slot : unbounded_) {

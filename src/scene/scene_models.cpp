@@ -71,6 +71,23 @@ void Scene::MeshFollower::mesh_changed(uint32_t slot) noexcept {
     scene_.farthest_point_ = std::max(scene_.farthest_point_, scene_.farthest_point(slot));
 }
 
+/// A model that cannot go there, beyond the range of coordinates, stays.
+void Scene::MeshFollower::mesh_shifted(uint32_t slot, Vec3 by) noexcept {
+    gphys_transform local = scene_.local_of(slot);
+    const Transform wide = widen(local);
+    const Vec3 back = -(wide.rotation * (by * wide.scale));
+    const bool placed = slot < scene_.places_.size() && scene_.parent_of(slot) == none;
+    WorldPlace place = placed ? scene_.places_[slot] : WorldPlace();
+    const Vec3 position = place.move(scene_.origin_, local.position, back);
+    if (!(max_component(abs(position)) <= GPHYS_MAX_COORDINATE)) return;
+    local.position = narrow(position);
+    const gphys_model_id model = scene_.ids_.id(slot);
+    try {
+        if (scene_.set_transforms(&model, &local, 0, 1) == GPHYS_OK && placed) scene_.places_[slot] = place;
+    } catch (const std::bad_alloc&) {  // it stays, too
+    }
+}
+
 gphys_status Scene::add(gphys_shape_type type, const void* shapes, uint32_t shape_stride,
                         const gphys_transform* transforms, uint32_t transform_stride, uint32_t count,
                         Strided<gphys_model_desc> descs, gphys_model_id* out_models) {

@@ -192,6 +192,7 @@ gphys_status Solver::add_cloth_mesh(const gphys_body_desc& desc, const Mesh& mes
 gphys_status Solver::remove(gphys_body_id id) {
     const gphys_status status = check(id);
     if (status != GPHYS_OK) return status;
+    meshes_.let_go(id);
     remove_joints_of(IdTable::slot_of(id));
     state_.ids.remove(id);
     state_.bodies[IdTable::slot_of(id)] = Body(&memory);

@@ -15,6 +15,7 @@
 //   state_range.cpp    the range of numbers that a step ends in
 //   error_targets.cpp  how many substeps a body takes
 //   stats.cpp          strain, energy, contacts
+//   body_meshes.cpp    bodies as meshes, for scenes to show
 //   particles/         bodies without constraints: exact flight and impacts
 //   rope/              chains and trees: Newton on the whole chain
 //     plan_chains.cpp    which constraints form chains
@@ -41,6 +42,7 @@
 #include "foundation/results.h"
 #include "foundation/workers.h"
 #include "scene/scene.h"
+#include "solver/body_meshes.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/particle_contacts.h"
 #include "solver/islands.h"
@@ -178,6 +180,11 @@ public:
     void wake_all();
     void list_sleeping(Smallest<gphys_body_id>& out) const;
 
+    /// A mesh in the form of a body, which follows it from now on. The caller holds it.
+    Mesh* make_mesh(const gphys_allocator* hooks, gphys_body_id id) { return meshes_.make(hooks, id, body(id)); }
+    /// The same body, edited, is seen by what shows it.
+    void show(gphys_body_id id) noexcept { meshes_.follow(id, body(id)); }
+
     // joints.cpp. Bodies and particles are there; rest < 0: the present distance.
     gphys_status join(gphys_body_id body_a, uint32_t particle_a, gphys_body_id body_b, uint32_t particle_b, double rest,
                       double compliance, gphys_joint_id& out);
@@ -273,6 +280,8 @@ private:
     };
 
     gphys_status insert(Body&& body, gphys_body_id& out);
+    void simulate(const Scene* scene, double dt);
+    void show_all(Vec3 shift = {}) noexcept;
     void prepare(const Scene* scene, double dt);
     void prepare_body(uint32_t slot, const Scene* scene, double dt);
     void begin_step(const Scene* scene) noexcept;
@@ -335,6 +344,7 @@ private:
         Aabb box;
     };
     Vector<Reach> reaches_{&memory};
+    BodyMeshes meshes_{&memory};
 };
 
 // state.cpp: one body.

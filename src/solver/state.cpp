@@ -131,6 +131,7 @@ bool Solver::set_origin(Vec3 origin) {
     }
     for (PlacedModel& seen : state_.seen) seen.world.position = narrow(widen(seen.world.position) + shift);
     state_.origin = origin;
+    show_all(shift);
     return true;
 }
 

@@ -181,7 +181,16 @@ void Solver::move_shared(const ActiveBody& moving, const Scene* scene, double dt
     cloth.team = nullptr;
 }
 
+void Solver::show_all(Vec3 shift) noexcept {
+    meshes_.follow_all([&](gphys_body_id id) { return state_.ids.has(id) ? &body(id) : nullptr; }, shift);
+}
+
 void Solver::step(const Scene* scene, double dt) {
+    simulate(scene, dt);
+    show_all();
+}
+
+void Solver::simulate(const Scene* scene, double dt) {
     prepare(scene, dt);
     begin_step(scene);
     const auto each_divided = [&](auto&& visit) {
@@ -245,12 +254,13 @@ void Solver::advance(const Scene* scene, double frame_time, uint32_t& steps, dou
     const uint32_t wanted = static_cast<uint32_t>(std::min<double>(due, state_.settings.max_steps));
     for (steps = 0; steps < wanted; ++steps) {
         try {
-            step(scene, length);
+            simulate(scene, length);
         } catch (const std::bad_alloc&) {
             if (steps == 0) throw;
             break;  // what has been made cannot be taken back, and is reported
         }
     }
+    if (steps > 0) show_all();
     // Of frames of years the difference is rounding.
     state_.owed = std::clamp(owed - due * length, 0.0, length);
     leftover = state_.owed / state_.settings.fixed_step;

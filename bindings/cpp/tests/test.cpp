@@ -373,7 +373,8 @@ TEST_CASE("cameras see by aspect, in a window, from the near plane on") {
     CHECK(near(*planes_intersection(x1, y2, z3), {1, 2, 3}));
     CHECK(!planes_intersection(x1, y2, y2));
     std::vector<Vec3> points(2);
-    planes_intersection_batch(std::vector<Plane>{x1, x1}, std::vector<Plane>{y2, y2}, std::vector<Plane>{z3, y2}, points);
+    planes_intersection_batch(std::vector<Plane>{x1, x1}, std::vector<Plane>{y2, y2}, std::vector<Plane>{z3, y2},
+                              points);
     CHECK((near(points[0], {1, 2, 3}) && points[1].x == INF));
 }
 
@@ -388,6 +389,18 @@ TEST_CASE("a mesh deforms, and its models with it") {
     for (Vec3& corner : corners) corner.z = 7;
     mesh.set_vertices(numbers());
     CHECK(std::fabs(scene.get_bounds(model)->min.z - 7) < 1e-3f);
+}
+
+TEST_CASE("a rope is picked as a model that follows it") {
+    Solver solver;
+    const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, later{{0, 0, 7}, {1, 0, 7}, {2, 0, 7}};
+    const gphys_body_id rope = solver.add_rope(points, 0);
+    Scene scene;
+    const gphys_model_id model = scene.add(Mesh(solver, rope));
+    solver.set_positions(rope, 0, later);
+    const auto hit = scene.raycast(Ray{{1.8f, 0, 0}, {0, 0, 1}, INFINITY});
+    CHECK((hit && hit->model == model && hit->triangle == 1));
+    CHECK(solver.get_nearest_particle(rope, hit->triangle, hit->point) == 2);
 }
 
 TEST_CASE("lists of any length") {

@@ -198,6 +198,8 @@ internal static unsafe class Low {
     [DllImport(Library)] internal static extern Status gphys_solver_set_body_settings(SolverHandle solver, uint body, BodySettings* settings);
     [DllImport(Library)] internal static extern Status gphys_solver_get_body_info(SolverHandle solver, uint body, BodyInfo* out_info);
     [DllImport(Library)] internal static extern Status gphys_solver_get_triangles(SolverHandle solver, uint body, uint* out_indices, uint capacity, uint* out_total);
+    [DllImport(Library)] internal static extern Status gphys_mesh_create_from_body(MeshDesc* desc, SolverHandle solver, uint body, IntPtr* out_mesh);
+    [DllImport(Library)] internal static extern Status gphys_solver_get_nearest_particle(SolverHandle solver, uint body, uint triangle, Vec3* point, uint* out_particle);
     [DllImport(Library)] internal static extern Status gphys_solver_get_positions(SolverHandle solver, uint body, uint first, uint count, Vec3* out_positions, uint out_stride);
     [DllImport(Library)] internal static extern Status gphys_solver_set_positions(SolverHandle solver, uint body, uint first, uint count, Vec3* positions, uint stride);
     [DllImport(Library)] internal static extern Status gphys_solver_get_velocities(SolverHandle solver, uint body, uint first, uint count, Vec3* out_velocities, uint out_stride);

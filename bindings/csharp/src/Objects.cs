@@ -40,6 +40,36 @@ public sealed partial class Mesh : IDisposable {
         Handle = new MeshHandle(made);
     }
 
+    /// <summary>Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
+    /// met by rays, picked, overlapped and culled as models of scenes (Scene.Add with ShapeType.Mesh;
+    /// without a transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex
+    /// p is particle p. Of cloth the mesh is the surface of its triangles, in the order of
+    /// Solver.GetTriangles. A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the
+    /// link from particle t to t + 1, a capsule of the smaller of their radii, there while a constraint
+    /// holds them together; n - 1 + p is particle p, a sphere, there where no link beside it is as thick.
+    /// Free particles are spheres, and `triangle` is the particle. Solver.GetNearestParticle finds the
+    /// particle of a hit. The mesh has the new form when Solver.Step, Solver.Advance, Solver.Restore or an
+    /// edit of the body returns. A model that would leave the range of the world, and a mesh of less than
+    /// 2^-32 m for which there is no memory, keep their form until they can follow. Solver.SetOrigin moves
+    /// the coordinates of the mesh, and the models back by as much: they stay where they are in the world,
+    /// exactly if scenes have moved their origin before. Solvers do not collide with models of such meshes,
+    /// nor wake by them: bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id
+    /// and the parts of the one that there was. Restore the solver before the scene. A mesh that is loaded
+    /// from a snapshot, that of a scene included, is a copy that follows nothing; Scene.SetShape gives its
+    /// model one that does. Mesh and solver are destroyed in any order. When the body is gone the mesh
+    /// keeps the form that it had last and is deformable by Mesh.SetVertices, which returns
+    /// Status.ErrorUnsupported before. A mesh that neither its handle nor a model holds follows no more.
+    /// Threads: the functions above become edits of the mesh and of each scene that has a model of it.
+    /// Cost: as Mesh, and then that of Mesh.SetVertices for a body that has moved; one that rests is
+    /// compared, O(particles). Since 1.1.</summary>
+    /// <param name="desc">the mesh is deformable whatever it says</param>
+    public unsafe Mesh(Solver solver, uint body, MeshDesc? desc = null) {
+        var desc_ = desc.GetValueOrDefault();
+        IntPtr made;
+        Check(Low.gphys_mesh_create_from_body(desc.HasValue ? &desc_ : null, solver.Handle, body, &made));
+        Handle = new MeshHandle(made);
+    }
+
     /// <summary>Frees the object at once. Any use afterwards throws ObjectDisposedException.</summary>
     public void Dispose() { Handle.Dispose(); }
 
@@ -2018,6 +2048,20 @@ public sealed partial class Solver : IDisposable {
             }
             result = new uint[total];
         }
+    }
+
+    /// <summary>The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
+    /// near.
+    /// Cost: O(1); O(particles) for NoTriangle. Since 1.1.</summary>
+    /// <param name="triangle">as in a hit, nearest or penetration of the body's mesh: its corners are
+    /// compared, of a rope the ends of the link, or the particle; NoTriangle: all particles</param>
+    /// <param name="point">metres, in the solver's coordinates: that of the hit</param>
+    /// <exception cref="GamephysException">Status.ErrorInvalidArgument: also if the mesh has no such
+    /// triangle</exception>
+    public unsafe uint GetNearestParticle(uint body, uint triangle, Vec3 point) {
+        var particle = default(uint);
+        Check(Low.gphys_solver_get_nearest_particle(Handle, body, triangle, &point, &particle));
+        return particle;
     }
 
     /// <summary>Where the particles are, metres.

@@ -209,6 +209,18 @@ public class SceneTests {
     }
 
     [Test]
+    public void ARopeIsPickedAsAModelThatFollowsIt() {
+        var solver = new Solver();
+        var rope = solver.AddRope(new Vec3[] { (0, 0, 0), (1, 0, 0), (2, 0, 0) }, 0);
+        var scene = new Scene();
+        var model = scene.Add(new Mesh(solver, rope));
+        solver.SetPositions(rope, 0, new Vec3[] { (0, 0, 7), (1, 0, 7), (2, 0, 7) });
+        var hit = scene.Raycast(new Ray((1.8f, 0, 0), (0, 0, 1), float.PositiveInfinity)).Value;
+        Assert.AreEqual((model, 1u), (hit.Model, hit.Triangle));
+        Assert.AreEqual(2u, solver.GetNearestParticle(rope, hit.Triangle, hit.Point));
+    }
+
+    [Test]
     public void SpansArePartsOfArrays() {
         uint[] models;
         var scene = SceneOfBalls(out models);

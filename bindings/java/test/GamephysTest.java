@@ -346,6 +346,19 @@ public class GamephysTest {
     }
 
     @Test
+    public void aRopeIsPickedAsAModelThatFollowsIt() {
+        Solver solver = new Solver();
+        int rope = solver.addRope(points(v(0, 0, 0), v(1, 0, 0), v(2, 0, 0)), 0);
+        Scene scene = new Scene();
+        int model = scene.add(new Mesh(solver, rope));
+        solver.setPositions(rope, 0, points(v(0, 0, 7), v(1, 0, 7), v(2, 0, 7)));
+        Hit hit = scene.raycast(new Ray(v(1.8f, 0, 0), v(0, 0, 1), Float.POSITIVE_INFINITY)).orElseThrow();
+        assertEquals(model, hit.model());
+        assertEquals(1, hit.triangle());
+        assertEquals(2, solver.getNearestParticle(rope, hit.triangle(), hit.point()));
+    }
+
+    @Test
     public void listsOfAnyLength() {
         Scene scene = new Scene();
         Batch<Integer> models = scene.addBatch(Shapes.of(Batch.allocate(Sphere.LAYOUT, 500))); // more than the first guess has room for

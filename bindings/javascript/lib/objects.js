@@ -28,6 +28,13 @@ export function objects(memory) {
                 return made(24);
             }, native.gphys_mesh_destroy], Mesh);
         }
+        static fromBody(solver, body, desc) {
+            return Reflect.construct(Handle, [() => {
+                if (desc != null) { check(native.gphys_mesh_desc_init(base, v.wide ? 24 : 16)); writeMeshDesc(v, 0, desc); }
+                check(native.gphys_mesh_create_from_body(desc == null ? 0 : base, pointer(solver, Solver, 'solver', false), body, base + 24));
+                return made(24);
+            }, native.gphys_mesh_destroy], Mesh);
+        }
         setVertices(vertices) {
             begin();
             const vertices_ = input(vertices, 12, 'vertices');
@@ -793,6 +800,11 @@ export function objects(memory) {
         getTriangles(body) {
             begin();
             return list('uint32_t', 0, (room, capacity) => native.gphys_solver_get_triangles(this.pointer, body, room, capacity, base));
+        }
+        getNearestParticle(body, triangle, point) {
+            writeVec3(v, 0, point);
+            check(native.gphys_solver_get_nearest_particle(this.pointer, body, triangle, base, base + 12));
+            return v.u32[3];
         }
         getPositions(body, first, count, out) {
             begin();

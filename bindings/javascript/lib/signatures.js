@@ -193,6 +193,8 @@ export const signatures = {
     gphys_solver_set_body_settings: 'ipup',
     gphys_solver_get_body_info: 'ipup',
     gphys_solver_get_triangles: 'ipuaup',
+    gphys_mesh_create_from_body: 'ippup',
+    gphys_solver_get_nearest_particle: 'ipuupp',
     gphys_solver_get_positions: 'ipuuuau',
     gphys_solver_set_positions: 'ipuuuau',
     gphys_solver_get_velocities: 'ipuuuau',

@@ -240,6 +240,16 @@ test('a mesh deforms, and its models with it', () => {
     near([scene.getBounds(model).min[2]], [7], 1e-3);
 });
 
+test('a rope is picked as a model that follows it', () => {
+    const solver = new gp.Solver(), scene = new gp.Scene();
+    const rope = solver.addRope(floats(0, 0, 0, 1, 0, 0, 2, 0, 0), 0);
+    const model = scene.add(gp.Mesh.fromBody(solver, rope));
+    solver.setPositions(rope, 0, floats(0, 0, 7, 1, 0, 7, 2, 0, 7));
+    const hit = scene.raycast(gp.ray([1.8, 0, 0], [0, 0, 1], Infinity));
+    same([hit.model, hit.triangle], [model, 1]);
+    same(solver.getNearestParticle(rope, hit.triangle, hit.point), 2);
+});
+
 test('cameras', () => {
     const camera = new gp.Camera({ viewport_width: 200, viewport_height: 100 });
     camera.lookAt([0, 0, -10], [0, 0, 0], [0, 1, 0]);

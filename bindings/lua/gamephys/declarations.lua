@@ -250,6 +250,8 @@ gphys_status gphys_solver_get_body_settings(const gphys_solver *solver, gphys_bo
 gphys_status gphys_solver_set_body_settings(gphys_solver *solver, gphys_body_id body, const gphys_body_settings *settings);
 gphys_status gphys_solver_get_body_info(const gphys_solver *solver, gphys_body_id body, gphys_body_info *out_info);
 gphys_status gphys_solver_get_triangles(const gphys_solver *solver, gphys_body_id body, uint32_t *out_indices, uint32_t capacity, uint32_t *out_total);
+gphys_status gphys_mesh_create_from_body(const gphys_mesh_desc *desc, gphys_solver *solver, gphys_body_id body, gphys_mesh **out_mesh);
+gphys_status gphys_solver_get_nearest_particle(const gphys_solver *solver, gphys_body_id body, uint32_t triangle, const gphys_vec3 *point, uint32_t *out_particle);
 gphys_status gphys_solver_get_positions(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 *out_positions, uint32_t out_stride);
 gphys_status gphys_solver_set_positions(gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, const gphys_vec3 *positions, uint32_t stride);
 gphys_status gphys_solver_get_velocities(const gphys_solver *solver, gphys_body_id body, uint32_t first, uint32_t count, gphys_vec3 *out_velocities, uint32_t out_stride);

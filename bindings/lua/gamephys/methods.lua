@@ -78,6 +78,35 @@ function gp.Mesh_from_snapshot(words, desc)
     end)
 end
 
+--- Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
+--- met by rays, picked, overlapped and culled as models of scenes (Scene:add with SHAPE_MESH; without a
+--- transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex p is
+--- particle p. Of cloth the mesh is the surface of its triangles, in the order of Solver:get_triangles.
+--- A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is the link from particle t
+--- to t + 1, a capsule of the smaller of their radii, there while a constraint holds them together; n -
+--- 1 + p is particle p, a sphere, there where no link beside it is as thick. Free particles are
+--- spheres, and `triangle` is the particle. Solver:get_nearest_particle finds the particle of a hit.
+--- The mesh has the new form when Solver:step, Solver:advance, Solver:restore or an edit of the body
+--- returns. A model that would leave the range of the world, and a mesh of less than 2^-32 m for which
+--- there is no memory, keep their form until they can follow. Solver:set_origin moves the coordinates
+--- of the mesh, and the models back by as much: they stay where they are in the world, exactly if
+--- scenes have moved their origin before. Solvers do not collide with models of such meshes, nor wake
+--- by them: bodies meet by BodyDesc.body_layers. A restored body is followed if it has the id and the
+--- parts of the one that there was. Restore the solver before the scene. A mesh that is loaded from a
+--- snapshot, that of a scene included, is a copy that follows nothing; Scene:set_shape gives its model
+--- one that does. Mesh and solver are destroyed in any order. When the body is gone the mesh keeps the
+--- form that it had last and is deformable by Mesh:set_vertices, which returns ERROR_UNSUPPORTED
+--- before. A mesh that neither its handle nor a model holds follows no more.
+--- Threads: the functions above become edits of the mesh and of each scene that has a model of it.
+--- Cost: as Mesh, and then that of Mesh:set_vertices for a body that has moved; one that rests is
+--- compared, O(particles). Since 1.1.
+--- @param desc the mesh is deformable whatever it says
+function gp.Mesh_from_body(solver, body, desc)
+    return Mesh.create(function(made)
+        return C.gphys_mesh_create_from_body(desc and to_desc(MeshDesc, desc), opened(solver), body, made)
+    end)
+end
+
 --- Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
 --- Solver:get_positions writes it. All models of the mesh have the new form from then on, in every
 --- scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
@@ -1618,6 +1647,21 @@ function Solver:get_triangles(body)
     return list(uint32_t, function(out, capacity, total)
         return C.gphys_solver_get_triangles(opened(self), body, out, capacity, total)
     end)
+end
+
+do
+    local out_particle = uint32_t.array(1)
+    --- The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
+    --- near.
+    --- Cost: O(1); O(particles) for NO_TRIANGLE. Since 1.1.
+    --- @param triangle as in a hit, nearest or penetration of the body's mesh: its corners are compared, of
+    ---     a rope the ends of the link, or the particle; NO_TRIANGLE: all particles
+    --- @param point metres, in the solver's coordinates: that of the hit
+    --- @raise status ERROR_INVALID_ARGUMENT: also if the mesh has no such triangle
+    function Solver:get_nearest_particle(body, triangle, point)
+        check(C.gphys_solver_get_nearest_particle(opened(self), body, triangle, to_value(Vec3, point), out_particle))
+        return out_particle[0]
+    end
 end
 
 --- Where the particles are, metres.

@@ -277,6 +277,17 @@ function tests.a_mesh_deforms_and_its_models_with_it()
     assert(math.abs(scene:get_bounds(model).min.z - 7) < 1e-3)
 end
 
+function tests.a_rope_is_picked_as_a_model_that_follows_it()
+    local solver = gp.Solver()
+    local rope = solver:add_rope({ 0, 0, 0, 1, 0, 0, 2, 0, 0 }, 0)
+    local scene = gp.Scene()
+    local model = scene:add(gp.Mesh_from_body(solver, rope))
+    solver:set_positions(rope, 0, { 0, 0, 7, 1, 0, 7, 2, 0, 7 })
+    local hit = scene:raycast(gp.Ray({ 1.8, 0, 0 }, { 0, 0, 1 }, math.huge))
+    assert(hit.model == model and hit.triangle == 1)
+    assert(solver:get_nearest_particle(rope, hit.triangle, hit.point) == 2)
+end
+
 function tests.lists_of_any_length()
     local scene = gp.Scene()
     local models = scene:add_batch(gp.array('sphere', 500)) -- more than the first guess has room for

@@ -266,6 +266,16 @@ class Functions(unittest.TestCase):
         mesh.set_vertices([[0, 0, 7], [1, 0, 7], [0, 1, 7]])
         self.assertAlmostEqual(scene.get_bounds(model).min.z, 7, 3)
 
+    def test_a_rope_is_picked_as_a_model_that_follows_it(self):
+        solver = gp.Solver()
+        rope = solver.add_rope([[0, 0, 0], [1, 0, 0], [2, 0, 0]])
+        scene = gp.Scene()
+        model = scene.add(gp.Mesh.from_body(solver, rope))
+        solver.set_positions(rope, 0, [[0, 0, 7], [1, 0, 7], [2, 0, 7]])
+        hit = scene.raycast(gp.Ray((1.8, 0, 0), (0, 0, 1), math.inf))
+        self.assertEqual((hit.model, hit.triangle), (model, 1))
+        self.assertEqual(solver.get_nearest_particle(rope, hit.triangle, hit.point), 2)
+
     def test_camera(self):
         camera = gp.Camera()
         camera.look_at((0, 0, -10), (0, 0, 0), UP)

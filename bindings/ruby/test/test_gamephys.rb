@@ -267,6 +267,17 @@ class TestGamephys < Minitest::Test
     assert_in_delta 7, scene.get_bounds(model).min[2], 1e-3
   end
 
+  def test_a_rope_is_picked_as_a_model_that_follows_it
+    solver = Solver.new
+    rope = solver.add_rope([[0, 0, 0], [1, 0, 0], [2, 0, 0]])
+    scene = Scene.new
+    model = scene.add(Mesh.from_body(solver, rope))
+    solver.set_positions(rope, 0, [[0, 0, 7], [1, 0, 7], [2, 0, 7]])
+    hit = scene.raycast(Ray.new([1.8, 0, 0], [0, 0, 1], Float::INFINITY))
+    assert_equal [model, 1], [hit.model, hit.triangle]
+    assert_equal 2, solver.get_nearest_particle(rope, hit.triangle, hit.point)
+  end
+
   def test_lists_of_any_length
     scene = Scene.new
     models = scene.add_batch(Records.new(Sphere, 500)) # more than the first guess has room for

@@ -215,6 +215,43 @@ impl Mesh {
         Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
     }
 
+    /// Make a mesh that has the form of a body and follows it by itself: cloth, ropes and particles can be
+    /// met by rays, picked, overlapped and culled as models of scenes (`Scene::add` with `ShapeType::MESH`;
+    /// without a transform the model is where the body is) or asked by shape_* and mesh_* functions. Vertex
+    /// p is particle p. Of cloth the mesh is the surface of its triangles, in the order of
+    /// `Solver::get_triangles`. A rope is solid. Of its n particles, `triangle` t below n - 1 of a hit is
+    /// the link from particle t to t + 1, a capsule of the smaller of their radii, there while a constraint
+    /// holds them together; n - 1 + p is particle p, a sphere, there where no link beside it is as thick.
+    /// Free particles are spheres, and `triangle` is the particle. `Solver::get_nearest_particle` finds the
+    /// particle of a hit. The mesh has the new form when `Solver::step`, `Solver::advance`,
+    /// `Solver::restore` or an edit of the body returns. A model that would leave the range of the world,
+    /// and a mesh of less than 2^-32 m for which there is no memory, keep their form until they can follow.
+    /// `Solver::set_origin` moves the coordinates of the mesh, and the models back by as much: they stay
+    /// where they are in the world, exactly if scenes have moved their origin before. Solvers do not
+    /// collide with models of such meshes, nor wake by them: bodies meet by `BodyDesc`.body_layers. A
+    /// restored body is followed if it has the id and the parts of the one that there was. Restore the
+    /// solver before the scene. A mesh that is loaded from a snapshot, that of a scene included, is a copy
+    /// that follows nothing; `Scene::set_shape` gives its model one that does. Mesh and solver are
+    /// destroyed in any order. When the body is gone the mesh keeps the form that it had last and is
+    /// deformable by `Mesh::set_vertices`, which returns `Status::ERROR_UNSUPPORTED` before. A mesh that
+    /// neither its handle nor a model holds follows no more.
+    ///
+    /// Threads: the functions above become edits of the mesh and of each scene that has a model of it.
+    ///
+    /// Cost: as `Mesh`, and then that of `Mesh::set_vertices` for a body that has moved; one that rests is
+    /// compared, O(particles). Since 1.1.
+    ///
+    /// * `desc`: the mesh is deformable whatever it says
+    ///
+    /// # Safety
+    /// As long as the mesh follows the body, no other thread uses the mesh, nor a scene that has a model of
+    /// it, while the solver steps, is restored or edits the body.
+    pub unsafe fn from_body(solver: &mut Solver, body: BodyId, desc: Option<&MeshDesc>) -> Result<Mesh> {
+        let mut made = null_mut();
+        check(unsafe { sys::gphys_mesh_create_from_body(pointer(desc), solver.handle.as_ptr(), body, &mut made) })?;
+        Ok(Mesh { handle: NonNull::new(made).expect("a created object") })
+    }
+
     /// Put other vertices in place of those of a deformable mesh: of a skinned character, or of cloth as
     /// `Solver::get_positions` writes it. All models of the mesh have the new form from then on, in every
     /// scene, and all answers have the bits of those of a mesh created of the new vertices. What fails
@@ -2042,6 +2079,24 @@ impl Solver {
     /// Cost: O(triangles).
     pub fn get_triangles(&self, body: BodyId) -> Result<Vec<u32>> {
         list(|out_indices, capacity, total| unsafe { sys::gphys_solver_get_triangles(self.handle.as_ptr(), body, out_indices, capacity, total) })
+    }
+
+    /// The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
+    /// near.
+    ///
+    /// Cost: O(1); O(particles) for `NO_TRIANGLE`. Since 1.1.
+    ///
+    /// * `triangle`: as in a hit, nearest or penetration of the body's mesh: its corners are compared, of a
+    ///   rope the ends of the link, or the particle; `NO_TRIANGLE`: all particles
+    /// * `point`: metres, in the solver's coordinates: that of the hit
+    ///
+    /// # Errors
+    /// * `Status::ERROR_INVALID_ARGUMENT`: also if the mesh has no such triangle
+    pub fn get_nearest_particle(&self, body: BodyId, triangle: u32, point: impl Into<Vec3>) -> Result<u32> {
+        let point = &point.into();
+        let mut out_particle = u32::default();
+        check(unsafe { sys::gphys_solver_get_nearest_particle(self.handle.as_ptr(), body, triangle, point, &mut out_particle) })?;
+        Ok(out_particle)
     }
 
     /// Where the particles are, metres.

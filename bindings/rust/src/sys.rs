@@ -214,6 +214,8 @@ extern "C" {
     pub fn gphys_solver_set_body_settings(solver: *mut gphys_solver, body: BodyId, settings: *const BodySettings) -> Status;
     pub fn gphys_solver_get_body_info(solver: *mut gphys_solver, body: BodyId, out_info: *mut BodyInfo) -> Status;
     pub fn gphys_solver_get_triangles(solver: *mut gphys_solver, body: BodyId, out_indices: *mut u32, capacity: u32, out_total: *mut u32) -> Status;
+    pub fn gphys_mesh_create_from_body(desc: *const MeshDesc, solver: *mut gphys_solver, body: BodyId, out_mesh: *mut *mut gphys_mesh) -> Status;
+    pub fn gphys_solver_get_nearest_particle(solver: *mut gphys_solver, body: BodyId, triangle: u32, point: *const Vec3, out_particle: *mut u32) -> Status;
     pub fn gphys_solver_get_positions(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_positions: *mut Vec3, out_stride: u32) -> Status;
     pub fn gphys_solver_set_positions(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, positions: *const Vec3, stride: u32) -> Status;
     pub fn gphys_solver_get_velocities(solver: *mut gphys_solver, body: BodyId, first: u32, count: u32, out_velocities: *mut Vec3, out_stride: u32) -> Status;

@@ -198,6 +198,20 @@ fn a_mesh_deforms_and_its_models_with_it() {
 }
 
 #[test]
+fn a_rope_is_picked_as_a_model_that_follows_it() {
+    let mut solver = Solver::new(None).unwrap();
+    let rope = solver.add_rope(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 0.0, None).unwrap();
+    // All on this thread.
+    let mesh = unsafe { Mesh::from_body(&mut solver, rope, None) }.unwrap();
+    let mut scene = Scene::new(None).unwrap();
+    let model = scene.add(&mesh, None, None).unwrap();
+    solver.set_positions(rope, 0, &[[0.0, 0.0, 7.0], [1.0, 0.0, 7.0], [2.0, 0.0, 7.0]]).unwrap();
+    let hit = scene.raycast(&Ray::new([1.8, 0.0, 0.0], [0.0, 0.0, 1.0], f32::INFINITY), ALL_LAYERS).unwrap().unwrap();
+    assert_eq!((hit.model, hit.triangle), (model, 1));
+    assert_eq!(solver.get_nearest_particle(rope, hit.triangle, hit.point).unwrap(), 2);
+}
+
+#[test]
 fn a_field_of_each_element_is_a_batch() {
     #[derive(Clone, Copy, Default)]
     struct Ship {

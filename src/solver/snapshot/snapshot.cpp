@@ -214,9 +214,11 @@ gphys_status Solver::restore(const uint32_t* words, uint32_t count) {
     for (const Body& body : restored.bodies) given += body.contacts.impulses.size();
     givers_.reserve(given);
     impulses_.reserve(given);
+    const Vec3 shift = state_.origin - restored.origin;
     state_ = std::move(restored);
     add_impulses();
     joints_current_ = false;
+    show_all(shift);
     return GPHYS_OK;
 }
 

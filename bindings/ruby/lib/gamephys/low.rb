@@ -222,6 +222,8 @@ module Gamephys
     attach_function :gphys_solver_set_body_settings, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_body_info, [:pointer, :uint32, :pointer], :int32
     attach_function :gphys_solver_get_triangles, [:pointer, :uint32, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_mesh_create_from_body, [:pointer, :pointer, :uint32, :pointer], :int32
+    attach_function :gphys_solver_get_nearest_particle, [:pointer, :uint32, :uint32, :pointer, :pointer], :int32
     attach_function :gphys_solver_get_positions, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_set_positions, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32
     attach_function :gphys_solver_get_velocities, [:pointer, :uint32, :uint32, :uint32, :pointer, :uint32], :int32

@@ -199,6 +199,8 @@ class LowFunctions {
     static native int gphys_solver_set_body_settings(Pointer solver, int body, Pointer settings);
     static native int gphys_solver_get_body_info(Pointer solver, int body, Pointer outInfo);
     static native int gphys_solver_get_triangles(Pointer solver, int body, Pointer outIndices, int capacity, Pointer outTotal);
+    static native int gphys_mesh_create_from_body(Pointer desc, Pointer solver, int body, Pointer outMesh);
+    static native int gphys_solver_get_nearest_particle(Pointer solver, int body, int triangle, Pointer point, Pointer outParticle);
     static native int gphys_solver_get_positions(Pointer solver, int body, int first, int count, Pointer outPositions, int outStride);
     static native int gphys_solver_set_positions(Pointer solver, int body, int first, int count, Pointer positions, int stride);
     static native int gphys_solver_get_velocities(Pointer solver, int body, int first, int count, Pointer outVelocities, int outStride);

@@ -306,6 +306,23 @@ public final class Solver extends Owned {
     }
 
     /**
+     * The particle of a body nearest to a point, as it is to be grabbed: the lowest of those that are as
+     * near.
+     * Cost: O(1); O(particles) for NO_TRIANGLE. Since 1.1.
+     * @param triangle as in a hit, nearest or penetration of the body's mesh: its corners are compared, of
+     *     a rope the ends of the link, or the particle; NO_TRIANGLE: all particles
+     * @param point metres, in the solver's coordinates: that of the hit
+     * @throws GamephysException with ERROR_INVALID_ARGUMENT: also if the mesh has no such triangle
+     */
+    public int getNearestParticle(int body, int triangle, Vec3 point) {
+        Scratch scratch = Scratch.get();
+        int status = Low.gphys_solver_get_nearest_particle(opened(), body, triangle, scratch.put(3, point), scratch.slot(4));
+        Low.keep(this);
+        Low.check(status);
+        return scratch.getInt(4);
+    }
+
+    /**
      * Where the particles are, metres.
      * Cost: O(count).
      * @param first the particles first .. first + count - 1; a range beyond the body is
