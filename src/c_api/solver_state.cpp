@@ -4,6 +4,7 @@
 #include "c_api/lists.h"
 #include "foundation/strided.h"
 #include "solver/solver.h"
+#include "solver/state.h"
 
 using namespace gphys;
 
