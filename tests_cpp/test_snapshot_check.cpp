@@ -1,6 +1,7 @@
 // What a snapshot may hold, number by number: a state of which one number is at the end of its range is taken, one with
 // a single number beyond it is refused. The states are made by a solver, and changed where it keeps them.
 #include "solver/snapshot/snapshot_check.h"
+#include "solver/state.h"
 
 #include <functional>
 

@@ -5,6 +5,7 @@
 #include "c_api/solver_settings.h"
 #include "foundation/strided.h"
 #include "solver/solver.h"
+#include "solver/state.h"
 
 using namespace gphys;
 

@@ -1,4 +1,4 @@
-// What a body is made of. Each part belongs to those who declare it.
+// What a body is composed of. Each part has a header of its own in the folder of its owner.
 #pragma once
 
 #include "solver/cloth/cloth.h"
@@ -8,28 +8,13 @@
 #include "solver/particles/particles.h"
 #include "solver/plan.h"
 #include "solver/rope/rope.h"
+#include "solver/settings.h"
 #include "solver/sleep.h"
+#include "solver/substeps.h"
 #include "solver/time_scheme.h"
 #include "solver/wind.h"
 
 namespace gphys {
-
-struct BodySettings {
-    double damping = 0, friction = 0, static_friction = 0, restitution = 0;
-    uint32_t layers = 0;          // of the models it collides with
-    uint32_t body_layers = 0;     // of the bodies it collides with
-    uint32_t self_collision = 0;  // 1: with itself
-
-    /// Whether what is at rest on a model is held by more than slows what slides.
-    bool sticks() const { return static_friction > friction; }
-};
-
-/// How many substeps it takes.
-struct Substeps {
-    uint32_t made = 0;     // in the last step
-    uint32_t allowed = 0;  // in the step under way, by SolverSettings::max_work
-    double wanted = 0;     // seconds, as error targets want the next; 0: not measured yet
-};
 
 struct Body {
     explicit Body(std::pmr::memory_resource* memory)

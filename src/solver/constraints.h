@@ -4,9 +4,12 @@
 #include "foundation/ids.h"
 #include "foundation/math.h"
 #include "foundation/memory.h"
+#include "foundation/results.h"
 #include "gamephys_c.h"
 
 namespace gphys {
+
+struct Body;
 
 /// |position[b] - position[a]| = rest + compliance * (tension - damping * its rate of change).
 struct DistanceConstraint {
@@ -66,5 +69,33 @@ inline const Attachment* find_attachment(const Constraints& constraints, uint32_
     const auto at = std::lower_bound(constraints.attachments.begin(), constraints.attachments.end(), particle, before);
     return at != constraints.attachments.end() && at->particle == particle ? &*at : nullptr;
 }
+
+struct ConstraintOrder {
+    bool operator()(const gphys_constraint_info& a, const gphys_constraint_info& b) const { return a.id < b.id; }
+};
+
+// Of a body. What may fail, by status or std::bad_alloc, has then changed nothing; else it wakes the body.
+/// Enter a constraint that is there among the links of its particles.
+void join_links(Body& body, uint32_t slot);
+/// rest < 0: the present distance.
+gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out);
+/// GPHYS_OK, or the failure that names a stale id.
+gphys_status check_constraint(const Body& body, gphys_constraint_id id);
+/// N s/m
+gphys_status set_damping(Body& body, gphys_constraint_id id, double damping);
+gphys_status remove_constraint(Body& body, gphys_constraint_id id);
+void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out);
+
+// constraint_settings.cpp: of one constraint, and of some that are there. May throw std::bad_alloc, and then has
+// changed nothing.
+gphys_constraint_settings settings_of(const DistanceConstraint& constraint);
+void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const gphys_constraint_settings* settings,
+                             uint32_t stride, uint32_t count);
+void forget_length_change(Body& body, uint32_t slot);
+
+/// Where the constraints whose lengths change in this step are in the plan, which is up to date; and the lengths of
+/// these at a fraction of the step. The first throws std::bad_alloc.
+void find_changed_links(Body& body);
+void change_lengths(Body& body, double fraction);
 
 }  // namespace gphys

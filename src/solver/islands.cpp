@@ -1,7 +1,9 @@
 // Which bodies may influence each other, and how they are moved together: substep by substep.
 #include "solver/islands.h"
 
+#include "solver/contact/collision.h"
 #include "solver/contact/impulses.h"
+#include "solver/joints/joined_motion.h"
 #include "solver/motion.h"
 #include "solver/solver.h"
 #include "solver/state_range.h"

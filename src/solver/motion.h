@@ -2,7 +2,6 @@
 #pragma once
 
 #include "solver/contact/collision.h"
-#include "solver/joints/joints.h"
 #include "solver/time_scheme.h"
 
 namespace gphys {
@@ -16,19 +15,6 @@ void move(Body& body, const CollisionContext& around, Vec3 gravity, double h, Ro
 void begin_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 void end_move(Body& body, const CollisionContext& around, Vec3 gravity, double h);
 
-/// Its parts for chains: free particles to where they would go without constraints, attached ones after their
-/// models; the velocities that the time scheme gives for the solved positions; and tensions to the models that
-/// ropes hang from.
-void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
-/// As it was before begin_chains, before anything else has been done.
-void take_back_chains(Body& body);
-void finish_chains(Body& body, const TimeScheme& scheme);
-void give_tensions(Body& body, const CollisionContext& around, const TimeScheme& scheme);
-
-/// All of them for a rope alone; and what follows begin_chains.
-void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts);
-void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
-
 /// Attached particles, of those from first to end, after their models to some fraction of the step, in h seconds.
 void follow_models(Body& body, double fraction, double h, uint32_t first, uint32_t end);
 
@@ -40,10 +26,6 @@ inline CollisionContext part_of_step(const CollisionContext& step, uint32_t i, u
     part.end = i + 1 < substeps ? step.begin + length * (static_cast<double>(i + 1) / substeps) : step.end;
     return part;
 }
-
-/// Particles that touch something count as pinned in between.
-void hold_touching(Body& body);
-void let_go_touching(Body& body);
 
 /// A substep in parts: move(part of the surroundings, part of h).
 template <size_t count, class Move>
@@ -89,33 +71,5 @@ template <class Move>
 void start_slowly(const CollisionContext& around, double h, Move&& move) {
     move_in_parts(starting_parts, around, h, move);
 }
-
-/// Bodies that are joined, directly or by others, and the systems of their joints.
-struct Joined {
-    Vector<Body>& bodies;
-    Vector<Joint>& joints;
-    const uint32_t *slots_begin, *slots_end;  // of the bodies, ascending
-    Vector<JointSystem>& all_systems;
-    const uint32_t *systems_begin, *systems_end;  // among all
-    const Vector<Tether>& all_tethers;            // by body and particle
-};
-
-/// visit(body, its slot)
-template <class Visit>
-void each_body(const Joined& joined, Visit&& visit) {
-    for (const uint32_t* slot = joined.slots_begin; slot != joined.slots_end; ++slot) {
-        visit(joined.bodies[*slot], *slot);
-    }
-}
-
-/// joined_motion.cpp: one substep of all of them, or the two parts of one.
-void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
-void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
-void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
-/// joined_energy.cpp: slow them so that a substep gains no energy, if there is cloth among them.
-void keep_joined_energy(const Joined& joined, Vec3 gravity);
-/// What it needs, and before the first substep, after begin_cloth.
-void reserve_joined_cloth(Body& body);
-void begin_joined_cloth(Body& body);
 
 }  // namespace gphys

@@ -49,19 +49,10 @@ gphys_solve_method method_of(const Body& body);
 /// Bring the plan up to date. Throws std::bad_alloc, and then leaves it out of date.
 void update_plan(Body& body);
 
-/// Where the constraints whose lengths change in this step are in the plan, which is up to date; and the lengths of
-/// these at a fraction of the step (constraint_settings.cpp). The first throws std::bad_alloc.
-void find_changed_links(Body& body);
-void change_lengths(Body& body, double fraction);
-
 /// The rest of a plan that came out of a snapshot and has no defect. Throws std::bad_alloc.
 void complete_plan(Body& body);
 
 void plan_direct_chains(Body& body);
 void plan_chain_colours(Body& body);
-
-/// Positions are moved so that the constraints hold; `step` is the effective time step of the scheme:
-/// a force f moves a particle by f / m * step^2. Returns whether they do.
-bool solve_directly(Body& body, double step);
 
 }  // namespace gphys

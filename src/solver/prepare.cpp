@@ -4,7 +4,10 @@
 // states that a snapshot holds change last, in begin_step, where nothing fails any more.
 #include <cstring>
 
+#include "solver/contact/collision.h"
+#include "solver/joints/joined_motion.h"
 #include "solver/motion.h"
+#include "solver/particles/free_flight.h"
 #include "solver/rope/rope.h"
 #include "solver/solver.h"
 

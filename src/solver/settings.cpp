@@ -1,5 +1,4 @@
 // Settings that may change while bodies move: those of the solver, and those that all particles of a body share.
-#include "foundation/strided.h"
 #include "solver/solver.h"
 
 namespace gphys {
@@ -21,13 +20,6 @@ void Solver::set_wind(gphys_body_id of, const gphys_wind& wind) {
         wake(state_.bodies[slot]);
         state_.bodies[slot].air.wind = wind;
     }
-}
-
-void set_air_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride) {
-    if (body.air.velocity.empty()) body.air.velocity.resize(body.particles.size());
-    wake(body);
-    const Strided<gphys_vec3> from(velocities, stride);
-    for (uint32_t i = 0; i < count; ++i) body.air.velocity[first + i] = widen(from[i]);
 }
 
 void set_settings(Body& body, const BodySettings& settings) {

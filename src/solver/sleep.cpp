@@ -2,6 +2,7 @@
 // been slow for long enough and is hardly strained: speed alone would let a rope sleep that is about to
 // snap back. It wakes when it is edited, when gravity changes, and when anything about the models around
 // it does: one comes, goes or moves, or the scene is another. Bodies of an island sleep and wake together.
+#include "solver/contact/collision.h"
 #include "solver/contact/neighbourhood.h"
 #include "solver/solver.h"
 

@@ -5,6 +5,10 @@
 
 namespace gphys {
 
+class Scene;
+struct Body;
+struct SolverSettings;
+
 /// Of a body at rest.
 struct Sleep {
     double calm = 0;  // seconds that it has been at rest
@@ -12,5 +16,12 @@ struct Sleep {
     Box box;                     // if asleep: what lies in it may wake it,
     uint64_t neighbourhood = 0;  // and this is a hash of that
 };
+
+/// After the body has been moved by a step, whether it has been at rest for long enough.
+bool is_calm(Body& body, const SolverSettings& settings, double dt);
+void fall_asleep(Body& body, const Scene* scene, double dt);
+/// Both, of a body alone.
+void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
+void wake(Body& body);
 
 }  // namespace gphys

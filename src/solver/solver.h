@@ -2,8 +2,10 @@
 // forces -> integrate -> constraints -> collide -> publish, once per substep and body, or per island of
 // bodies that influence each other.
 //
+//   body.h             what a body is composed of; each part is declared by its owner
 //   builders.cpp       bodies come and go
-//   state.cpp          their particles and constraints are read and changed, or all moved
+//   state.cpp          their particles are changed by the caller, or all moved
+//   constraints.cpp    their constraints come and go
 //   settings.cpp       settings of the solver and of bodies, changed while these move
 //   constraint_settings.cpp  the same of constraints: winches and muscles
 //   prepare.cpp        before a step: plans, room, what is around, and who does what
@@ -46,25 +48,12 @@
 #include "solver/contact/collision.h"
 #include "solver/contact/particle_contacts.h"
 #include "solver/islands.h"
-#include "solver/joints/joints.h"
-#include "solver/motion.h"
+#include "solver/joints/joined_motion.h"
 #include "solver/particles/flight_planes.h"
 #include "solver/rope/rope_lanes.h"
 
 namespace gphys {
 
-struct SolverSettings {
-    Vec3 gravity{0, -9.81, 0};
-    uint32_t substeps = 8;
-    double fixed_step = 1.0 / 60;
-    uint32_t max_steps = 8;
-    double sleep_speed = 0;  // m/s; 0: bodies never sleep
-    double sleep_strain = 0;
-    double sleep_time = 0;                 // seconds
-    double max_strain = 0, tolerance = 0;  // error targets, of strain and m/s; 0: none
-    uint32_t max_substeps = 64;
-    uint32_t max_work = 0;  // particles times substeps of a step; 0: no bound
-};
 /// What links of cloth are relaxed to if no target is set.
 constexpr double usual_cloth_strain = 0.02;
 constexpr uint32_t most_substeps = 1000;
@@ -99,32 +88,12 @@ struct ContactOrder {
 struct ImpulseOrder {
     bool operator()(const gphys_impulse& a, const gphys_impulse& b) const { return a.model < b.model; }
 };
-struct ConstraintOrder {
-    bool operator()(const gphys_constraint_info& a, const gphys_constraint_info& b) const { return a.id < b.id; }
-};
-
 /// A size, a mass or a factor that callers may give.
 inline bool is_amount(double value) { return value >= 0 && value <= double{GPHYS_MAX_COORDINATE}; }
 
 struct JointOrder {
     bool operator()(const gphys_joint_info& a, const gphys_joint_info& b) const { return a.id < b.id; }
 };
-
-/// sleep.cpp: after the body has been moved by a step, whether it has been at rest for long enough.
-bool is_calm(Body& body, const SolverSettings& settings, double dt);
-void fall_asleep(Body& body, const Scene* scene, double dt);
-/// Both, of a body alone.
-void rest(Body& body, const Scene* scene, const SolverSettings& settings, double dt);
-void wake(Body& body);
-
-/// error_targets.cpp: the fewest substeps that a body may take; in how many substeps a body takes a step; at least,
-/// beside models, if its fastest particle has that speed; for the rest of it, when a part is done in so many; and what
-/// it has measured after it.
-uint32_t least_substeps(const Body& body, double dt);
-uint32_t substeps_of(const Body& body, const SolverSettings& settings, double dt);
-uint32_t substeps_near_models(const Body& body, const SolverSettings& settings, double fastest, double dt);
-uint32_t substeps_of_rest(const Body& body, const SolverSettings& settings, double dt, double done, uint32_t made);
-void meet_targets(Body& body, const SolverSettings& settings, double dt, uint32_t substeps);
 
 class Solver {
 public:
@@ -346,40 +315,5 @@ private:
     Vector<Reach> reaches_{&memory};
     BodyMeshes meshes_{&memory};
 };
-
-// state.cpp: one body.
-/// The caller has broken off the motion: the time scheme must not look back past this moment.
-void interrupt(Body& body);
-void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride);
-void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
-void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses, uint32_t stride);
-void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, uint32_t stride);
-void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride);
-void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
-/// Enter a constraint that is there among the links of its particles.
-void join_links(Body& body, uint32_t slot);
-bool is_attached(const Body& body, uint32_t particle);
-// These may fail, by status or std::bad_alloc, and wake the body unless they do.
-void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
-/// rest < 0: the present distance.
-gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out);
-/// GPHYS_OK, or the failure that names a stale id.
-gphys_status check_constraint(const Body& body, gphys_constraint_id id);
-/// N s/m
-gphys_status set_damping(Body& body, gphys_constraint_id id, double damping);
-gphys_status remove_constraint(Body& body, gphys_constraint_id id);
-/// rest < 0: the present volume. The body keeps it from then on.
-gphys_status set_volume(Body& body, double rest, double compliance);
-void release_volume(Body& body);
-// constraint_settings.cpp: of one constraint, and of some that are there. May throw std::bad_alloc, and then has
-// changed nothing.
-gphys_constraint_settings settings_of(const DistanceConstraint& constraint);
-void set_constraint_settings(Body& body, const gphys_constraint_id* ids, const gphys_constraint_settings* settings,
-                             uint32_t stride, uint32_t count);
-void forget_length_change(Body& body, uint32_t slot);
-// settings.cpp: may throw std::bad_alloc, and then have changed nothing.
-void set_settings(Body& body, const BodySettings& settings);
-void set_air_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
-void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out);
 
 }  // namespace gphys

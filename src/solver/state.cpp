@@ -1,5 +1,6 @@
-// The particles and constraints of one body, as the caller changes them. Values have been checked. What can fail
+// The particles of one body, as the caller changes them. Values have been checked. What can fail
 // checks and makes room first, and wakes the body then.
+#include "solver/state.h"
 #include "foundation/strided.h"
 #include "solver/solver.h"
 
@@ -19,22 +20,7 @@ void hold(Body& body, uint32_t particle) {
     body.particles.velocity[particle] = {};
 }
 
-void change_links(Body& body, uint32_t slot, int by) {
-    for (const uint32_t p : {body.constraints.by_slot[slot].a, body.constraints.by_slot[slot].b}) {
-        body.constraints.links[p].degree += static_cast<uint32_t>(by);
-        body.constraints.links[p].slots ^= slot;
-    }
-}
-
-void change_constraints(Body& body, uint32_t slot, int by) {
-    change_links(body, slot, by);
-    body.plan.chains_current = false;
-    interrupt(body);
-}
-
 }  // namespace
-
-void join_links(Body& body, uint32_t slot) { change_links(body, slot, 1); }
 
 void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride) {
     const Strided<gphys_vec3> from(positions, stride);
@@ -133,80 +119,6 @@ bool Solver::set_origin(Vec3 origin) {
     state_.origin = origin;
     show_all(shift);
     return true;
-}
-
-gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out) {
-    if (!body.constraints.ids.reserve(1)) {
-        return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 constraints");
-    }
-    reserve_more(body.constraints.by_slot, 1);
-    wake(body);
-    out = body.constraints.ids.add();
-    const uint32_t slot = IdTable::slot_of(out);
-    if (slot == body.constraints.by_slot.size()) body.constraints.by_slot.emplace_back();
-    DistanceConstraint& added = body.constraints.by_slot[slot];
-    added = constraint;
-    if (added.rest < 0) added.rest = distance(body.particles.position[added.a], body.particles.position[added.b]);
-    change_constraints(body, slot, 1);
-    return GPHYS_OK;
-}
-
-gphys_status check_constraint(const Body& body, gphys_constraint_id id) {
-    if (body.constraints.ids.has(id)) return GPHYS_OK;
-    return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
-}
-
-gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
-    const gphys_status status = check_constraint(body, id);
-    if (status != GPHYS_OK) return status;
-    wake(body);
-    body.constraints.by_slot[IdTable::slot_of(id)].damping = damping;
-    body.plan.described = false;
-    return GPHYS_OK;
-}
-
-gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
-    const gphys_status status = check_constraint(body, id);
-    if (status != GPHYS_OK) return status;
-    wake(body);
-    const uint32_t slot = IdTable::slot_of(id);
-    change_constraints(body, slot, -1);
-    forget_length_change(body, slot);
-    body.constraints.ids.remove(id);
-    body.cloth.rest_position.clear();
-    return GPHYS_OK;
-}
-
-gphys_status set_volume(Body& body, double rest, double compliance) {
-    if (!body.cloth.volume.held && !encloses_volume(body)) {
-        return fail(GPHYS_ERROR_UNSUPPORTED, "body: its triangles do not close, or are not all turned the same way");
-    }
-    const double now = volume_of(body);
-    if (rest < 0 && !(now > 0)) return fail(GPHYS_ERROR_UNSUPPORTED, "body: it is turned inside out");
-    wake(body);
-    if (!body.cloth.volume.held) body.plan.chains_current = false;
-    body.cloth.volume.held = true;
-    body.cloth.volume.rest = rest < 0 ? now : rest;
-    body.cloth.volume.compliance = compliance;
-    interrupt(body);
-    return GPHYS_OK;
-}
-
-void release_volume(Body& body) {
-    wake(body);
-    body.cloth.volume.held = false;
-    body.cloth.volume.pressure = 0;
-    body.plan.chains_current = false;
-    interrupt(body);
-}
-
-void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out) {
-    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
-        if (!body.constraints.ids.live(slot)) continue;
-        const DistanceConstraint& c = body.constraints.by_slot[slot];
-        out.add(
-            {body.constraints.ids.id(slot), c.a, c.b, static_cast<float>(c.rest), static_cast<float>(c.compliance)});
-    }
 }
 
 }  // namespace gphys

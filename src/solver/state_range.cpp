@@ -1,6 +1,7 @@
 #include "solver/state_range.h"
 
 #include "solver/solver.h"
+#include "solver/state.h"
 
 namespace gphys {
 namespace {

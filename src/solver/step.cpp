@@ -1,12 +1,35 @@
-// The step. Bodies that may influence each other are taken through all substeps together, by one of the
-// workers (islands.cpp); most bodies are alone. A body alone moves like this:
+// The step: forces -> integrate -> constraints -> collide -> publish.
+//
+//   phase          writes                                                   files
+//   prepare        plans, room in all arrays, tasks; the only phase that    prepare.cpp, islands.cpp
+//                  allocates or fails
+//   begin_step     where attachments go; sizes of what a snapshot holds     prepare.cpp
+//   move, by task: all of the bodies of the task, nothing of others
+//     forces       Air, Particles::force; of cloth its accelerations        wind.cpp, cloth.cpp
+//     integrate    History and Particles; of cloth Cloth                    rope_substep.cpp, cloth.cpp
+//     constraints  Particles::position, Rope::tension; of cloth Cloth::at   rope_direct.cpp, cloth.cpp
+//     collide      Contacts, Particles; of cloth Cloth::contacts            contact/, cloth_contacts.cpp
+//     (these once per substep)
+//     measure      Substeps, Sleep                                          error_targets.cpp, sleep.cpp
+//   publish        the sums of all Contacts::impulses by model              add_impulses
+//
+// All but `move` run on the caller's thread. Workers share the scene, the models that have moved and the settings,
+// which they only read. Each has a RopeRoom and FlightPlanes of its own. Two are on one body at once in two cases
+// only: parts of a body of free particles (move_part) are disjoint ranges of its particles, with impulses of their
+// own, which end_moving adds in order; a large cloth (move_shared) is moved by all workers as one team, which waits
+// between colours (foundation/team.h).
+//
+// Bodies that may influence each other are an island: a task takes all of them through each substep (islands.cpp,
+// joints/joined_motion.cpp). Most bodies are alone. A body alone moves like this:
 //
 //   free         exact flight and impacts                                    free_flight.cpp
 //   direct       predict, solve chains as a whole, new velocities, collide,
 //                solve again beside contacts                                 rope_substep.cpp
 //                the same of chains that branch                              joined_motion.cpp
 //   graph        predict, chain colours, reach limits, velocities, collide  cloth.cpp
+#include "solver/contact/collision.h"
 #include "solver/motion.h"
+#include "solver/particles/free_flight.h"
 #include "solver/rope/rope.h"
 #include "solver/solver.h"
 #include "solver/state_range.h"

@@ -1,5 +1,6 @@
 #include "solver/wind.h"
-
+#include "foundation/strided.h"
+#include "solver/body.h"
 #include "solver/contact/collision.h"
 
 namespace gphys {
@@ -170,6 +171,13 @@ void blow_cloth(Body& body, const CollisionContext& around, double h) {
         const uint32_t p = attachment.particle;
         give(body, around, attachment.model, cloth.origin + at(cloth.at, p), body.air.force[p] * h);
     }
+}
+
+void set_air_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride) {
+    if (body.air.velocity.empty()) body.air.velocity.resize(body.particles.size());
+    wake(body);
+    const Strided<gphys_vec3> from(velocities, stride);
+    for (uint32_t i = 0; i < count; ++i) body.air.velocity[first + i] = widen(from[i]);
 }
 
 }  // namespace gphys

@@ -38,4 +38,6 @@ void end_air(Body& body);
 /// Before a substep of cloth: its accelerations have those of the air in them.
 void blow_cloth(Body& body, const CollisionContext& around, double h);
 
+void set_air_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
+
 }  // namespace gphys

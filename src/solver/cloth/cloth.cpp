@@ -7,7 +7,11 @@
 // During a step the state is float32, relative to the middle of the body when the step began, with
 // displacements and velocities of their own: positions of a sheet of two metres are rounded to
 // 6e-8 m wherever it is.
+#include "solver/cloth/contact_cache.h"
+#include "solver/cloth/relax_links.h"
+#include "solver/cloth/whole_motion.h"
 #include "solver/contact/collision.h"
+#include "solver/contact/leave_solids.h"
 #include "solver/quads.h"
 #include "solver/rope/damping.h"
 

@@ -8,6 +8,9 @@
 
 namespace gphys {
 
+struct Body;
+struct CollisionContext;
+
 /// Of a substep of cloth.
 struct ClothBalance {
     bool closed = false;   // no energy comes from outside
@@ -81,5 +84,34 @@ struct Cloth {
     ClothBatches batches;  // chains and limits as the kernels take them
     ClothContacts contacts;
 };
+
+/// A step begins and ends with its own functions.
+/// Makes room, but for what a snapshot holds: `moved` and `velocity_before`, so many floats each.
+size_t cloth_floats(const Body& body);
+void reserve_cloth(Body& body);
+void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity);
+void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+/// The three parts of it, for cloth that is joined to other bodies.
+void predict_cloth(Body& body, const CollisionContext& around, double h);
+void solve_cloth(Body& body);
+void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+/// A sweep over the chains and limits, whatever the particles touch.
+void project_cloth(Body& body);
+void end_cloth_substep(Body& body, const CollisionContext& around, Vec3 gravity,
+                       double h);  // what follows predict_cloth
+void end_cloth(Body& body, const CollisionContext& around);
+
+/// Mass and momentum.
+struct Motion {
+    double mass = 0;
+    Vec3 momentum;
+
+    void add(double mass_, Vec3 velocity) { mass += mass_, momentum += velocity * mass_; }
+    void add(const Motion& other) { mass += other.mass, momentum += other.momentum; }
+};
+/// Between substeps: of all particles; their energy beside a motion of all, in joules; and this part of it kept.
+Motion motion_of_cloth(const Body& body);
+double inner_energy_of_cloth(Body& body, Vec3 drift);
+void slow_cloth(Body& body, Vec3 drift, double kept);
 
 }  // namespace gphys

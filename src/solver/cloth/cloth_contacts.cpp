@@ -1,6 +1,8 @@
 #include "solver/cloth/cloth_contacts.h"
 
+#include "solver/cloth/contact_cache.h"
 #include "solver/cloth/contact_search.h"
+#include "solver/contact/collision.h"
 #include "solver/quads.h"
 
 namespace gphys {

@@ -26,6 +26,7 @@ namespace gphys {
 
 struct Body;
 struct CollisionContext;
+struct TimeScheme;
 
 /// A particle stays where dot(normal, its position) >= offset; relative to the cloth's origin, at the end of the
 /// substep.
@@ -104,5 +105,33 @@ struct ClothContacts {
 
     bool touches() const { return !touching.empty(); }
 };
+
+/// By turns before and after the chains of a substep.
+void reserve_cloth_contacts(Body& body);
+void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity);
+/// Before a substep: those that it would take out of their balls search for contacts now, so that chains know their
+/// contact planes.
+void look_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+void touch_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
+void note_places(Body& body);
+void leave_planes(Body& body);
+void count_contacts(Body& body, const CollisionContext& around, double rate);
+void turn_velocities(Body& body, const CollisionContext& around, double h);
+/// A model that moves carries particles further in a substep than friction should: links between two that touch
+/// something get their lengths back.
+void ease_links(Body& body);
+/// What relaxing links has taken back since note_places of the way of a particle that touches something is no motion.
+void stop_taken_back(Body& body, const CollisionContext& around, double h);
+/// Whether friction has kept a particle at its place in this substep, on a model that stands still and while none of
+/// the body is in one.
+bool is_held(const Body& body, uint32_t particle);
+/// Moves a particle aside, but not into its contact planes.
+void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
+void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
+void record_touches(Body& body, const CollisionContext& around);
+/// What the particle has touched and given to models, before its neighbour is replaced.
+void finish_neighbour(Neighbour& neighbour, Body& body, const CollisionContext& around);
+/// A particle that something else has moved, out of the contact planes that were near it.
+void stay_outside(Body& body, uint32_t particle);
 
 }  // namespace gphys

@@ -5,6 +5,7 @@
 //
 // Balls and contact planes follow from where the particles looked, how far, and the models. So only the former are in a
 // snapshot, and a body that comes out of one, or finds other models, looks again from there.
+#include "solver/cloth/contact_cache.h"
 #include "solver/contact/collision.h"
 #include "solver/contact/neighbourhood.h"
 

@@ -9,6 +9,7 @@
 // they are brought together again do not go on doing so: between chains that push them apart and passes that bring
 // them back they would stand still at some metres a second, which their neighbours get sooner or later. That speed is
 // lost as in an impact of what is not elastic.
+#include "solver/cloth/relax_links.h"
 #include "solver/cloth/cloth_kernels.h"
 #include "solver/contact/collision.h"
 #include "solver/quads.h"

@@ -1,7 +1,8 @@
 #include "solver/cloth/volume.h"
-
+#include "foundation/status.h"
 #include "solver/body.h"
 #include "solver/quads.h"
+#include "solver/state.h"
 
 namespace gphys {
 namespace {
@@ -96,6 +97,29 @@ void solve_volume(Body& body, double scale) {
     }
     volume.given += push;
     volume.pressure = volume.given * scale;
+}
+
+gphys_status set_volume(Body& body, double rest, double compliance) {
+    if (!body.cloth.volume.held && !encloses_volume(body)) {
+        return fail(GPHYS_ERROR_UNSUPPORTED, "body: its triangles do not close, or are not all turned the same way");
+    }
+    const double now = volume_of(body);
+    if (rest < 0 && !(now > 0)) return fail(GPHYS_ERROR_UNSUPPORTED, "body: it is turned inside out");
+    wake(body);
+    if (!body.cloth.volume.held) body.plan.chains_current = false;
+    body.cloth.volume.held = true;
+    body.cloth.volume.rest = rest < 0 ? now : rest;
+    body.cloth.volume.compliance = compliance;
+    interrupt(body);
+    return GPHYS_OK;
+}
+
+void release_volume(Body& body) {
+    wake(body);
+    body.cloth.volume.held = false;
+    body.cloth.volume.pressure = 0;
+    body.plan.chains_current = false;
+    interrupt(body);
 }
 
 }  // namespace gphys

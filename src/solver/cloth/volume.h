@@ -8,6 +8,7 @@
 
 #include "foundation/math.h"
 #include "foundation/memory.h"
+#include "gamephys_c.h"
 
 namespace gphys {
 
@@ -35,5 +36,9 @@ double stored_in_volume(const Body& body, double volume);
 void solve_volume(Body& body, double scale);
 /// From the positions of cloth during a substep.
 double cloth_volume(const Body& body);
+
+/// rest < 0: the present volume. The body keeps it from then on.
+gphys_status set_volume(Body& body, double rest, double compliance);
+void release_volume(Body& body);
 
 }  // namespace gphys

@@ -4,6 +4,7 @@
 // the direction that it had before those after it moved its ends, and what keeps energy from growing slows all
 // motion. Where all that pushes a body from outside is known it therefore gets back, at the end of a substep, what it
 // lacks of both, as a rigid motion; energy is then only taken from what moves beside that motion.
+#include "solver/cloth/whole_motion.h"
 #include "foundation/elementary.h"
 #include "solver/contact/collision.h"
 #include "solver/quads.h"

@@ -14,8 +14,6 @@
 
 namespace gphys {
 
-class FlightPlanes;
-
 struct PlacedModel {
     gphys_model_id model;
     gphys_transform world;
@@ -236,103 +234,8 @@ void clear_touches(Body& body);
 /// Returns its place in the touches of the particle; the last if others fill them all.
 uint32_t record_touch(Body& body, uint32_t particle, const Scene& scene, gphys_model_id model, Vec3 point, Vec3 normal);
 
-/// leave_solids.cpp: around what gives links their lengths back, for a body that is not cloth, if it is sunk. False,
-/// and nothing is to be done, if none of its particles is in anything.
-bool begin_leaving(Body& body, const CollisionContext& around);
-void end_leaving(Body& body, const CollisionContext& around, bool lengths_found);
-/// All of it for cloth, at the end of a substep of h seconds.
-void leave_solids(Body& body, double h);
-
 inline bool collides(const Body& body, const CollisionContext& around) {
     return around.scene && body.settings.layers != 0;
 }
-
-/// cloth_contacts.cpp: by turns before and after the chains of a substep.
-void reserve_cloth_contacts(Body& body);
-void look_around_cloth(Body& body, const CollisionContext& around, Vec3 gravity);
-/// contact_cache.cpp: what holds of the step before. Nothing, and then nobody has looked; or from where particles have
-/// looked; or what they saw as well.
-enum class Reuse { nothing, balls, planes };
-/// Whether the origin, which all that is relative to, is still near the middle of the box.
-bool keeps_origin(const Body& body, const Aabb& box);
-Reuse reuse_contacts(Body& body, const CollisionContext& around);
-/// At the end of a step.
-void keep_planes(Body& body, const CollisionContext& around);
-/// Before a substep: those that it would take out of their balls search for contacts now, so that chains know their
-/// contact planes.
-void look_ahead(Body& body, const CollisionContext& around, Vec3 gravity, double h);
-void touch_planes(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
-void note_places(Body& body);
-void leave_planes(Body& body);
-void count_contacts(Body& body, const CollisionContext& around, double rate);
-void turn_velocities(Body& body, const CollisionContext& around, double h);
-/// A model that moves carries particles further in a substep than friction should: links between two that touch
-/// something get their lengths back.
-void ease_links(Body& body);
-/// What relaxing links has taken back since note_places of the way of a particle that touches something is no motion.
-void stop_taken_back(Body& body, const CollisionContext& around, double h);
-/// Whether friction has kept a particle at its place in this substep, on a model that stands still and while none of
-/// the body is in one.
-bool is_held(const Body& body, uint32_t particle);
-/// Moves a particle aside, but not into its contact planes.
-void shift(Body& body, uint32_t particle, Vec3 way, bool collides);
-void catch_escaped(Body& body, const CollisionContext& around, Vec3 gravity, double h);
-void record_touches(Body& body, const CollisionContext& around);
-/// What the particle has touched and given to models, before its neighbour is replaced.
-void finish_neighbour(Neighbour& neighbour, Body& body, const CollisionContext& around);
-/// A particle that something else has moved, out of the contact planes that were near it.
-void stay_outside(Body& body, uint32_t particle);
-
-/// cloth.cpp: a body of many chains. A step begins and ends with its own functions.
-/// Makes room, but for what a snapshot holds: `moved` and `velocity_before`, so many floats each.
-size_t cloth_floats(const Body& body);
-void reserve_cloth(Body& body);
-void begin_cloth(Body& body, const CollisionContext& around, Vec3 gravity);
-void move_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h);
-/// The three parts of it, for cloth that is joined to other bodies.
-void predict_cloth(Body& body, const CollisionContext& around, double h);
-void solve_cloth(Body& body);
-void finish_cloth(Body& body, const CollisionContext& around, Vec3 gravity, double h);
-/// A sweep over the chains and limits, whatever the particles touch.
-void project_cloth(Body& body);
-void end_cloth_substep(Body& body, const CollisionContext& around, Vec3 gravity,
-                       double h);  // what follows predict_cloth
-void end_cloth(Body& body, const CollisionContext& around);
-
-/// Mass and momentum.
-struct Motion {
-    double mass = 0;
-    Vec3 momentum;
-
-    void add(double mass_, Vec3 velocity) { mass += mass_, momentum += velocity * mass_; }
-    void add(const Motion& other) { mass += other.mass, momentum += other.momentum; }
-};
-/// Between substeps: of all particles; their energy beside a motion of all, in joules; and this part of it kept.
-Motion motion_of_cloth(const Body& body);
-double inner_energy_of_cloth(Body& body, Vec3 drift);
-void slow_cloth(Body& body, Vec3 drift, double kept);
-
-/// whole_motion.cpp: at the end of a substep of h seconds of cloth that nothing but forces and contacts has pushed, its
-/// momentum and angular momentum to what these make of those that it began with. If no energy comes from outside, what
-/// it gained, of which `stored` per average mass by elastic links, is taken from motion beside that as a rigid body.
-void keep_momentum(Body& body, double h, double stored);
-
-/// relax_links.cpp: after a substep of h seconds, links that it has left strained beyond the target. Returns the energy
-/// that forces have lost by it, per average mass.
-double relax_links(Body& body, bool collides, double h);
-
-/// rope_limits.cpp: after the prediction, and after the new velocities. Whether a link has become taut.
-void predict_flying(Body& body, Vec3 gravity, double h);
-bool capture(Body& body, const CollisionContext& around, const TimeScheme& scheme);
-
-/// free_flight.cpp: a body without constraints, moved and collided, in one substep.
-void fly(Body& body, const CollisionContext& around, Vec3 gravity, double h);
-/// The same in all substeps of a step, of some of its particles: what they touch and give is the tally's. Several
-/// may be at work on one body, each on its own particles. `planes` are those of the worker; null: every path is swept.
-/// Returns where they are.
-Extent fly_through(Body& body, uint32_t first, uint32_t end, const ImpulseAccumulator& tally,
-                   const CollisionContext& step, Vec3 gravity, uint32_t substeps, FlightPlanes* planes);
-/// Of some particles.
-Extent extent_of(Body& body, uint32_t first, uint32_t end);
 
 }  // namespace gphys

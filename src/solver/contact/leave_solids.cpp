@@ -12,6 +12,7 @@
 // The depth of a point in a convex solid is a concave function, and so is the sum over all particles: they have no
 // minimum within, from which nothing would lead out, only maxima, such as the middle of a ball for a rope that lies
 // across it. Where the ways out contradict each other, all particles go aside together.
+#include "solver/contact/leave_solids.h"
 #include "solver/contact/collision.h"
 #include "solver/quads.h"
 

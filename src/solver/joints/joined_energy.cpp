@@ -1,6 +1,7 @@
 // What sweeps over cloth leave unsolved does work in long substeps on all that is joined to it. Energy that they have
 // lost before may come back, as it does within each swing; of what would go beyond that the motion of all of them is
 // slowed, but for that of them as a whole if nothing holds them. So their energy never exceeds what it was.
+#include "solver/joints/joined_motion.h"
 #include "solver/motion.h"
 
 namespace gphys {

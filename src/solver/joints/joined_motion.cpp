@@ -1,7 +1,11 @@
 // One substep of bodies that are joined. Chains and particles go to where they would go alone and are then
 // solved together (joint_system.cpp). Pieces of cloth are swept one after the other, each with the inertia of
 // what hangs on it, and what they pull with is given to the systems of their joints before the next.
+#include "solver/joints/joined_motion.h"
+#include "solver/contact/collision.h"
+#include "solver/contact/leave_solids.h"
 #include "solver/motion.h"
+#include "solver/rope/rope_limits.h"
 
 namespace gphys {
 namespace {

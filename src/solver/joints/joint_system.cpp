@@ -1,6 +1,12 @@
 // Newton's method on a system of joined chains and particles. The equations, with geometric stiffness and
 // regularisation, are those of rope_direct.cpp; forces are in newtons here, as bodies may differ in the
 // length of their steps' effect (damping).
+//
+// A chain is the special case without branches, and could be a system of its own. It is not: a step of a free rope of
+// 30 links takes 1.1 million instructions by rope_direct.cpp, and 2.0 by this file with one link more as a branch.
+// Elimination by blocks over a forest, with loops closed behind it, would be near the former for trees; joints that
+// close loops would need a dense system beside it, where SparseLdl takes them in its order. It would change the bits
+// of all trees, so it is not done here.
 #include "solver/body.h"
 #include "solver/contact/impulses.h"
 #include "solver/joints/elimination_order.h"

@@ -3,6 +3,7 @@
 
 #include "solver/rope/rope_kernels.h"
 #include "solver/solver.h"
+#include "solver/state.h"
 
 namespace gphys {
 

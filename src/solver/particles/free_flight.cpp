@@ -7,10 +7,12 @@
 // are mostly neighbours in space.
 #include <optional>
 
+#include "solver/contact/collision.h"
 #include "solver/motion.h"
 #include "solver/particles/flight.h"
 #include "solver/particles/flight_kernels.h"
 #include "solver/particles/flight_planes.h"
+#include "solver/particles/free_flight.h"
 
 namespace gphys {
 namespace {

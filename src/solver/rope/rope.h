@@ -7,6 +7,8 @@
 namespace gphys {
 
 struct Body;
+struct CollisionContext;
+struct TimeScheme;
 struct Chain;
 class RopeContacts;
 
@@ -52,5 +54,26 @@ bool solve_touching(Body& body, double step, RopeContacts* contacts);
 /// The part of its length that a rigid link may lack before a substep and count as in shape. Those that are put right
 /// by it do so at a speed that grows as it gets shorter.
 constexpr double in_shape = 0.05;
+
+/// The parts of a substep for chains (rope_substep.cpp): free particles to where they would go without constraints,
+/// attached ones after their models; the velocities that the time scheme gives for the solved positions; and tensions
+/// to the models that ropes hang from.
+void begin_chains(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
+/// As it was before begin_chains, before anything else has been done.
+void take_back_chains(Body& body);
+void finish_chains(Body& body, const TimeScheme& scheme);
+void give_tensions(Body& body, const CollisionContext& around, const TimeScheme& scheme);
+
+/// All of them for a rope alone; and what follows begin_chains.
+void move_rope(Body& body, const CollisionContext& around, Vec3 gravity, double h, RopeContacts* contacts);
+void end_rope(Body& body, const CollisionContext& around, Vec3 gravity, const TimeScheme& scheme);
+
+/// Particles that touch something count as pinned in between.
+void hold_touching(Body& body);
+void let_go_touching(Body& body);
+
+/// Positions are moved so that the constraints hold; `step` is the effective time step of the scheme:
+/// a force f moves a particle by f / m * step^2. Returns whether they do.
+bool solve_directly(Body& body, double step);
 
 }  // namespace gphys

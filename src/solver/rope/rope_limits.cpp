@@ -2,6 +2,7 @@
 // rigid one becomes taut within a substep, the ends lose the speed at which they part: an inelastic
 // impact, solved for all taut links of the chain together, which takes from the velocities the part
 // along the links and nothing else.
+#include "solver/rope/rope_limits.h"
 #include "solver/contact/collision.h"
 #include "solver/particles/flight.h"
 #include "solver/time_scheme.h"

@@ -8,10 +8,13 @@
 // Ropes that move calmly go by the trapezoid rule in the first part of each substep (stages_kernels.cpp), which
 // leaves a seventh of the error for twice the work.
 // After an interruption - a contact, a change by the caller - one step of backward Euler restarts it.
+#include "solver/contact/collision.h"
+#include "solver/contact/leave_solids.h"
 #include "solver/motion.h"
 #include "solver/rope/damping.h"
 #include "solver/rope/rope.h"
 #include "solver/rope/rope_contacts.h"
+#include "solver/rope/rope_limits.h"
 
 namespace gphys {
 

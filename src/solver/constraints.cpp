@@ -1,0 +1,79 @@
+// Constraints come and go. What can fail checks and makes room first, and wakes the body then.
+#include "solver/constraints.h"
+
+#include "foundation/status.h"
+#include "solver/body.h"
+#include "solver/state.h"
+
+namespace gphys {
+namespace {
+
+void change_links(Body& body, uint32_t slot, int by) {
+    for (const uint32_t p : {body.constraints.by_slot[slot].a, body.constraints.by_slot[slot].b}) {
+        body.constraints.links[p].degree += static_cast<uint32_t>(by);
+        body.constraints.links[p].slots ^= slot;
+    }
+}
+
+void change_constraints(Body& body, uint32_t slot, int by) {
+    change_links(body, slot, by);
+    body.plan.chains_current = false;
+    interrupt(body);
+}
+
+}  // namespace
+
+void join_links(Body& body, uint32_t slot) { change_links(body, slot, 1); }
+
+gphys_status add_constraint(Body& body, const DistanceConstraint& constraint, gphys_constraint_id& out) {
+    if (!body.constraints.ids.reserve(1)) {
+        return fail(GPHYS_ERROR_CAPACITY, "a body has at most 2^24 - 1 constraints");
+    }
+    reserve_more(body.constraints.by_slot, 1);
+    wake(body);
+    out = body.constraints.ids.add();
+    const uint32_t slot = IdTable::slot_of(out);
+    if (slot == body.constraints.by_slot.size()) body.constraints.by_slot.emplace_back();
+    DistanceConstraint& added = body.constraints.by_slot[slot];
+    added = constraint;
+    if (added.rest < 0) added.rest = distance(body.particles.position[added.a], body.particles.position[added.b]);
+    change_constraints(body, slot, 1);
+    return GPHYS_OK;
+}
+
+gphys_status check_constraint(const Body& body, gphys_constraint_id id) {
+    if (body.constraints.ids.has(id)) return GPHYS_OK;
+    return fail(GPHYS_ERROR_INVALID_ID, "constraint: no such constraint, or no longer");
+}
+
+gphys_status set_damping(Body& body, gphys_constraint_id id, double damping) {
+    const gphys_status status = check_constraint(body, id);
+    if (status != GPHYS_OK) return status;
+    wake(body);
+    body.constraints.by_slot[IdTable::slot_of(id)].damping = damping;
+    body.plan.described = false;
+    return GPHYS_OK;
+}
+
+gphys_status remove_constraint(Body& body, gphys_constraint_id id) {
+    const gphys_status status = check_constraint(body, id);
+    if (status != GPHYS_OK) return status;
+    wake(body);
+    const uint32_t slot = IdTable::slot_of(id);
+    change_constraints(body, slot, -1);
+    forget_length_change(body, slot);
+    body.constraints.ids.remove(id);
+    body.cloth.rest_position.clear();
+    return GPHYS_OK;
+}
+
+void list_constraints(const Body& body, Smallest<gphys_constraint_info, ConstraintOrder>& out) {
+    for (uint32_t slot = 0; slot < body.constraints.ids.slots(); ++slot) {
+        if (!body.constraints.ids.live(slot)) continue;
+        const DistanceConstraint& c = body.constraints.by_slot[slot];
+        out.add(
+            {body.constraints.ids.id(slot), c.a, c.b, static_cast<float>(c.rest), static_cast<float>(c.compliance)});
+    }
+}
+
+}  // namespace gphys

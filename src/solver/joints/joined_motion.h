@@ -1,0 +1,39 @@
+// A substep of joined bodies.
+#pragma once
+
+#include "solver/body.h"
+#include "solver/joints/joints.h"
+
+namespace gphys {
+
+struct CollisionContext;
+
+/// Bodies that are joined, directly or by others, and the systems of their joints.
+struct Joined {
+    Vector<Body>& bodies;
+    Vector<Joint>& joints;
+    const uint32_t *slots_begin, *slots_end;  // of the bodies, ascending
+    Vector<JointSystem>& all_systems;
+    const uint32_t *systems_begin, *systems_end;  // among all
+    const Vector<Tether>& all_tethers;            // by body and particle
+};
+
+/// visit(body, its slot)
+template <class Visit>
+void each_body(const Joined& joined, Visit&& visit) {
+    for (const uint32_t* slot = joined.slots_begin; slot != joined.slots_end; ++slot) {
+        visit(joined.bodies[*slot], *slot);
+    }
+}
+
+/// One substep of all of them, or the two parts of one.
+void move_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
+void begin_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
+void end_joined(const Joined& joined, const CollisionContext& around, Vec3 gravity, double h);
+/// joined_energy.cpp: slow them so that a substep gains no energy, if there is cloth among them.
+void keep_joined_energy(const Joined& joined, Vec3 gravity);
+/// What it needs, and before the first substep, after begin_cloth.
+void reserve_joined_cloth(Body& body);
+void begin_joined_cloth(Body& body);
+
+}  // namespace gphys

@@ -1,0 +1,23 @@
+// The particles of a body, as the caller changes them.
+#pragma once
+
+#include "foundation/math.h"
+#include "gamephys_c.h"
+
+namespace gphys {
+
+struct Body;
+
+/// The caller has broken off the motion: the time scheme must not look back past this moment.
+void interrupt(Body& body);
+void set_positions(Body& body, uint32_t first, uint32_t count, const gphys_vec3* positions, uint32_t stride);
+void set_velocities(Body& body, uint32_t first, uint32_t count, const gphys_vec3* velocities, uint32_t stride);
+void set_masses(Body& body, uint32_t first, uint32_t count, const float* masses, uint32_t stride);
+void set_radii(Body& body, uint32_t first, uint32_t count, const float* radii, uint32_t stride);
+void set_forces(Body& body, uint32_t first, uint32_t count, const gphys_vec3* forces, uint32_t stride);
+void set_pinned(Body& body, uint32_t first, uint32_t count, bool pinned);
+bool is_attached(const Body& body, uint32_t particle);
+// These may fail, by status or std::bad_alloc, and wake the body unless they do.
+void attach(Body& body, uint32_t particle, gphys_model_id model, Vec3 local);
+
+}  // namespace gphys
